@@ -29,15 +29,15 @@ Error CannotWrite(ErrorKind kind, const fs::path& path, const std::string& probl
     return Error{kind, path.string(), "cannot be written: " + problem, remedy};
 }
 
-// A full, broken or locked place is nobody's choice of words; everything else about opening is the
-// name's fault.
+// A full disk, an I/O error or a lock is Failed; all other errors of opening are caused by the
+// name.
 Error CannotOpen(const fs::path& path, int code)
 {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     switch (code)
     {
     case ENOENT: {
-        // A folder that is there and yet takes no file, as /proc.
+        // The folder exists but does not accept files, as /proc.
         std::error_code ignored;
         const bool isThere = fs::is_directory(folder, ignored);
         return CannotWrite(ErrorKind::Unusable, path,
@@ -89,13 +89,13 @@ Error PartInTheWay(const fs::path& path, const fs::path& part)
                        "move that away or choose another name");
 }
 
-// Opens and locks the part file. Whoever held the lock before may have renamed or removed the file
-// meanwhile, in which case the descriptor is not what the name says and the attempt is repeated.
+// Opens and locks the part file. The previous owner of the lock may have renamed or removed the
+// file meanwhile. Then the descriptor and the name differ, and the attempt is repeated.
 Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replacesLeftover)
 {
     for (int attempt = 0; attempt < 100; ++attempt)
     {
-        // O_NONBLOCK: a pipe would wait for whoever is at its other end.
+        // O_NONBLOCK: opening a pipe would wait for the other end.
         const int descriptor =
             ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
         if (descriptor < 0)
@@ -103,8 +103,7 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
             const bool isOther = errno == EISDIR || errno == ELOOP || errno == ENXIO;
             return isOther ? PartInTheWay(path, part) : CannotOpen(path, errno);
         }
-        // File systems without locks refuse with another code; then two writers are the users'
-        // risk.
+        // File systems without locks return another code; concurrent writers are then not detected.
         if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         {
             ::close(descriptor);
@@ -143,7 +142,7 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
                        "choose another name");
 }
 
-// A rename that refuses to replace, where the file system knows how; 0 or an errno.
+// Renames without replacing, where the file system supports it; returns 0 or an errno.
 int Rename(const fs::path& from, const fs::path& to, bool overwrite)
 {
 #ifdef RENAME_NOREPLACE
@@ -221,7 +220,7 @@ Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path,
     file.m_path = path;
     if (fs::is_symlink(fs::symlink_status(path, ignored)))
     {
-        // The link stays; the file it leads to is replaced.
+        // Keep a symbolic link and replace its target.
         file.m_path = fs::weakly_canonical(path, ignored);
         file.m_path = ignored ? path : file.m_path;
     }
@@ -259,7 +258,7 @@ void AtomicFile::Discard()
 {
     if (m_descriptor >= 0)
     {
-        // Removed before the lock goes, so that nobody else's part file is hit.
+        // Remove before releasing the lock, so that another process's part file is not removed.
         ::unlink(m_part.c_str());
         ::close(std::exchange(m_descriptor, -1));
     }
@@ -317,7 +316,7 @@ Result<std::size_t> AtomicFile::ReadAt(std::int64_t offset, std::span<std::uint8
 Result<void> AtomicFile::Commit()
 {
     assert(m_descriptor >= 0 && "AtomicFile::Commit twice");
-    // Without the flush a power cut could leave the final name on a file without content.
+    // Without the flush, a power failure could leave the final name on an empty file.
     if (::fsync(m_descriptor) != 0 && errno != EINVAL)
     {
         return CannotFinish(m_path, errno);

@@ -9,7 +9,7 @@ namespace boxreel
 namespace
 {
 
-/// Plain ASCII, so that no locale changes what is near.
+/// ASCII only, so that the result does not depend on the locale.
 std::string Lower(std::string_view text)
 {
     std::string lower(text);
@@ -53,8 +53,8 @@ int EditDistance(std::string_view a, std::string_view b)
 
 int NearestWord(std::string_view word, const std::vector<std::string>& candidates)
 {
-    // One mistake in three letters still looks like the word; more is a guess that would mislead,
-    // as is a word that has no letter of it.
+    // At most one mistake per three letters; a more distant suggestion would mislead. So would a
+    // candidate without a common letter.
     const int length = static_cast<int>(word.size());
     const int limit = std::min(std::max(1, length / 3), length - 1);
     const std::string typed = Lower(word);

@@ -8,7 +8,7 @@ namespace boxreel
 namespace
 {
 
-/// Whole megabytes where the limit is one, so that it reads as it was chosen.
+/// Whole megabytes are printed as such, in the unit in which the limit was chosen.
 std::string SizeText(std::uintmax_t bytes)
 {
     return bytes >> 20 > 0 ? std::to_string(bytes >> 20) + " MB" : std::to_string(bytes) + " bytes";

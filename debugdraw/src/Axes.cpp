@@ -14,22 +14,23 @@ namespace boxreel
 namespace
 {
 
-// All in pixels.
-constexpr double kBeside = 1.0; // from the picture to a line, which hides nothing of it then
+// All lengths in pixels.
+constexpr double kBeside = 1.0; // from the picture to an axis, so that nothing is covered
 constexpr double kTick = 5.0;
 constexpr double kGap = 4.0;         // between a tick and its number
-constexpr double kLetterGap = 14.0;  // between two numbers at least
-constexpr double kTickHeight = 45.0; // between two ticks of the upright axis at least
+constexpr double kLetterGap = 14.0;  // minimum distance of two numbers
+constexpr double kTickHeight = 45.0; // minimum distance of two ticks of the vertical axis
 
-constexpr const char* kUnit = " m"; // of the last number that has room for it
+constexpr const char* kUnit = " m"; // of the last number that fits
 
-// Ticks closer than this share of a step to the end count as in it.
+// Ticks closer to the end than this fraction of a step are included.
 constexpr double kRounding = 1e-6;
 
-/// Whether numbers can be told apart in this view at all.
+/// True if numbers in this view are distinct.
 bool HasTicks(const Camera& view)
 {
-    constexpr double kMostPixels = 1e12; // from the origin; a double has a thousand times as many
+    constexpr double kMostPixels = 1e12; // from the origin; a double resolves a thousand times as
+                                         // many
     const double scale = view.pixelsPerMeter;
     return scale > 1e-12 && scale < 1e12 && std::abs(view.centerX) * scale < kMostPixels &&
            std::abs(view.centerY) * scale < kMostPixels;
@@ -58,7 +59,7 @@ struct Label
     std::string text;
 };
 
-/// The last says what unit they all have.
+/// The last label has the unit.
 std::vector<Label> Labels(const Range& range, double step)
 {
     std::vector<Label> labels;
@@ -88,7 +89,7 @@ double StepUpwards(const Camera& view)
     return NiceAbove(kTickHeight / view.pixelsPerMeter);
 }
 
-/// The smallest step whose numbers have room beside each other.
+/// Returns the smallest step whose numbers fit beside each other.
 double StepAcross(const Camera& view)
 {
     double step = StepUpwards(view);
@@ -99,8 +100,7 @@ double StepAcross(const Camera& view)
     return step;
 }
 
-/// Numbers stand in the middle of their ticks, whether they have the unit or not; a tick has none
-/// where it would not fit.
+/// Numbers are centred on their ticks, with or without the unit; those that do not fit are omitted.
 void AddAcross(const Paper& paper, const Camera& view, PixelPoint corner)
 {
     const double y = corner.y + view.height + kBeside;
@@ -155,7 +155,7 @@ std::vector<double> Ticks(double lower, double upper, double step)
     std::vector<double> ticks;
     const double first = std::ceil(lower / step - kRounding);
     const double last = std::floor(upper / step + kRounding);
-    // Whole numbers, which are exact. NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter)
+    // Integers, which are exact. NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter)
     for (double i = first; i <= last; i += 1.0)
     {
         ticks.push_back(i * step);

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-// Plain double arithmetic throughout (no exp, no pow), so that every machine sees the same view.
+// Plain double arithmetic (no exp, no pow), so that every machine computes the same view.
 
 namespace boxreel
 {
@@ -13,31 +13,31 @@ namespace boxreel
 namespace
 {
 
-// A picture of less than a metre would show the engine's slop, not the scene.
+// A picture of less than a metre would show the engine's slop instead of the scene.
 constexpr double kSmallestSide = 1.0;
 
-// Shares of the frame's smaller side. A body closer than the first to the edge makes the view grow
-// until it is farther than the second; the gap between them keeps the view from creeping after a
-// body step by step.
+// Fractions of the frame's smaller side. A body closer than the first to the edge makes the view
+// grow until it is further away than the second. The difference prevents the view from growing in
+// every step.
 constexpr double kCalmBorder = 0.03;
 constexpr double kRoomyBorder = 0.12;
-// At least this many pixels are left beyond a body at once: its outline reaches past its box.
+// Minimum distance between a body and the edge [px]: its outline extends beyond its box.
 constexpr double kUrgentPixels = 6.0;
 
-// Home views on either side of the first one in which bodies are followed. More would show a scene
-// as a speck once something has fallen off it.
+// Size of the neighbourhood in initial views on either side. More would shrink a scene to a dot
+// when a body falls off it.
 constexpr double kNeighbourViews = 1.0;
 
-// Longer lags behind what happens, shorter makes the viewer notice the camera [s].
+// Longer lags behind, shorter makes the camera's motion noticeable [s].
 constexpr double kFollowTime = 0.2;
 
-// Differences that no pixel shows: the view then comes to rest, and equal frames can be recognised.
+// Differences below this are invisible: the view then rests, and equal frames can be detected.
 constexpr double kRestPixels = 0.02;
 
-// A share of half the view's height: where edges coincide, they do so up to this.
+// Tolerance for coinciding edges, as a fraction of half the view's height.
 constexpr double kRounding = 1e-6;
 
-// Of a scale or a centre. All points of a list, which are floats, then lie so near [px] that
+// Limit of a scale or a centre [px]. All points of a list, which are floats, are then so close that
 // neither they nor their squares overflow.
 constexpr double kMostPixels = 1e15;
 
@@ -137,7 +137,7 @@ FitCamera::FitCamera(int width, int height, const Rect& scene)
         BoxOf(Area{m_shown.x, m_shown.y, m_shown.halfHeight * (1.0 + 2.0 * kNeighbourViews)});
     if (IsUsable(scene))
     {
-        // A chain that starts level and hangs from one end swings as far down as it is long.
+        // A horizontal chain that hangs from one end swings down by its length.
         const double sceneWidth = double(scene.upper.x) - scene.lower.x;
         const double sceneHeight = double(scene.upper.y) - scene.lower.y;
         m_neighbourhood.left = std::min(m_neighbourhood.left, scene.lower.x - sceneHeight);
@@ -154,8 +154,8 @@ FitCamera::Box FitCamera::BoxOf(const Area& area) const
             area.y + area.halfHeight};
 }
 
-// The part of `rect` in the neighbourhood, with `border` (a share of the smaller side of `area`)
-// around it.
+// Returns the part of `rect` in the neighbourhood, enlarged by `border` (a fraction of the smaller
+// side of `area`).
 FitCamera::Box FitCamera::BoxOf(const Rect& rect, double border, const Area& area) const
 {
     const double room = border * 2.0 * area.halfHeight * std::min(m_aspect, 1.0);
@@ -177,7 +177,7 @@ FitCamera::Area FitCamera::Blend(const Area& from, const Area& to, double share)
             from.halfHeight + share * (to.halfHeight - from.halfHeight)};
 }
 
-// To the smallest area of the picture's shape around both.
+// Grows to the smallest area with the picture's aspect ratio around both.
 void FitCamera::Widen(Area& area, const Box& box) const
 {
     const Box old = BoxOf(area);
@@ -189,7 +189,7 @@ void FitCamera::Widen(Area& area, const Box& box) const
             0.5 * std::max(top - bottom, (right - left) / m_aspect)};
 }
 
-// As far on the way to `goal`, which holds it, as it takes to hold `box`. Edges move linearly.
+// Interpolates towards `goal` as far as necessary to contain `box`. Edges move linearly.
 void FitCamera::Approach(Area& area, const Area& goal, const Box& box) const
 {
     const Box from = BoxOf(area);
@@ -229,7 +229,7 @@ void FitCamera::Follow(double dt)
 void FitCamera::Update(const std::vector<Rect>& movers, double dt)
 {
     const Area before = m_shown;
-    Rect inSight; // all movers that are not let go
+    Rect inSight; // all movers that are not ignored
     for (const Rect& mover : movers)
     {
         const Box part = BoxOf(mover, 0.0, m_target);

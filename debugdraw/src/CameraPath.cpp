@@ -12,8 +12,8 @@ namespace boxreel
 namespace
 {
 
-// Heights that differ by less than this share are panned between: nobody sees the difference, and
-// 1 - ratio would have few digits left.
+// Heights with a smaller relative difference are panned between: it is invisible, and 1 - ratio
+// would lose its digits.
 constexpr double kSameHeight = 1e-6;
 
 bool IsFinite(const CameraKey& key)
@@ -22,14 +22,14 @@ bool IsFinite(const CameraKey& key)
            std::isfinite(key.height);
 }
 
-// From 0 to 1, level at both ends.
+// From 0 to 1, with zero slope at both ends.
 double Smoothstep(double share)
 {
     return share * share * (3.0 - 2.0 * share);
 }
 
-// base^exponent for an exponent from 0 to 1, bit by bit: base^(1/2), base^(1/4), … where the
-// exponent has a 1. The library's pow is not the same on every machine, sqrt is.
+// Returns base^exponent for an exponent from 0 to 1, bit by bit: base^(1/2), base^(1/4), … for each
+// 1 of the exponent. The C library's pow differs between machines, sqrt does not.
 double Power(double base, double exponent)
 {
     double power = exponent < 1.0 ? 1.0 : base;
@@ -50,7 +50,7 @@ CameraKey Between(const CameraKey& a, const CameraKey& b, double share)
 {
     const double ratio = b.height / a.height;
     const double zoom = Power(ratio, share);
-    // Zooming about a point that keeps its place makes the middle a linear function of the height.
+    // Zooming about a fixed point makes the centre a linear function of the height.
     const double way = std::abs(1.0 - ratio) > kSameHeight ? (1.0 - zoom) / (1.0 - ratio) : share;
     return {0.0, a.centerX + way * (b.centerX - a.centerX),
             a.centerY + way * (b.centerY - a.centerY), a.height * zoom};

@@ -16,15 +16,15 @@ namespace boxreel
 namespace
 {
 
-// All in pixels.
+// All lengths in pixels.
 constexpr double kFromPoint = 5.0; // from a measured point to its extension line
-constexpr double kBeyond = 5.0;    // of an extension line beyond the arrows
-constexpr double kShortest = 24.0; // two heads and something between them
-constexpr double kOutside = 18.0;  // the shaft of an arrow that comes from outside
+constexpr double kBeyond = 5.0;    // extension line beyond the arrows
+constexpr double kShortest = 24.0; // two heads and a gap
+constexpr double kOutside = 18.0;  // the shaft of an arrow from outside
 constexpr double kFromLine = 5.0;  // from the line to the text
 constexpr double kFromEdge = 4.0;  // from the text to the picture's edge
-constexpr double kStep = 12.0;     // between the places along its line that a text tries
-constexpr int kOnText = 100;       // lines that are as bad to lie on as a text
+constexpr double kStep = 12.0;     // step along the line to try positions
+constexpr int kOnText = 100;       // cost of covering a text, in lines
 
 PixelPoint operator+(PixelPoint a, PixelPoint b)
 {
@@ -40,12 +40,12 @@ PixelPoint operator*(double factor, PixelPoint p)
 struct Measured
 {
     PixelPoint a, b;
-    PixelPoint along; // from a to b, of length 1
+    PixelPoint along; // unit vector from a to b
     double length;
 };
 
-/// Where the text lies when its line runs through `middle` and it is on the side of `normal`: as
-/// near to it as its box can be.
+/// Returns the text's centre for a line through `middle`, on the side of `normal`, as close to it
+/// as its box allows.
 PixelPoint TextCenter(PixelPoint middle, PixelPoint normal, double width)
 {
     const double reach =
@@ -53,7 +53,7 @@ PixelPoint TextCenter(PixelPoint middle, PixelPoint normal, double width)
     return middle + reach * normal;
 }
 
-/// Whether a box of these sizes around `center` lies in the picture.
+/// True if a box of this size around `center` is inside the picture.
 bool HasRoom(const Camera& view, PixelPoint center, double width, double height)
 {
     return center.x - 0.5 * width >= kFromEdge && center.y - 0.5 * height >= kFromEdge &&
@@ -61,7 +61,7 @@ bool HasRoom(const Camera& view, PixelPoint center, double width, double height)
            center.y + 0.5 * height <= view.height - kFromEdge;
 }
 
-/// Above lines that lie, left of those that stand.
+/// Above horizontal lines, left of vertical ones.
 PixelPoint PreferredSide(const Measured& measured)
 {
     const PixelPoint normal{measured.along.y, -measured.along.x};
@@ -70,7 +70,7 @@ PixelPoint PreferredSide(const Measured& measured)
     return turn ? -1.0 * normal : normal;
 }
 
-/// How many lines and outlines the text would lie on.
+/// Returns the number of lines and outlines that the text would cover.
 int CountUnder(const LabelGround& ground, const Camera& view, PixelPoint center, double width)
 {
     const labels::Point middle{center.x - 0.5 * view.width, 0.5 * view.height - center.y};
@@ -89,8 +89,9 @@ int CountUnder(const LabelGround& ground, const Camera& view, PixelPoint center,
     return count;
 }
 
-/// Where the text of a line through `middle` lies on the least: in its middle on the side that the
-/// line is on, else along it there, else between the line and what is measured, `offset` away.
+/// Returns the position where the text covers least: first in the middle of a line through `middle`
+/// on its own side, then along it, then between the line and the measured points, at distance
+/// `offset`.
 PixelPoint ClearPlace(const LabelGround& ground, const Camera& view, const Measured& measured,
                       PixelPoint middle, PixelPoint side, double offset, double width)
 {
@@ -131,7 +132,7 @@ void AddArrows(const Paper& paper, const Measured& measured, PixelPoint from, Pi
 {
     if (measured.length >= kShortest)
     {
-        // One shaft for both; a little within the second head, which rounding gives none then.
+        // One shaft for both; it ends just inside the second head.
         const PixelPoint neck = to + -0.99 * ArrowHead().length * measured.along;
         paper.Arrow(neck, from, paint);
         paper.Arrow(neck, to, paint);

@@ -9,7 +9,7 @@ namespace boxreel
 namespace
 {
 
-constexpr int32 kMaxSolidVertices = 8; // what a renderer can fill
+constexpr int32 kMaxSolidVertices = 8; // limit of renderers
 constexpr float kAxisLength = 0.4f;    // of a drawn frame of reference [m]
 
 Vec2 From(const b2Vec2& v)
@@ -17,7 +17,7 @@ Vec2 From(const b2Vec2& v)
     return {v.x, v.y};
 }
 
-// To the nearest of 256 steps; what is out of range, or no number, is cut to it.
+// Rounds to 256 steps and clamps; NaN is clamped too.
 std::uint8_t ChannelFrom(float32 channel)
 {
     return channel > 0.0f
@@ -49,7 +49,7 @@ DrawLayer LayerFrom(uint32 flag)
 
 } // namespace
 
-// Axes reach farther than their origin; everything is given as much room.
+// Axes extend beyond their origin; the same margin is used for all items.
 void DrawCollector::LookAt(const View& view)
 {
     if (!view.area)
@@ -95,7 +95,7 @@ void DrawCollector::DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const
 void DrawCollector::DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount,
                                      const b2Color& color)
 {
-    // Cut into pieces it would show the cuts, so what has too many corners is an outline.
+    // Pieces of a larger polygon would show seams, so it is drawn as an outline.
     if (vertexCount < 3 || vertexCount > kMaxSolidVertices)
     {
         DrawPolygon(vertices, vertexCount, color);

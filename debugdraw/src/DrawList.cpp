@@ -30,7 +30,8 @@ void Rect::Include(const Rect& other)
 namespace
 {
 
-/// Corners that lie on a line, give or take a thousandth of their sides, turn either way.
+/// True if all turns have the same direction; nearly collinear vertices, within a thousandth of
+/// their sides, may turn either way.
 bool TurnsOneWay(const Vec2* corners, std::size_t count)
 {
     constexpr double kStraight = 1e-3;
@@ -78,7 +79,7 @@ void DrawList::AddPolygon(const Vec2* vertices, std::size_t count, const Paint& 
 
 void DrawList::AddSolidPolygon(const Vec2* vertices, std::size_t count, const Paint& paint)
 {
-    constexpr std::size_t kMostCorners = 8; // what renderers fill
+    constexpr std::size_t kMostCorners = 8; // limit of renderers
     const bool fills = count <= kMostCorners && TurnsOneWay(vertices, count);
     Add(fills ? DrawKind::SolidPolygon : DrawKind::Polygon, vertices, count, paint);
 }

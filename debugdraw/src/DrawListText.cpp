@@ -37,7 +37,7 @@ const char* KindName(DrawKind kind)
     return "unknown-kind";
 }
 
-// What DrawItem::size means for a kind; null where it means nothing.
+// Returns the meaning of DrawItem::size for a kind; null if it is unused.
 const char* SizeName(DrawKind kind)
 {
     switch (kind)
@@ -88,7 +88,7 @@ void AppendPoint(std::string& out, Vec2 point)
     out += ')';
 }
 
-// Quoted, and free of line breaks, so that an item stays a line.
+// Appends the text quoted and without line breaks, so that an item stays one line.
 void AppendQuoted(std::string& out, const std::string& text)
 {
     out += '"';

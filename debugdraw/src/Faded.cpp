@@ -9,7 +9,7 @@ namespace boxreel
 namespace
 {
 
-/// A copy of the item with points and text of its own.
+/// Copies an item with its points and text.
 DrawItem& Copy(DrawList& to, const DrawList& from, const DrawItem& item)
 {
     DrawItem copy = item;
@@ -25,7 +25,7 @@ DrawItem& Copy(DrawList& to, const DrawList& from, const DrawItem& item)
     return to.items.back();
 }
 
-/// The owner's items, in their order.
+/// Returns the owner's items, in order.
 std::vector<const DrawItem*> ItemsOf(const DrawList& list, std::uint32_t owner)
 {
     std::vector<const DrawItem*> items;
@@ -44,7 +44,8 @@ bool IsNear(Vec2 a, Vec2 b, double distance)
     return std::abs(double(a.x) - b.x) <= distance && std::abs(double(a.y) - b.y) <= distance;
 }
 
-/// An axis is a direction: as far from its centre as the item is large, it is a place.
+/// Returns a position; an axis, which is a direction, is converted to a point at the item's size
+/// from its centre.
 Vec2 PlaceOf(const DrawList& list, const DrawItem& item, std::size_t point)
 {
     const Vec2* const points = list.points.data() + item.first;

@@ -12,27 +12,26 @@ namespace boxreel
 namespace
 {
 
-// Of each of the two low-passes [s]. Longer lets a running body drift from the middle, by its speed
-// times twice this; shorter makes the viewer notice each start and stop.
+// Time constant of each low-pass filter [s]. Longer lets a moving body drift from the centre, by
+// its speed times twice this; shorter makes each start and stop noticeable.
 constexpr double kFollowTime = 0.12;
 
-// How far from the middle the subject may go before the view moves, as a share of the frame's
-// smaller side. Larger leaves a body visibly beside the middle, smaller lets its shaking through:
-// this holds 2 cm in a frame of half a metre.
+// Size of the zone in which the view rests, as a fraction of the frame's smaller side. Larger
+// leaves a body visibly off-centre, smaller shows its vibration: this allows 2 cm in a frame of
+// half a metre.
 constexpr double kCalmZone = 0.04;
 
-// How far from the middle a fast subject may get, as a share of half the frame.
+// Maximum distance of a fast subject from the centre, as a fraction of half the frame.
 constexpr double kFarthest = 0.5;
 
-// Where the height follows the subject: left free on every side, as a share of that side.
+// Margin if the height follows the subject, as a fraction of each side.
 constexpr double kMargin = 0.15;
-// The frame keeps its height while the one that would fit lies between these shares of it. Their
-// quotient is below 1/sqrt(2), for a square that rolls must not make the view breathe.
+// The frame keeps its height while the fitting one is between these fractions of it. Their quotient
+// is below 1/sqrt(2), so that a rolling square does not change the view.
 constexpr double kTooLarge = 0.65;
 constexpr double kTooSmall = 1.08;
 
-// A difference that no pixel shows: the view then comes to rest, and equal frames can be
-// recognised.
+// Differences below this are invisible: the view then rests, and equal frames can be detected.
 constexpr double kRestPixels = 0.02;
 
 bool IsUsable(const Rect& box)
@@ -46,8 +45,8 @@ double Middle(double a, double b)
     return 0.5 * (a + b);
 }
 
-// 1 - exp(-x) for x >= 0 from the first terms of the series of exp(x): within 4e-6 at the usual
-// steps, between 0 and 1 for any.
+// Approximates 1 - exp(-x) for x >= 0 by the first terms of exp(x): within 4e-6 at typical steps,
+// between 0 and 1 for any.
 double ShareOfWay(double x)
 {
     return 1.0 - 1.0 / (1.0 + x * (1.0 + x / 2.0 * (1.0 + x / 3.0)));
@@ -60,7 +59,7 @@ void FollowCamera::Smooth::LeadInto(double lower, double upper)
     goal = std::clamp(goal, lower, upper);
 }
 
-// The guide too: the number would be drawn back otherwise.
+// Clamps the guide too; otherwise it would pull the number back.
 void FollowCamera::Smooth::HoldWithin(double lower, double upper)
 {
     guide = std::clamp(guide, lower, upper);
@@ -89,13 +88,13 @@ FollowCamera::FollowCamera(int width, int height, const Rect& subject,
     m_view.pixelsPerMeter = height / m_viewHeight.shown;
 }
 
-// The height of the frame in which the subject has its margin.
+// Returns the height of the frame in which the subject has its margin.
 double FollowCamera::FittingHeight(const Rect& subject) const
 {
     return m_view.height / FitTo(subject, m_view.width, m_view.height, kMargin).pixelsPerMeter;
 }
 
-// One coordinate of the middle goes after a subject from `lower` to `upper`.
+// Moves one coordinate of the centre after a subject from `lower` to `upper`.
 void FollowCamera::Approach(Smooth& middle, double lower, double upper, double halfView, double dt)
 {
     const double calm =
@@ -103,13 +102,13 @@ void FollowCamera::Approach(Smooth& middle, double lower, double upper, double h
     const double subject = Middle(lower, upper);
     middle.LeadInto(subject - calm, subject + calm);
     middle.Advance(dt, kRestPixels * PixelSize());
-    // What fits into the frame stays in it; what does not still has its calm zone.
+    // A subject that fits stays in the frame; a larger one still has its resting zone.
     const double room = halfView - (upper - subject);
     const double farthest = std::max(calm, std::min(room, kFarthest * halfView));
     middle.HoldWithin(subject - farthest, subject + farthest);
 }
 
-// After the middle has moved.
+// Call after the centre has moved.
 void FollowCamera::Resize(const Rect& subject, double dt)
 {
     const double fitting = FittingHeight(subject);

@@ -13,8 +13,9 @@ namespace
 constexpr double kDash = 5.0;          // [px]
 constexpr double kHead = 7.0;          // length of an arc's arrow head [px]
 constexpr double kHeadHalfWidth = 3.5; // [px]
-constexpr int kTurns = 8;              // of a spring, half ones
-constexpr double kLead = 0.15;         // straight at each end of a spring, a share of its length
+constexpr int kTurns = 8;              // number of half turns of a spring
+constexpr double kLead = 0.15;         // straight part at each end of a spring, as a fraction of
+                                       // its length
 constexpr std::size_t kMostDashes = 400;
 
 GlyphPen::Point operator+(GlyphPen::Point a, GlyphPen::Point b)
@@ -98,7 +99,7 @@ void GlyphPen::Lines(std::initializer_list<Point> points)
 void GlyphPen::Dashes(Point from, Point to)
 {
     const double length = LengthOf(to - from);
-    // An odd number, so that both ends are drawn; a line of many pictures' length has longer ones.
+    // An odd number, so that both ends are drawn; very long lines have longer dashes.
     const double wanted = std::min(0.5 * length / kDash, double(kMostDashes));
     const auto pairs = std::isfinite(wanted) ? static_cast<std::size_t>(wanted) : 0;
     const std::size_t count = 2 * pairs + 1;

@@ -16,10 +16,11 @@ using labels::Box;
 using labels::Point;
 
 constexpr double kSmallestCell = 64.0; // [px]
-constexpr double kMostCells = 64.0;    // each way, however large the picture
-constexpr double kTouch = 0.5;         // boxes that overlap by less do not [px]
+constexpr double kMostCells = 64.0;    // per side, for any picture
+constexpr double kTouch = 0.5;         // smaller overlaps are ignored [px]
 
-/// What of the segment from a to b, from share `t0` to share `t1` of it, lies between two bounds.
+/// Clips the segment from a to b to two bounds; `t0` and `t1` are the parameters of the remaining
+/// part.
 bool Clip(double a, double b, double lower, double upper, double& t0, double& t1)
 {
     const double way = b - a;
@@ -87,7 +88,7 @@ LabelGround::LabelGround(const Camera& camera, const DrawList& list)
             AddItem(list, item, item.kind == DrawKind::Text ? LabelRole::Label : LabelRole::Sign);
             break;
         default:
-            break; // lines and arrows that may be read through letters
+            break; // lines and arrows that do not make text illegible
         }
     }
 }
@@ -174,12 +175,12 @@ void LabelGround::AddItem(const DrawList& list, const DrawItem& item, LabelRole 
     Add(thing);
 }
 
-/// Labels lie in the picture, so nothing else matters.
+/// Labels are inside the picture, so all else is ignored.
 void LabelGround::Add(const LabelThing& thing)
 {
     const Box picture{{-0.5 * m_camera.width, -0.5 * m_camera.height},
                       {0.5 * m_camera.width, 0.5 * m_camera.height}};
-    // What has no place is not within bounds either.
+    // Also rejects NaN.
     if (!(thing.bounds.lower.x <= picture.upper.x && thing.bounds.lower.y <= picture.upper.y &&
           thing.bounds.upper.x >= picture.lower.x && thing.bounds.upper.y >= picture.lower.y))
     {
@@ -222,7 +223,7 @@ bool LabelGround::Contains(const LabelThing& thing, Point point) const
         const double radius = 0.5 * (bounds.upper.x - bounds.lower.x);
         return dx * dx + dy * dy <= radius * radius;
     }
-    // A ray to the right leaves through an odd number of sides.
+    // Ray casting: a point is inside if a ray to the right crosses an odd number of sides.
     bool isInside = thing.form == LabelForm::Box;
     for (std::size_t i = 0; thing.form == LabelForm::Lines && i < thing.count; ++i)
     {
@@ -244,7 +245,7 @@ double LabelGround::ThicknessOf(const LabelThing& thing) const
     double thickness = std::min(upper.x - lower.x, upper.y - lower.y);
     for (std::size_t i = 0; thing.form == LabelForm::Lines && i < thing.count; ++i)
     {
-        // A convex shape is thinnest across one of its sides.
+        // The minimum width of a convex shape is perpendicular to one of its sides.
         const Point a = m_points[thing.first + i];
         const Point b = m_points[thing.first + (i + 1) % thing.count];
         const double length = std::hypot(b.x - a.x, b.y - a.y);

@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
-/// What is in the way of labels in a picture, found by place. Knows no labels' wishes.
+/// A spatial index of the obstacles for labels in a picture. Independent of the placement.
 namespace boxreel
 {
 
 namespace labels
 {
 
-/// [px] from the picture's middle, y up.
+/// [px] from the picture's centre, y up.
 struct Point
 {
     double x, y;
@@ -34,7 +34,8 @@ inline bool Touch(const Box& a, const Box& b)
     return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
            b.lower.y <= a.upper.y;
 }
-bool Crosses(Point a, Point b, const Box& box); ///< the segment from a to b
+bool Crosses(Point a, Point b, const Box& box); ///< True if the segment from a to b crosses the
+                                                ///< box.
 
 } // namespace labels
 
@@ -43,14 +44,14 @@ enum class LabelRole
     Sign,
     Shape,
     Label,  ///< any text
-    Center, ///< of a body
+    Center, ///< centre of a body
 };
 
 enum class LabelForm
 {
     Box,
-    Circle, ///< within its bounds
-    Lines,  ///< from point to point, and back to the first
+    Circle, ///< the circle in its bounds
+    Lines,  ///< a closed polygon
 };
 
 struct LabelThing
@@ -59,9 +60,9 @@ struct LabelThing
     LabelForm form = LabelForm::Box;
     std::uint32_t owner = kNoOwner;
     labels::Box bounds{};
-    std::size_t first = 0; ///< Lines: the number of the first point
+    std::size_t first = 0; ///< Lines: index of the first point
     std::size_t count = 0;
-    int column = 0; ///< of its first cell, which LabelGround finds
+    int column = 0; ///< its first cell, set by LabelGround
     int row = 0;
 };
 
@@ -74,17 +75,17 @@ public:
     Vec2 ToWorld(labels::Point pixels) const;
     bool IsInPicture(labels::Point point) const;
 
-    /// What does not lie in the picture is ignored.
+    /// Adds an obstacle; those outside the picture are ignored.
     void Add(const LabelThing& thing);
-    void AddLine(labels::Point from, labels::Point to, std::uint32_t owner); ///< a sign
+    void AddLine(labels::Point from, labels::Point to, std::uint32_t owner); ///< part of a glyph
 
     bool Meets(const LabelThing& thing, const labels::Box& box) const;
     bool Contains(const LabelThing& thing, labels::Point point) const;
 
-    /// How far apart the two parallels are at least between which it lies [px].
+    /// Returns the distance of the two closest parallel lines that enclose it [px].
     double ThicknessOf(const LabelThing& thing) const;
 
-    /// Calls it for each thing that may meet the box, once, until it says false.
+    /// Calls `visit` once for each obstacle that may overlap the box, until it returns false.
     template <class Visit>
     void VisitNear(const labels::Box& box, Visit visit) const
     {
@@ -121,7 +122,7 @@ private:
     int m_rows;
     std::vector<LabelThing> m_things;
     std::vector<Point> m_points;
-    std::vector<std::vector<std::size_t>> m_cells; // what may lie in each, row by row
+    std::vector<std::vector<std::size_t>> m_cells; // obstacles per cell, row by row
 };
 
 } // namespace boxreel

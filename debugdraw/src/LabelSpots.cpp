@@ -16,48 +16,49 @@ using labels::MiddleOf;
 using labels::Point;
 using labels::Widened;
 
-constexpr double kLetterHeight = 12.0; // of a line, what letters have ink on [px]
-constexpr double kEdge = 2.0;          // from a label to the picture's edge at least [px]
+constexpr double kLetterHeight = 12.0; // height of the glyphs in a line [px]
+constexpr double kEdge = 2.0;          // minimum distance of a label from the picture's edge [px]
 
-constexpr double kCenter = 0.5;            // half of what a body's centre takes [px]
-constexpr double kRounding = 0.5;          // by which boxes may overlap before they meet [px]
-constexpr double kApart = 3.0 + kRounding; // between labels in a row: less, and they read as one
-constexpr double kClear = 3.0; // from a label to signs, and to its own body when it is beside it
+constexpr double kCenter = 0.5;            // half the size of a body's centre [px]
+constexpr double kRounding = 0.5;          // overlap that does not count [px]
+constexpr double kApart = 3.0 + kRounding; // minimum distance of labels in a row, so that they do
+                                           // not read as one
+constexpr double kClear = 3.0; // from a label to glyphs, and to its own body when beside it
 
-// How far a label may reach over another body's shape, as long as its centre stays free [px]. Less,
-// and labels of small bodies leave them, and jump in films, for a neighbour that is merely near.
+// Maximum overlap of a label with another body's shape, if its centre stays free [px]. With less,
+// labels of small bodies leave them, and jump in films, because of mere neighbours.
 constexpr double kSpill = 5.0;
 
-constexpr double kCorner = 2.0; // of a label, what is nearly always empty [px]
+constexpr double kCorner = 2.0; // corner of a label, which is usually empty [px]
 
-// What is no longer than so many times its thickness is hidden by its label, not a line through it:
-// a small box, which may stand on a corner.
+// A shape with a smaller ratio of length to thickness is covered by its label instead of crossing
+// it as a line. An example is a small box on its corner.
 constexpr double kSlender = 3.0;
 
-// From the place to the nearest edge of the label [px]: clear of a hinge or a centre of mass, of a
-// hinge with a motor, of a gear, out of crowds, and beyond the ends of what is slender and has no
-// room beside it.
+// Distances from the position to the nearest edge of the label [px]: for a hinge or a centre of
+// mass, a hinge with a motor, a gear, crowds, and beyond the ends of a slender body.
 constexpr double kBeyondEnds = 66.0;
 constexpr double kDistances[] = {10.5, 17.0, 25.0, 36.0, 50.0, kBeyondEnds};
 
-// A line that passes another body's centre as near as this seems to be its [px].
+// A line that passes another body's centre within this distance appears to belong to it [px].
 constexpr double kNear = 3.0;
 
-// Farther than this from what is no body, a label needs a line to say where it belongs [px].
+// Beyond this distance, the label of a joint needs a line [px].
 constexpr double kFar = 26.0;
 
 using Direction = double[2];
 
-// Of a body's label: straight above or below, where a line to it is shortest, then as on maps.
+// Directions for a body's label: above and below first, where the line is shortest, then as on
+// maps.
 constexpr Direction kAroundBody[] = {{0, 1},  {0, -1},  {1, 1}, {1, -1},
                                      {-1, 1}, {-1, -1}, {1, 0}, {-1, 0}};
 
-// Of others as on maps: above on the right first, and straight beside it last, and only where no
-// corner at the next distance is free: lines are likely there.
+// Directions for other labels, as on maps: upper right first, straight beside last. Lines are
+// likely there, so it is used only if no corner at the next distance is free.
 constexpr Direction kAroundSign[] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1},
                                      {1, 0}, {-1, 0}, {0, 1},  {0, -1}};
 
-/// What of a label on its place must be free of other bodies.
+/// Returns the part of a label at its position that must not overlap other bodies.
 Box CoreOf(const Box& box)
 {
     const double across = std::min(kSpill, 0.5 * (box.upper.x - box.lower.x));
@@ -77,7 +78,7 @@ bool LabelSpots::IsInPicture(const Box& box) const
            m_ground.IsInPicture(Point{box.upper.x + kEdge, box.upper.y + kEdge});
 }
 
-/// How many things are in the way of a label there; none when it must not be there at all.
+/// Returns the number of obstacles at this position; none if it is forbidden.
 std::optional<int> LabelSpots::CountIn(const Box& box, const LabelWish& wish) const
 {
     if (!IsInPicture(box))
@@ -106,8 +107,8 @@ std::optional<int> LabelSpots::CountIn(const Box& box, const LabelWish& wish) co
             signs += m_ground.Meets(thing, clear) ? 1 : 0;
             break;
         case LabelRole::Shape:
-            // What the body itself lies over (a region, a vehicle around its wheel) tells nobody
-            // apart.
+            // Shapes below the label's own body (a region, a vehicle around its wheel) do not
+            // identify it.
             signs += isOwn && Strikes(thing, clear) ? 1 : 0;
             shapes +=
                 !isOwn && m_ground.Meets(thing, core) && !m_ground.Contains(thing, place) ? 1 : 0;
@@ -119,11 +120,11 @@ std::optional<int> LabelSpots::CountIn(const Box& box, const LabelWish& wish) co
     {
         return std::nullopt;
     }
-    // On its own body it stays, whatever else lies there.
+    // On its own body it stays, independent of other shapes there.
     return signs + (shapes > 0 && FitsIn(box, wish.owner) ? 0 : shapes);
 }
 
-/// Whether a shape of the label's body crosses it like a line through its letters.
+/// True if a shape of the label's body crosses the text like a line.
 bool LabelSpots::Strikes(const LabelThing& thing, const Box& box) const
 {
     const Box& bounds = thing.bounds;
@@ -149,7 +150,7 @@ bool LabelSpots::IsStruck(const Box& box, std::uint32_t owner) const
     return isStruck;
 }
 
-/// Whether a line would seem to come from another body, or to lead to another label.
+/// True if a line would appear to start at another body, or to lead to another label.
 bool LabelSpots::Misleads(Point from, Point to) const
 {
     const Box bounds{{std::min(from.x, to.x), std::min(from.y, to.y)},
@@ -176,7 +177,7 @@ bool LabelSpots::IsOnOwner(Point point, std::uint32_t owner) const
     return isOn;
 }
 
-/// Where a line from the place to the label would end; none when one sees whose it is without.
+/// Returns the end of a line from the position to the label; none if the label is clear without it.
 std::optional<Point> LabelSpots::TieTo(const Box& box, const LabelWish& wish) const
 {
     const Point place = m_ground.ToPixels(wish.place);
@@ -196,7 +197,7 @@ Box LabelSpots::BoxAround(Point middle, double width) const
             {middle.x + 0.5 * width, middle.y + 0.5 * kLetterHeight}};
 }
 
-/// At the picture's edge it is moved in.
+/// At the picture's edge it is moved inside.
 Box LabelSpots::BoxOnPlace(const LabelWish& wish) const
 {
     const auto inside = [](double place, double size, double room) {
@@ -215,7 +216,7 @@ std::optional<Box> LabelSpots::BestBox(const LabelWish& wish) const
     const bool mayFit = MayFitIn(wish);
     std::optional<Box> best;
     std::optional<int> fewest;
-    bool fits = false; // the best, in its body
+    bool fits = false; // the best is inside its body
     const auto consider = [&](const Box& box) {
         const std::optional<int> count = CountIn(box, wish);
         if (!count || (fewest && (*count > *fewest || (*count == *fewest && (fits || !mayFit)))))
@@ -250,7 +251,7 @@ std::optional<Box> LabelSpots::BestBox(const LabelWish& wish) const
             {
                 return best;
             }
-            // A corner is nearer to the place than a side: there it may come closer.
+            // A corner is closer to the position than a side, so it may be closer.
             const bool isCorner = right != 0.0 && up != 0.0;
             const double straight = wish.owner != kNoOwner ? distance : nearer;
             if (!isCorner && straight == 0.0)
@@ -279,7 +280,7 @@ LabelSpot LabelSpots::Take(const Box& box, const LabelWish& wish)
     return {m_ground.ToWorld(MiddleOf(box)), m_ground.ToWorld(*tie)};
 }
 
-/// Whether a label there lies on its body, but for its corners.
+/// True if a label there is on its body, except for its corners.
 bool LabelSpots::FitsIn(const Box& box, std::uint32_t owner) const
 {
     const Box core = Widened(box, -kCorner);
@@ -288,7 +289,7 @@ bool LabelSpots::FitsIn(const Box& box, std::uint32_t owner) const
            IsOnOwner({core.upper.x, core.lower.y}, owner);
 }
 
-/// Whether a shape of the body that its place is on is large enough for it, somewhere.
+/// True if a shape of the body at its position may be large enough for it.
 bool LabelSpots::MayFitIn(const LabelWish& wish) const
 {
     const Point place = m_ground.ToPixels(wish.place);

@@ -6,40 +6,39 @@
 #include <optional>
 #include <vector>
 
-/// Finds room for labels in what a list has already: on their place where nothing is in the way,
-/// else beside it, as on maps. Knows no world.
+/// Places labels in a list: at their position if it is free, otherwise beside it, as on maps.
+/// Independent of worlds.
 namespace boxreel
 {
 
-/// A label that wants to be at a place.
+/// A label and its preferred position.
 struct LabelWish
 {
     Vec2 place;                     ///< [m]
     double width = 0.0;             ///< [px]
-    std::uint32_t owner = kNoOwner; ///< the body whose centre the place is, if it is one's
+    std::uint32_t owner = kNoOwner; ///< the body whose centre the position is, if any
 };
 
 struct LabelSpot
 {
     Vec2 middle; ///< [m]
-    /// Where a thin line from the place ends that says whose label it is [m]; none where that is
-    /// plain.
+    /// End of a thin line from the position to the label [m]; none if the label is clear without
+    /// it.
     std::optional<Vec2> tie;
 };
 
 class LabelSpots
 {
 public:
-    /// In the way are the signs of joints and centres of mass, annotations, labels, and the shapes
-    /// of bodies: for their own labels only those that are longer than the label and thinner than
-    /// its letters, which would be struck through.
+    /// Obstacles are glyphs, annotations, labels, and the shapes of bodies. Shapes of the label's
+    /// own body count only if they cross the text: longer than the label and thinner than its
+    /// letters.
     LabelSpots(const Camera& camera, const DrawList& list);
 
-    /// A spot for each, wholly in the picture: first those that lie on their own body, then those
-    /// that have room on their place, then, in their order, the others: the nearest spot that is
-    /// free, or in the way of the fewest things. None where the place is not in the picture, or
-    /// where all spots lie on another label or another body's centre: what would be taken for
-    /// another's label is worse than none.
+    /// Returns a spot for each label, completely inside the picture. First those on their own body,
+    /// then those free at their position, then the others in order, each at the nearest spot with
+    /// the fewest obstacles. None if the position is outside the picture, or if every spot covers
+    /// another label or another body's centre, because such a label would mislead.
     std::vector<std::optional<LabelSpot>> Settle(const std::vector<LabelWish>& wishes);
 
 private:

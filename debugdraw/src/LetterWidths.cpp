@@ -9,8 +9,8 @@ namespace boxreel
 namespace
 {
 
-// How far the pen goes on after a letter of DejaVu Sans, in 2048ths of its em square, 0 for letters
-// that it lacks; a test compares them with the font itself.
+// Advance widths of DejaVu Sans in 1/2048 em, 0 for missing characters; a test compares them with
+// the font.
 constexpr std::array<int, 0x7F - 0x20> kAscii{
     651,  821,  942,  1716, 1303, 1946, 1597, 563,  799,  799,  1024, 1716, 651,  739,  651,  690,
     1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 690,  690,  1716, 1716, 1716, 1087,
@@ -72,7 +72,7 @@ struct Letters
     std::span<const int> widths;
 };
 
-// The ranges that pictures have; FontAtlas.cpp names them too.
+// The character ranges of pictures, as in FontAtlas.cpp.
 constexpr Letters kLetters[] = {
     {0x20, kAscii},    {0xA0, kLatin},    {0x391, kGreek},   {0x400, kCyrillic}, {0x2010, kDashes},
     {0x2030, kPrimes}, {0x2070, kRaised}, {0x2190, kArrows}, {0x2202, kSigns},   {0x22C5, kDot}};

@@ -12,10 +12,10 @@ namespace boxreel
 namespace
 {
 
-// Powers of ten up to this are exact, and beyond it nothing is drawn.
+// Powers of ten up to this are exact; larger numbers are not drawn.
 constexpr int kMostDigits = 22;
 
-// What two ways of computing the same number differ by.
+// Difference of two computations of the same number.
 constexpr double kRounding = 1e-9;
 
 double PowerOfTen(int exponent)
@@ -28,14 +28,14 @@ double PowerOfTen(int exponent)
     return exponent < 0 ? 1.0 / power : power;
 }
 
-/// 1, 2, 5, 10, 20, … for 0, 1, 2, 3, 4, …; below 1 for negative ones.
+/// Returns 1, 2, 5, 10, 20, … for 0, 1, 2, 3, 4, …; below 1 for negative indices.
 double NiceNumber(int index)
 {
     constexpr std::array<double, 3> kLeading{1.0, 2.0, 5.0};
     const int place = ((index % 3) + 3) % 3;
     const int exponent = (index - place) / 3;
     const double leading = kLeading[static_cast<std::size_t>(place)];
-    // One division: 0.2 is then the number nearest to 0.2.
+    // A single division, so that 0.2 is the double nearest to 0.2.
     return exponent < 0 ? leading / PowerOfTen(-exponent) : leading * PowerOfTen(exponent);
 }
 

@@ -10,7 +10,7 @@ namespace boxreel
 
 void AddScaleBar(DrawList& list, const Camera& paper, double pixelsPerMeter, Vec2 left, double room)
 {
-    constexpr double kEnd = 4.0;                        // half of the lines at the ends [px]
+    constexpr double kEnd = 4.0;                        // half the height of the end lines [px]
     constexpr double kGap = 8.0;                        // between bar and text [px]
     const double longest = 0.5 * room / pixelsPerMeter; // [m]
     if (!(longest > 1e-12 && longest < 1e12))
@@ -22,7 +22,7 @@ void AddScaleBar(DrawList& list, const Camera& paper, double pixelsPerMeter, Vec
     const std::string label = NumberBy(meters, meters) + " m";
     if (left.x + meters * pixelsPerMeter + kGap + TextWidth(label) > paper.width)
     {
-        return; // a bar of no known length
+        return; // the bar's length is unknown
     }
     const PixelPoint from{left.x, left.y};
     const PixelPoint to{left.x + meters * pixelsPerMeter, left.y};

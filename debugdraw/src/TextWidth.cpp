@@ -14,7 +14,7 @@ namespace
 // A line is 2384 of these high: 1901 above the baseline and 483 below.
 constexpr double kPixels = kTextHeight / 2384.0;
 
-/// Of what is drawn: nothing for control characters, '?' for a letter that the font lacks.
+/// Returns the width of the drawn glyph: 0 for control characters, that of '?' for missing ones.
 int UnitsOf(char32_t letter)
 {
     letter = letter == '\t' ? ' ' : letter;
@@ -22,8 +22,7 @@ int UnitsOf(char32_t letter)
     return units > 0 || letter < ' ' ? units : LetterWidth('?');
 }
 
-/// The letter that begins at `at`, which goes on to the next one. What is no UTF-8 is the sign for
-/// that.
+/// Returns the character at `at` and advances to the next. Invalid UTF-8 gives U+FFFD.
 char32_t NextLetter(std::string_view text, std::size_t& at)
 {
     const auto lead = static_cast<unsigned char>(text[at++]);
@@ -39,7 +38,7 @@ char32_t NextLetter(std::string_view text, std::size_t& at)
     return letter < 0xA0 ? U'\uFFFD' : letter;
 }
 
-/// As much of the beginning of `word` as fits, at least a letter.
+/// Returns the length of the prefix of `word` that fits, at least one character.
 std::size_t Fitting(std::string_view word, double room)
 {
     std::size_t end = 0;
@@ -55,7 +54,7 @@ std::size_t Fitting(std::string_view word, double room)
     return end;
 }
 
-/// One paragraph, whose words are parted by spaces.
+/// Wraps one paragraph of words separated by spaces.
 void Wrap(std::string_view text, double room, std::vector<std::string>& lines)
 {
     std::string line;
@@ -80,7 +79,7 @@ void Wrap(std::string_view text, double room, std::vector<std::string>& lines)
             const std::size_t part = Fitting(word, room);
             if (part == word.size())
             {
-                break; // a letter is wider than the room
+                break; // a character is wider than `room`
             }
             lines.emplace_back(word.substr(0, part));
             word.remove_prefix(part);
@@ -94,8 +93,8 @@ void Wrap(std::string_view text, double room, std::vector<std::string>& lines)
 
 double TextWidth(std::string_view line)
 {
-    double drawn = 0.0;   // where letters stand on whole pixels
-    double printed = 0.0; // where they need not
+    double drawn = 0.0;   // with glyphs on whole pixels
+    double printed = 0.0; // without rounding
     for (std::size_t at = 0; at < line.size();)
     {
         const double width = UnitsOf(NextLetter(line, at)) * kPixels;

@@ -19,7 +19,7 @@ std::int64_t Luminance(Color c)
     return 2126LL * c.r * c.r + 7152LL * c.g * c.g + 722LL * c.b * c.b;
 }
 
-// WCAG 2.1 asks 3:1 of graphics; a quarter more covers the square.
+// WCAG 2.1 requires 3:1 for graphics; a quarter more covers the approximation.
 bool IsSeen(Color color, Color ground)
 {
     const std::int64_t flare = kWhiteLuminance / 20;
@@ -27,7 +27,7 @@ bool IsSeen(Color color, Color ground)
     return 4 * (lighter + flare) >= 15 * (darker + flare);
 }
 
-// Sixteenths are finer than an eye sees, and the last of them, black or white, is always seen.
+// Sixteenths are finer than visible steps, and the last, black or white, is always visible.
 Color MadeSeen(Color color, Color ground)
 {
     const bool lighten = Luminance(ground) < kWhiteLuminance / 5;
@@ -91,8 +91,8 @@ Theme Theme::OkabeIto()
     theme.recolors = true;
     theme.xAxis = kVermillion;
     theme.yAxis = kGreen;
-    // Found by a search for colours that lie as far as can be from the eight and from each other,
-    // to the eye that sees least of the difference (ThemeTest has the measure).
+    // Found by a search for the largest distances to the eight colours and each other, for the
+    // colour vision with the smallest differences (ThemeTest contains the measure).
     constexpr Color kLavender{165, 105, 240};
     constexpr Color kViolet{150, 0, 255};
     constexpr Color kPaleGreen{180, 210, 180};
@@ -100,8 +100,8 @@ Theme Theme::OkabeIto()
     constexpr Color kOlive{165, 180, 135};
     constexpr Color kCrimson{195, 45, 60};
     constexpr Color kCyan{15, 225, 255};
-    // What sleeps recedes, so it has the darkest. Only letters share their colour, with bodies that
-    // are out of the simulation, which are rare.
+    // Sleeping bodies have the darkest colour, to recede. It is shared only with text and with
+    // inactive bodies, which are rare.
     theme.palette = {kGreen,    kSkyBlue, kOrange,     kBlue,    kInkWhite,  kYellow,
                      kLavender, kPurple,  kVermillion, kViolet,  kPaleGreen, kMint,
                      kOlive,    kCrimson, kCyan,       kInkWhite};

@@ -10,25 +10,24 @@ namespace boxreel
 namespace
 {
 
-// A point closer than this [px] to the line between its neighbours changes nothing that is seen.
+// A point closer than this [px] to the line between its neighbours has no visible effect.
 constexpr double kTolerance = 0.15;
 
-// A line that fades is drawn in pieces of about this length [px]: shorter than what an eye tells
-// apart in its brightness, longer than their ends.
+// Length of the pieces of a fading line [px]: shorter than a visible step in brightness, longer
+// than their ends.
 constexpr double kPiece = 6.0;
 
-// From one place to the next; where that is farther than a picture is wide, most of it is outside.
+// Between two points; if they are further apart than a picture is wide, most of it is outside.
 constexpr double kMostPieces = 400.0;
 
-// How far a line of a theme's width reaches beyond its end [px]. Pieces that are not opaque are
-// shorter by this, for where two lie over each other a dot would be seen.
+// Extent of a line with the theme's width beyond its end [px]. Transparent pieces are shortened by
+// this, because overlapping ends would be visible as dots.
 constexpr double kEnd = 0.49;
 
-// A way that stays within this [px] is no way: what rests is never quite still.
+// A path that stays within this [px] is skipped: bodies at rest still tremble.
 constexpr double kLeastExtent = 2.0;
 
-// Points that are looked at together for those that are needed: a way of any length then takes time
-// in proportion to it.
+// Number of points simplified together, so that the time is linear in the length of the path.
 constexpr std::size_t kTogether = 512;
 
 bool IsFinite(Vec2 p)
@@ -43,7 +42,7 @@ double Distance(Vec2 a, Vec2 b)
     return std::sqrt(x * x + y * y);
 }
 
-/// Of `p` from the line segment between `a` and `b`.
+/// Returns the distance of `p` from the segment between `a` and `b`.
 double DistanceFromLine(Vec2 p, Vec2 a, Vec2 b)
 {
     const double x = double(b.x) - a.x;
@@ -57,8 +56,8 @@ double DistanceFromLine(Vec2 p, Vec2 a, Vec2 b)
     return std::sqrt(dx * dx + dy * dy);
 }
 
-/// The algorithm of Ramer (1972) and of Douglas and Peucker (1973), with a stack of its own: which
-/// points are needed so that none of the others is farther than `tolerance` [m] from the line.
+/// The algorithm of Ramer (1972) and of Douglas and Peucker (1973), with an explicit stack. Returns
+/// the points needed so that no other is further than `tolerance` [m] from the line.
 std::vector<std::size_t> Needed(std::span<const Vec2> way, double tolerance)
 {
     std::vector<bool> keep(way.size(), false);
@@ -103,8 +102,7 @@ Vec2 Between(Vec2 a, Vec2 b, double share)
             static_cast<float>(a.y + share * (double(b.y) - a.y))};
 }
 
-/// Where a trail's line is drawn, and how old it is there: 0 where the whole way begins, 1 at its
-/// end.
+/// A part of a trail, and its age: 0 at the start of the whole path, 1 at its end.
 struct Piece
 {
     Vec2 from, to;

@@ -12,7 +12,7 @@ namespace
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Outwards by more than rounding to a float can have moved it.
+// Rounds outwards by more than the conversion to float.
 float Below(double value)
 {
     return std::nextafter(static_cast<float>(value), -kInfinity);

@@ -12,8 +12,8 @@ namespace boxreel
 namespace
 {
 
-constexpr double kShortest = 1.5;  // an arrow that is shorter says nothing [px]
-constexpr double kHeadReach = 8.0; // of an arrow's head beside its shaft, generously [px]
+constexpr double kShortest = 1.5;  // shorter arrows are not legible [px]
+constexpr double kHeadReach = 8.0; // upper bound of the head's extent beside the shaft [px]
 
 void AddSeenArrow(const View& view, const b2Vec2& from, const b2Vec2& way, double scale,
                   ColorRole role, DrawList& list)
@@ -29,7 +29,7 @@ void AddSeenArrow(const View& view, const b2Vec2& from, const b2Vec2& way, doubl
     }
 }
 
-/// Half the sum of the sides of the box around a body's shapes [m], 0 without shapes.
+/// Returns half the sum of the sides of the box around a body's shapes [m], 0 without shapes.
 double SizeOf(const b2Body& body)
 {
     Rect bounds;
@@ -89,7 +89,7 @@ double MetersPerNewtonFor(const b2World& world, double share)
     const double strength =
         std::sqrt(double(gravity.x) * gravity.x + double(gravity.y) * gravity.y);
     const double scale = share * size / (mass * (strength > 0.0 ? strength : 10.0));
-    constexpr double kUnknown = 0.01; // nothing that has a size or a mass
+    constexpr double kUnknown = 0.01; // default without a size or a mass
     return scale > 0.0 && std::isfinite(scale) ? scale : kUnknown;
 }
 

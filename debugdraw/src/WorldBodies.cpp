@@ -18,12 +18,12 @@ namespace boxreel
 namespace
 {
 
-// Of a body whose centre is in the picture, some shape is at most so far beside it [px], or it may
-// have no name while it rests.
+// A body at rest with its centre in the picture gets a name only if a shape is within this distance
+// [px].
 constexpr double kFarthestShape = 1000.0;
 
-constexpr double kWidestLetter = 32.0; // only to see which cannot be in the picture [px]
-constexpr double kBeside = 8.0; // what the longest name leaves free of the picture's width [px]
+constexpr double kWidestLetter = 32.0; // for a quick test of visibility [px]
+constexpr double kBeside = 8.0;        // minimum space beside the longest name [px]
 
 constexpr double kMarkRadius = 6.0; // [px]
 
@@ -39,8 +39,8 @@ bool BeginsLetter(char c)
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
 }
 
-/// With a space for each control character and each end of a line, which would put the rest of a
-/// name onto its neighbour.
+/// Replaces control characters and line ends by spaces; a line feed would continue the name on its
+/// neighbour.
 std::string InOneLine(std::string_view name)
 {
     std::string line;
@@ -56,8 +56,8 @@ std::string InOneLine(std::string_view name)
     return line;
 }
 
-/// In one line of at most so many bytes, and so wide [px], cut between letters: a file may have
-/// names of any length.
+/// Returns one line, limited in bytes and width [px], cut between characters: names in files may
+/// have any length.
 std::string Shortened(const std::string& given, double room)
 {
     const std::string name = InOneLine(given);
@@ -106,8 +106,8 @@ void AddLabel(const Label& label, const LabelSpot& spot, const Camera& camera, D
                  label.name, ColorRole::Ink);
 }
 
-/// Each on its place, or beside it when something is there. Those that nothing of can be seen, by
-/// a guess that is wider than that of renderers, are on their place, in lists of everything.
+/// Each at its position, or beside it if there is an obstacle. Labels outside the picture, by a
+/// wider estimate than that of renderers, stay at their position in unrestricted lists.
 void AddLabels(const std::vector<Label>& labels, const View& view, DrawList& list)
 {
     std::vector<LabelWish> wishes;

@@ -36,8 +36,8 @@ Rect Intersection(const Rect& a, const Rect& b)
                 {std::min(a.upper.x, b.upper.x), std::min(a.upper.y, b.upper.y)}};
 }
 
-/// Half its larger side again on every side: enough to show what a scene stands on and falls upon,
-/// without shrinking it to a dot over a ground of hundreds of metres.
+/// Enlarges by half its larger side on every side: enough to show the surroundings, without
+/// shrinking the scene to a dot above a large ground.
 Rect Neighbourhood(const Rect& area)
 {
     const float reach =
@@ -46,7 +46,7 @@ Rect Neighbourhood(const Rect& area)
                 {area.upper.x + reach, area.upper.y + reach}};
 }
 
-/// Where nothing is.
+/// For an empty world.
 const Rect kAroundTheOrigin{{-10.0f, -10.0f}, {10.0f, 10.0f}};
 
 Rect BoundsOfWhatCanMove(const b2World& world)

@@ -15,9 +15,9 @@ constexpr float kOldPoint = 5.0f;      // diameter [px]
 constexpr float kNewPoint = 8.0f;      // [px]
 constexpr double kNormalLength = 12.0; // [px]
 constexpr ArrowHead kPushHead{7.0, 2.5};
-constexpr ArrowHead kRubHead{7.0, 3.5, true}; // tells friction from impulses in any colour
-constexpr double kShortest = 1.5;             // an arrow that is shorter says nothing [px]
-constexpr double kHeadReach = 8.0; // of an arrow's head beside its shaft, generously [px]
+constexpr ArrowHead kRubHead{7.0, 3.5, true}; // distinguishes friction from impulses in any colour
+constexpr double kShortest = 1.5;             // shorter arrows are not legible [px]
+constexpr double kHeadReach = 8.0; // upper bound of the head's extent beside the shaft [px]
 
 /// A contact point that may be seen, and what goes through it.
 struct Spot
@@ -29,8 +29,8 @@ struct Spot
     bool isOld = false;
 };
 
-/// Of the points themselves: they lie beside both fixtures' boxes when an impact has turned a long
-/// body since they were found.
+/// Returns the box of the points themselves: an impact that rotated a long body since moves them
+/// out of both fixtures' boxes.
 Rect BoxAround(const b2WorldManifold& manifold, int32 pointCount)
 {
     b2Vec2 lower = manifold.points[0];
@@ -43,7 +43,7 @@ Rect BoxAround(const b2WorldManifold& manifold, int32 pointCount)
     return {{lower.x, lower.y}, {upper.x, upper.y}};
 }
 
-/// Arrows of impulses, by which every spot is longer [px].
+/// Returns the length of the longest impulse arrow [px], by which every spot is enlarged.
 double LongestArrow(const b2Manifold& manifold, double metersPerImpulse, double pixelsPerMeter)
 {
     double longest = 0.0;

@@ -20,19 +20,20 @@ using Point = GlyphPen::Point;
 
 constexpr ColorRole kGlyphColor = ColorRole::Joint;
 
-// No sign reaches farther beyond the points it hangs on [px], nor do a rope's letters.
+// Maximum extent of glyphs and a rope's text beyond their anchor points [px].
 constexpr double kReach = 48.0;
 constexpr double kLetters = 240.0;
 
-// Of a joint's parts [px].
+// Sizes of joints' parts [px].
 constexpr double kHub = 6.0; // radius
 constexpr double kPin = 4.0; // diameter of a dot
 constexpr double kArrowRadius = 12.0;
 constexpr double kSpring = 5.0;       // half its width
-constexpr double kShortSpring = 14.0; // below this it would be a blot
+constexpr double kShortSpring = 14.0; // a shorter spring is not legible
 constexpr double kRail = 30.0;        // half a rail without limits
 constexpr double kPulley = 8.0;       // radius
-constexpr double kGear = 18.0; // radius without the teeth: around a hinge, its motor, a carriage
+constexpr double kGear = 18.0;        // radius without the teeth: encloses a hinge, its motor, or a
+                                      // carriage
 constexpr double kTooth = 4.0;
 constexpr double kStrut = 26.0; // length of the spring above an axle
 constexpr double kWeld = 5.0;   // half the square
@@ -48,7 +49,7 @@ b2Vec2 XAxisOf(const b2Body& body)
     return body.GetWorldVector(b2Vec2(1.0f, 0.0f));
 }
 
-/// One decimal, and no locale.
+/// One decimal, independent of the locale.
 std::string Meters(double length)
 {
     std::array<char, 64> digits;
@@ -103,7 +104,7 @@ void GlyphWriter::AddMotor(GlyphPen& pen, bool enabled, float32 speed)
     }
 }
 
-/// Across the pen's axis, at a distance from where it is [m].
+/// Adds a stop perpendicular to the pen's axis, at this distance from its origin [m].
 void GlyphWriter::AddStop(GlyphPen& pen, float32 distance, bool exists)
 {
     if (exists)
@@ -190,7 +191,7 @@ void GlyphWriter::Add(const b2DistanceJoint& joint)
     AddPins(a, b);
 }
 
-// The rope touches the wheel on the side that is not turned to the other one.
+// The rope is tangent to the outer side of the wheel.
 void GlyphWriter::AddPulleyWheel(const b2Vec2& wheel, const b2Vec2& end, const b2Vec2& inwards)
 {
     GlyphPen pen = PenAt(wheel, end - wheel);
@@ -293,10 +294,10 @@ void GlyphWriter::Add(const b2WeldJoint& joint)
     }
 }
 
-// What hangs with its length L between two ends that are c apart is nearly a parabola, whose
-// length is c + 8 s^2 / (3 c) for a sag s that is small; it never hangs lower than half its length.
-// Between ends that lie one above the other that would be a line: there it sags sideways as well,
-// more near its first end, so that it can also be seen to come back to where it began.
+// A hanging rope between ends at the distance c is nearly a parabola. With a small sag s, its
+// length is c + 8 s^2 / (3 c). The sag is at most half the length. For ends above each other it
+// would be a line. There it also sags sideways, more near its first end, so that both strands are
+// visible.
 void GlyphWriter::Add(const b2RopeJoint& joint)
 {
     const b2Vec2 a = joint.GetAnchorA();
@@ -305,7 +306,7 @@ void GlyphWriter::Add(const b2RopeJoint& joint)
     const double chord = (b - a).Length();
     const double slack = std::max(0.0, length - chord);
     const double sag = std::min(std::sqrt(0.375 * chord * slack + 0.25 * slack * slack),
-                                0.5 * length); // exact for ends that meet, too
+                                0.5 * length); // also exact for coincident ends
     const double dx = double(b.x) - a.x;
     const double dy = double(b.y) - a.y;
     const double steepness = chord > 0.0f ? 1.0 - std::abs(dx) / double(chord) : 1.0;
@@ -324,7 +325,7 @@ void GlyphWriter::Add(const b2RopeJoint& joint)
         return Vec2{float(a.x + share * dx + aside * hang * 1.5 * (1.0 - share)),
                     float(a.y + share * dy - sag * hang)};
     };
-    constexpr int kStretches = 31; // odd: both ends are drawn
+    constexpr int kStretches = 31; // odd, so that both ends are drawn
     for (int i = 0; i < kStretches; i += 2)
     {
         m_list.AddSegment(at(double(i) / kStretches), at(double(i + 1) / kStretches), kGlyphColor);
@@ -335,7 +336,7 @@ void GlyphWriter::Add(const b2RopeJoint& joint)
     }
     GlyphPen letters(m_list, m_view.camera, at(0.5), {1.0f, 0.0f}, kGlyphColor);
     const std::string text = Meters(length);
-    // Below it, or to the right of one that is steep.
+    // Below the rope, or right of a steep one.
     const double middle = -0.5 * TextWidth(text);
     const double left = middle + steepness * (7.0 - middle);
     m_list.AddText(letters.At({left, -3.0 + 11.0 * steepness}), text, kGlyphColor);

@@ -23,7 +23,7 @@ private:
     std::vector<const b2Body*>& m_found;
 };
 
-/// Each once, the oldest first.
+/// Sorts oldest first and removes duplicates.
 void Sort(std::vector<const b2Body*>& bodies)
 {
     std::sort(bodies.begin(), bodies.end(),

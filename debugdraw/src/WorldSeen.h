@@ -6,17 +6,16 @@
 
 #include <vector>
 
-/// Which bodies a picture may say something about. What rests elsewhere is not even looked at.
+/// Selects the bodies that a picture may show. Bodies at rest elsewhere are not visited.
 namespace boxreel
 {
 
-/// The oldest first. All of them without an area; with one those that are awake, those that hang on
-/// joints, and those of which a shape may be in the picture or at most so many pixels beside it. So
-/// a body is left out that has neither shape nor joint, and one that rests around a picture in
-/// which nothing of it is.
+/// Returns the visible bodies, oldest first; all of them without an area. With an area: awake
+/// bodies, bodies with joints, and those with a shape in the picture or up to `reachPixels` beside
+/// it. A sleeping body without joints is skipped if none of its shapes is near the picture.
 std::vector<const b2Body*> SeenBodies(const b2World& world, const View& view, double reachPixels);
 
-/// Those that can move and do not sleep, the oldest first.
+/// Returns the bodies that can move and are awake, oldest first.
 std::vector<const b2Body*> AwakeBodies(const b2World& world);
 
 } // namespace boxreel

@@ -18,15 +18,15 @@ namespace
 constexpr int kGap = 2; ///< between pictures [px]
 constexpr std::uint8_t kGray = 128;
 
-/// The mean of what each smaller pixel covers, in whole numbers: with the sides W and w of both, a
-/// pixel covers W units of 1/w pixel.
+/// Box filter in integers: with the sides W and w, a pixel of the result covers W units of 1/w
+/// pixel.
 class Shrink
 {
 public:
     Shrink(int from, int to) : m_from(from), m_to(to) {}
 
-    /// Calls visit(pixel, weight) for the pixels below one of the smaller ones; weights add up to
-    /// the larger side.
+    /// Calls visit(pixel, weight) for the pixels below one of the result; the sum of weights is the
+    /// larger side.
     template <class Visit>
     void ForCovered(int place, Visit&& visit) const
     {
@@ -104,8 +104,7 @@ Error Unusable(const std::filesystem::path& film, const std::string& why,
                  remedy};
 }
 
-/// What the film shows at those times. A frame is shown until the next begins, so of two the
-/// earlier is taken until the later one's time has come, up to rounding.
+/// Returns the frames at these times. A frame is shown until the next one starts, up to rounding.
 Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
                                   const ContactSheetSettings& settings)
 {
@@ -140,7 +139,7 @@ Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
     {
         return Unusable(film, "it has no frame");
     }
-    // The last frame is shown for one period, in which one more may begin.
+    // The last frame lasts one period, in which another sample may fall.
     const double period = 1.0 / reader.Info().framesPerSecond.ToDouble();
     while (pictures.size() < kMostSheetPictures &&
            double(pictures.size()) * interval + kRounding < seconds + period)

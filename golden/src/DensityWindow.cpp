@@ -12,13 +12,13 @@ namespace boxreel
 namespace
 {
 
-// The marks of a row within the columns of their box.
+// Returns the marks of a row within the columns of their box.
 const Mark* RowOf(const Marks& marks, int y)
 {
     return marks.marks.data() + std::size_t(y) * std::size_t(marks.width) + marks.over.x0;
 }
 
-// The largest sum of `size` columns of which the last is one of begin to end - 1. `before`: the sum
+// Returns the largest sum of `size` columns that ends at one of begin to end - 1. `before`: the sum
 // of the `size` columns before these.
 template <class Count>
 std::int64_t WorstEndingIn(const std::vector<Count>& inColumn, int begin, int end, int size,
@@ -35,9 +35,8 @@ std::int64_t WorstEndingIn(const std::vector<Count>& inColumn, int begin, int en
     return worst;
 }
 
-// The largest sum of `size` columns that is larger than `worst`, or `worst`. A window ends within
-// one block of columns and begins in it or the one before, so it holds no more than the two
-// together.
+// Returns the largest sum of `size` columns above `worst`, or `worst`. A window spans at most two
+// blocks of columns, so the sum of both blocks is an upper bound.
 template <class Count>
 std::int64_t WorstOfRow(const std::vector<Count>& inColumn, int size, std::int64_t worst)
 {
@@ -57,9 +56,9 @@ std::int64_t WorstOfRow(const std::vector<Count>& inColumn, int size, std::int64
     return worst;
 }
 
-// `inColumn` holds, for each column, the marks of the last `size` rows; a sum slides along it.
-// Windows that stick out of the picture need no care: one that lies inside holds the same pixels
-// and more. Count holds `size`.
+// `inColumn` contains per column the marks of the last `size` rows; a window slides over it.
+// Windows that extend beyond the picture are harmless: one inside contains at least the same
+// pixels. Count can store `size`.
 template <class Count>
 std::int64_t Worst(const Marks& marks, int size)
 {
@@ -68,7 +67,7 @@ std::int64_t Worst(const Marks& marks, int size)
     std::vector<Count> inColumn(width, 0);
     std::int64_t worst = 0;
     std::int64_t inRows = 0;                             // in the last `size` rows
-    const std::int64_t full = std::int64_t(size) * size; // no window holds more
+    const std::int64_t full = std::int64_t(size) * size; // maximum of a window
     for (int y = box.y0; y <= box.y1 && worst < full; ++y)
     {
         if (y - box.y0 >= size && marks.overInRow[std::size_t(y - size)] > 0)
@@ -82,7 +81,7 @@ std::int64_t Worst(const Marks& marks, int size)
         }
         if (marks.overInRow[std::size_t(y)] == 0)
         {
-            continue; // no sum has grown
+            continue; // no sum has increased
         }
         const Mark* row = RowOf(marks, y);
         for (std::size_t i = 0; i < width; ++i)

@@ -13,7 +13,7 @@ namespace boxreel
 namespace
 {
 
-// A pixel as one word, so that whole rows are painted a vector at a time. Byte 0 is red.
+// A pixel as one word, for vectorized painting of rows. Byte 0 is red.
 constexpr int Shift(int byte)
 {
     return std::endian::native == std::endian::little ? 8 * byte : 24 - 8 * byte;
@@ -29,12 +29,12 @@ constexpr std::uint32_t kWithin = Word(48, 90, 150);
 constexpr std::uint32_t kIgnored = Word(150, 130, 40);
 constexpr std::uint32_t kBox = Word(255, 255, 255);
 constexpr std::uint32_t kSeparator = Word(170, 170, 170);
-constexpr int kHatch = 6;          // [px] from one line of the hatching to the next
-constexpr int kBoxDistance = 6;    // [px] free between the box and what it surrounds
+constexpr int kHatch = 6;          // [px] between lines of the hatching
+constexpr int kBoxDistance = 6;    // [px] between the box and its content
 constexpr int kSeparatorWidth = 4; // [px]
 
-// Dark gray, at most 24 + 3/8 * 255 = 119, so that every mark stands out, on dark ground and on
-// light. Brightness is (2 r + 5 g + b) / 8: close enough for looking, and shifts only.
+// Dark gray, at most 24 + 3/8 * 255 = 119, so that marks are visible on every background.
+// Brightness is approximated by (2 r + 5 g + b) / 8, with shifts only.
 std::uint32_t Faded(std::uint32_t pixel)
 {
     const std::uint32_t r = pixel >> Shift(0) & 255u;
@@ -76,9 +76,8 @@ void FillRect(Frame& frame, int x0, int y0, int x1, int y1, std::uint32_t color)
     }
 }
 
-// A one-pixel change drowns in a picture of a million; a thin box leads the eye to it. It keeps its
-// distance, so it never covers what it shows; on a side with no room it lies outside and is left
-// out.
+// Draws a thin box around the differences, because a single pixel is hard to find. It keeps a
+// distance, so it never covers them; sides outside the picture are omitted.
 void PaintBox(Frame& frame, const PixelBox& box)
 {
     const int left = box.x0 - kBoxDistance, top = box.y0 - kBoxDistance;
@@ -163,7 +162,7 @@ void Marks::Ignore(const PixelBounds& bounds)
 
 Frame PaintDifference(const Frame& expected, const Marks& marks)
 {
-    // Row after row is appended: filling the picture with zeros first would cost as much again.
+    // Rows are appended; filling the picture with zeros first would double the cost.
     Frame picture;
     picture.width = marks.width;
     picture.height = marks.height;
@@ -189,7 +188,7 @@ Frame PaintDifference(const Frame& expected, const Marks& marks)
 Frame SideBySide(const Frame& expected, const Frame& actual, const Frame& difference)
 {
     const int height = std::max({expected.height, actual.height, difference.height});
-    // Columns as wide as the widest, so that the same place in two of them is easy to find.
+    // Columns have the width of the widest, so that equal positions are easy to find.
     const int column = std::max({expected.width, actual.width, difference.width});
     Frame picture(3 * column + 2 * kSeparatorWidth, height);
     FillRect(picture, 0, 0, picture.width, picture.height, kSeparator);

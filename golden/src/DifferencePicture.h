@@ -7,42 +7,42 @@
 #include <cstdint>
 #include <vector>
 
-/// The picture of a difference. Compare decides what each pixel is; this only paints it.
+/// Paints the picture of a difference from the marks of Compare.
 namespace boxreel
 {
 
 enum class Mark : std::uint8_t
 {
     Same,
-    Within, ///< different, but not by more than is allowed there
+    Within, ///< different, but within tolerance
     Over,
     Ignored, ///< not compared
 };
 
-/// Pixels from (x0, y0) to (x1, y1), both included; empty while x1 < x0.
+/// Pixels from (x0, y0) to (x1, y1), both included; empty if x1 < x0.
 struct PixelBox
 {
     int x0 = 0, y0 = 0, x1 = -1, y1 = -1;
     void Include(int x, int y);
 };
 
-/// What each pixel of a picture is. The boxes keep the work on the marks to where there are any.
+/// A mark per pixel. The boxes limit the work to where there are marks.
 struct Marks
 {
     int width = 0;
     int height = 0;
-    std::vector<Mark> marks;    ///< rows top to bottom; empty when nothing differs
-    PixelBox different;         ///< all that are not Same
-    PixelBox over;              ///< all that are Over
-    std::vector<int> overInRow; ///< how many of each row are Over; empty when nothing differs
+    std::vector<Mark> marks;    ///< rows top to bottom; empty without differences
+    PixelBox different;         ///< bounds of all marks except Same
+    PixelBox over;              ///< bounds of all Over marks
+    std::vector<int> overInRow; ///< number of Over marks per row; empty without differences
 
     Mark At(int x, int y) const
     {
         return marks[std::size_t(y) * std::size_t(width) + std::size_t(x)];
     }
-    /// A row to write marks into. Whoever does says so to the boxes and to `overInRow`.
+    /// Returns a row to write marks to. The caller updates the boxes and `overInRow`.
     Mark* Row(int y);
-    void Ignore(const PixelBounds& bounds); ///< what of it lies in the picture
+    void Ignore(const PixelBounds& bounds); ///< clipped to the picture
 };
 
 /// `expected` is at most as large as the marks.

@@ -13,13 +13,13 @@ namespace boxreel
 namespace
 {
 
-// Squares and products of bytes, and sums of four, are whole numbers below 2^24 and exact in a
-// float. What is divided is off by a rounding or two: a square of at most 4 * 255^2 by less than
-// 0.1, and its root by sqrt(0.1); two of these are compared.
+// Squares and products of bytes, and sums of four, are integers below 2^24 and exact in a float.
+// Divisions add one or two rounding errors: less than 0.1 for a square of at most 4 * 255^2, and
+// sqrt(0.1) for its root. Two of these are compared.
 constexpr float kOffMargin = 0.7f;    // [steps of a channel]
-constexpr float kMovedMargin = 1e-5f; // a share
+constexpr float kMovedMargin = 1e-5f; // a fraction
 
-// Red with blue and green with alpha, 16 bits each: of four pixels, or differences of such.
+// Red with blue and green with alpha, 16 bits each, for four pixels or their differences.
 struct Channels
 {
     Masks redBlue;
@@ -49,8 +49,8 @@ Words Load(const std::uint8_t* pixels)
     return words;
 }
 
-// Of four pixels that stand in a row, the nine around each, in the order in which EdgeExplains
-// looks at them: the middle one first.
+// The nine pixels around each of four pixels in a row, in the order of EdgeExplains: the centre
+// first.
 struct Around
 {
     std::array<Words, 9> pixels;
@@ -62,7 +62,7 @@ struct Around
         channels[index] = Split(words);
     }
 
-    // The first of those that are farthest from `from`.
+    // Returns the first of those furthest from `from`.
     Words Farthest(Words from) const
     {
         const Channels origin = Split(from);
@@ -80,14 +80,14 @@ struct Around
     }
 };
 
-// The two ends of the blends that each pixel may be, as EdgeExplains finds them.
+// The two ends of the blends of each pixel, as in EdgeExplains.
 struct Blends
 {
     Channels one;
     Channels span;
     Floats spanSquared;
 
-    // The square of the distance from the line through both.
+    // Returns the squared distance from the line through both.
     Floats OffSquared(const Channels& pixel) const
     {
         const Channels d = Minus(pixel, one);
@@ -96,14 +96,14 @@ struct Blends
     }
 };
 
-// What EdgeExplains says of each of four pixels, where rounding cannot matter.
+// The results of EdgeExplains for four pixels, as far as rounding cannot change them.
 struct Answers
 {
-    Masks mayBe; // else certainly not
+    Masks mayBe; // unset: certainly not
     Masks isSo;  // certainly
 };
 
-// Whether the colour is a blend of what is there. `answers` are those to the other question.
+// Tests if the colour is a blend of its neighbourhood. `answers` are those of the other test.
 void JudgeOff(const Around& around, const Blends& blends, const Channels& color, float steps,
               Answers& answers)
 {
@@ -124,7 +124,7 @@ void JudgeOff(const Around& around, const Blends& blends, const Channels& color,
     answers.isSo &= isClose | (excess < -kOffMargin);
 }
 
-// `steps`, `shift`: as EdgeExplains has them.
+// `steps`, `shift`: as in EdgeExplains.
 Answers Judge(const Around& around, Words actual, Masks isOver, float steps, float shift)
 {
     const Words first = around.Farthest(around.pixels[0]);
@@ -149,9 +149,8 @@ Answers Judge(const Around& around, Words actual, Masks isOver, float steps, flo
     return answers;
 }
 
-// The rows above, at and below the pixels that are judged, from one column before the first to one
-// after the last. At a border they are a copy, with the border's pixels again where there are none:
-// that adds no colour and changes no order.
+// The rows above, at and below the tested pixels, with one more column on either side. At a border
+// they are a copy that repeats the border's pixels, which adds no colour and keeps the order.
 class ThreeRows
 {
 public:
@@ -170,7 +169,7 @@ public:
         }
     }
 
-    // Four pixels, of which the first is one of three.
+    // Loads four pixels of one of the three rows.
     Words At(int r, int x) const { return Load(m_rows[r] + 4 * x); }
 
     bool IsFlat() const
@@ -205,7 +204,7 @@ Around Split(const ThreeRows& rows)
     return around;
 }
 
-// Whether `count` pixels and all around them are of one colour. False at the picture's border.
+// True if `count` pixels and their neighbours have one colour. False at the picture's border.
 bool IsFlat(const Frame& frame, int x, int y, int count)
 {
     if (x == 0 || y == 0 || x + count >= frame.width || y + 1 >= frame.height)
@@ -226,7 +225,7 @@ int ExcuseEdges(const Frame& expected, const Frame& actual, int y, int begin, in
 {
     int excused = 0;
     const float steps = float(255.0 * std::sqrt(3.0) * tolerance);
-    constexpr int kRun = 32; // flat areas are wide
+    constexpr int kRun = 32; // typical width of flat areas
     for (int x = begin; x < end; x += kLanes)
     {
         if ((x - begin) % kRun == 0 && x + kRun <= end && IsFlat(expected, x, y, kRun))

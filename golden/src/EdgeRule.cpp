@@ -12,12 +12,13 @@ namespace boxreel
 namespace
 {
 
-// A pixel is the mean of what lies in it, so an edge that moves by d changes it by at most d times
-// the contrast C of the two sides: it moves by d of the way from one side's colour to the other's.
-// What is averaged are the bytes, so that way is measured in bytes; OKLab bends it near black.
-// The largest difference in 3 x 3 pixels shows C, except for a line of one pixel that straddles two
-// rows: each of them is half line, half ground, and only half of C can be seen. Twice the share
-// covers both. It excuses a plain step that moves by up to 2 d, and a missing line from d = 0.5 on.
+// A pixel is the mean of its area, so an edge that moves by d changes it by at most d times the
+// contrast C of the two sides. The mean is over bytes, so the change is measured in bytes; OKLab is
+// not linear near black.
+// The largest difference in 3 x 3 pixels shows C. A line of one pixel between two rows is an
+// exception: each row is half line, half background, so only half of C is visible. Twice the
+// fraction covers both. It accepts a plain step that moves by up to 2 d, and a missing line from d
+// = 0.5 on.
 constexpr double kOfOnePixelLine = 2.0;
 
 using Bytes = std::array<double, 4>;
@@ -37,19 +38,19 @@ Bytes Minus(const Bytes& a, const Bytes& b)
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
 }
 
-// The straight line of colours from `from` to `from + span`: what blending the two gives.
+// The line of colours from `from` to `from + span`: all blends of the two.
 struct Blend
 {
     Bytes from;
     Bytes span;
 
-    // 0 at one end, 1 at the other.
+    // Returns the parameter of the nearest blend: 0 at one end, 1 at the other.
     double Share(const Bytes& color) const
     {
         return Dot(Minus(color, from), span) / Dot(span, span);
     }
 
-    // How far the colour is from any such blend [steps of a channel].
+    // Returns the distance of the colour from the nearest blend [steps of a channel].
     double Off(const Bytes& color) const
     {
         const Bytes d = Minus(color, from);
@@ -58,12 +59,12 @@ struct Blend
     }
 };
 
-// The pixels of 3 x 3, as far as there are any; the first is the one in the middle.
+// The existing pixels of 3 x 3; the first is the centre.
 struct Neighbourhood
 {
     std::array<std::uint32_t, 9> pixels;
     std::size_t count = 0;
-    bool isFlat = true; // all the same
+    bool isFlat = true; // all equal
 };
 
 std::uint32_t Word(const std::uint8_t* pixel)
@@ -137,7 +138,7 @@ bool EdgeExplains(const Frame& expected, int x, int y, const std::uint8_t* actua
     {
         return false;
     }
-    // The farthest from the farthest: of blends of two colours, those are the two ends.
+    // The furthest from the furthest: for blends of two colours these are the two ends.
     const std::uint32_t one = Farthest(around, around.pixels[0]);
     const Bytes from = BytesOf(one);
     const Blend blend{from, Minus(BytesOf(Farthest(around, one)), from)};
@@ -149,8 +150,8 @@ bool EdgeExplains(const Frame& expected, int x, int y, const std::uint8_t* actua
     {
         return false;
     }
-    // A foreign colour is no blend of what is there. Where three colours meet, the expected pixels
-    // themselves lie off the line between two of them, and so may this one.
+    // An unrelated colour is not a blend. Where three colours meet, the expected pixels are off the
+    // line of two of them, and so may this one be.
     double thickness = 0.0;
     for (std::size_t i = 0; i < around.count; ++i)
     {

@@ -7,20 +7,20 @@
 
 #include <cstdint>
 
-/// What an edge that lies a fraction of a pixel elsewhere may change. Asked by Compare about single
-/// pixels that differ; looks at the expected picture around them, never at the actual one.
+/// The change that an edge shifted by a fraction of a pixel explains. Called by Compare for single
+/// different pixels; reads only the expected picture around them.
 namespace boxreel
 {
 
-/// Whether `actual` may stand at (x, y) if edges may lie `shift` pixels elsewhere, and colours be
-/// off by `tolerance`, an OKLab distance.
+/// True if `actual` at (x, y) is explained by edges shifted up to `shift` pixels and colours within
+/// `tolerance`, an OKLab distance.
 bool EdgeExplains(const Frame& expected, int x, int y, const std::uint8_t* actual, double tolerance,
                   double shift);
 
-/// EdgeExplains for many pixels, by a filter that asks it only where rounding could matter. Tested
-/// by PixelMarksTest.
-/// Of a row's marks over the tolerance from `begin` to end - 1, those that EdgeExplains become
-/// Within; returns how many.
+/// EdgeExplains for many pixels, with a filter that calls it only where rounding could matter.
+/// Tested by PixelMarksTest.
+/// Changes the marks over the tolerance from `begin` to end - 1 of a row to Within if EdgeExplains
+/// holds; returns their number.
 int ExcuseEdges(const Frame& expected, const Frame& actual, int y, int begin, int end,
                 double tolerance, double shift, Mark* row);
 

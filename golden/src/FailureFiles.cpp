@@ -110,7 +110,7 @@ Result<void> FailureFiles::Write(const Moment& expected, const Moment& actual,
     std::vector<FileToWrite> files;
     for (const auto& [suffix, frame] : pictures)
     {
-        // A frame without pixels has no PNG; that there is none says the same.
+        // A frame without pixels has no PNG file; the missing file shows the same.
         if (frame->rgba.empty())
         {
             continue;

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <string>
 
-/// What a comparison leaves under the output folder: its verdict and, when it failed, what a person
-/// looks at. Used by the reference store and by golden checks; never touches the references.
+/// The files of a comparison in the output folder: its verdict and, for a failure, pictures and
+/// texts. Used by the reference store and by golden checks; never changes references.
 namespace boxreel
 {
 
@@ -25,21 +25,21 @@ public:
     std::string ExpectedList() const;
     std::string ActualList() const;
 
-    /// Those of an earlier comparison, so that nobody takes them for this one's.
+    /// Removes the files of an earlier comparison, to avoid confusion with this one.
     Result<void> Remove() const;
 
-    /// The pictures and the lists of both moments as far as they have them; with both frames, the
-    /// difference and all three side by side.
+    /// Writes the pictures and lists that both moments have; with both frames also the difference
+    /// and all three side by side.
     Result<void> Write(const Moment& expected, const Moment& actual, const Frame& difference) const;
 
     Result<void> WriteVerdict(const VerdictRecord& record) const;
 
-    /// What the verdict is of has become the reference.
+    /// Records in the verdict that the candidate was accepted.
     Result<void> NoteAccepted() const;
 
 private:
     explicit FailureFiles(std::string base) : m_base(std::move(base)) {}
-    std::string m_base; // the output folder and the name
+    std::string m_base; // path prefix: output folder and name
 };
 
 } // namespace boxreel

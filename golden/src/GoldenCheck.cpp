@@ -20,7 +20,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Empty when it is not set.
+/// Returns the value; empty if it is not set.
 std::string Environment(const char* name)
 {
     const char* const value = std::getenv(name);
@@ -68,7 +68,7 @@ bool IsToBeAccepted(const GoldenVerdict& verdict, GoldenAccept accept)
            (status == GoldenStatus::Missing) == (accept == GoldenAccept::Missing);
 }
 
-/// A test has another way to accept than the program.
+/// Replaces the program's command to accept by that of a test.
 std::string RemedyOfTest(const GoldenVerdict& verdict)
 {
     const bool isMissing = verdict.status == GoldenStatus::Missing;
@@ -76,22 +76,22 @@ std::string RemedyOfTest(const GoldenVerdict& verdict)
            (isMissing ? "missing" : "changed") + " in the environment";
 }
 
-/// A person who accepts still looks before it is committed.
+/// Lists what was accepted, for inspection before a commit.
 std::string WhatWasAccepted(const GoldenVerdict& verdict)
 {
     return verdict.status == GoldenStatus::Missing ? verdict.name + ": there was no reference."
                                                    : verdict.Text();
 }
 
-/// Names a folder, so nothing else may be in it.
+/// True for digits only, because the value names a folder.
 bool IsNumber(const std::string& text)
 {
     return !text.empty() &&
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// CDash lays the first three of these names over each other (`cmake --help-command ctest_test`,
-/// "Image Measurements").
+/// CDash overlays the first three of these names (`cmake --help-command ctest_test`, "Image
+/// Measurements").
 std::string Attachments(const fs::path& output, const std::string& name)
 {
     constexpr const char* kPictures[][2] = {{"TestImage", ".actual.png"},
@@ -129,7 +129,7 @@ Result<GoldenCheckSettings> GoldenSettingsFromEnvironment(const fs::path& refere
     {
         settings.output = output;
     }
-    // Shards run at the same time, and each removes what is left of its own earlier failures.
+    // Shards run concurrently, and each removes its own earlier failures.
     const std::string shards = Environment("GTEST_TOTAL_SHARDS");
     if (!shards.empty() && shards != "1")
     {
@@ -185,7 +185,7 @@ GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSetting
         {
             return {false, stored.GetError().Text(), ""};
         }
-        // So that a report does not call it a failure. Its pictures stay, to be looked at.
+        // So that a report does not list it as a failure. Its pictures are kept for inspection.
         const Result<FailureFiles> files = FailureFiles::At(settings.output, candidate.name);
         const Result<void> noted = files ? files->NoteAccepted() : files.GetError();
         if (!noted)

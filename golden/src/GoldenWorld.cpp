@@ -18,8 +18,8 @@ static_assert(GoldenWorldLook{}.layers == (b2Draw::e_shapeBit | b2Draw::e_jointB
 Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
                                     const GoldenWorldLook& look)
 {
-    // A renderer for each: the second takes two milliseconds, and none is left when the program
-    // ends. It also refuses sizes that no camera can have.
+    // A new renderer each time: the second takes two milliseconds, and none exists at program exit.
+    // It also rejects invalid sizes.
     Result<Renderer> renderer =
         Renderer::Create({.width = look.camera ? look.camera->width : look.width,
                           .height = look.camera ? look.camera->height : look.height});

@@ -13,7 +13,7 @@ namespace boxreel
 namespace
 {
 
-constexpr int kGzipFormat = 15 + 16; // zlib: the largest window, with a gzip header around it
+constexpr int kGzipFormat = 15 + 16; // zlib: the largest window, with a gzip header
 constexpr int kMemoryLevel = 9;
 
 Error NotGzip(const std::string& name)
@@ -26,7 +26,7 @@ Error NoMemory(const std::string& name)
     return Error{ErrorKind::Failed, name, "not enough memory to pack or unpack it"};
 }
 
-// zlib's streams, ended whatever happens.
+// A zlib stream, ended by the destructor.
 struct Deflater
 {
     z_stream stream{};
@@ -42,7 +42,7 @@ struct Inflater
     ~Inflater() { inflateEnd(&stream); }
 };
 
-// zlib takes its input through a pointer to non-const, and does not write to it.
+// zlib takes its input through a pointer to non-const, but does not write to it.
 Bytef* Input(std::string_view bytes)
 {
     return reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));

@@ -16,9 +16,9 @@ namespace boxreel
 namespace
 {
 
-/// Around what is drawn [px]: half of the widest line, and what a filter spreads.
+/// Margin around drawn items [px]: half of the widest line, and the spread of a filter.
 constexpr float kMargin = 3.0f;
-/// Of a letter [px]; larger than any that is drawn.
+/// Upper bound of the width of a character [px].
 constexpr float kLetterWidth = 12.0f;
 constexpr float kLetterHeight = 24.0f;
 
@@ -27,7 +27,7 @@ bool Contains(const std::vector<int>& bodies, int body)
     return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
 }
 
-/// Whose line of a draw list it is: "body 17 …"; -1: the world's.
+/// Returns the owner of a draw list's line: "body 17 …"; -1: the world.
 int OwnerOf(std::string_view line)
 {
     constexpr std::string_view kBody = "body ";
@@ -59,7 +59,7 @@ void LeaveOut(const std::vector<int>& bodies, std::string& list)
     list = std::move(kept);
 }
 
-/// False where bodies have no digits of their own.
+/// False if bodies have no digits of their own.
 bool LeaveOut(const std::vector<int>& bodies, StateTrace& trace)
 {
     for (TraceStep& step : trace.steps)
@@ -75,12 +75,12 @@ bool LeaveOut(const std::vector<int>& bodies, StateTrace& trace)
                 step.bodies[std::size_t(body)] = '.';
             }
         }
-        step.world = step.bodies; // the hash is that of all
+        step.world = step.bodies; // the hash includes all bodies
     }
     return true;
 }
 
-/// The number at the beginning; what it is taken from goes on behind it.
+/// Parses the number at the start and removes it.
 std::optional<float> TakeNumber(std::string_view& text)
 {
     float number = 0.0f;
@@ -93,8 +93,8 @@ std::optional<float> TakeNumber(std::string_view& text)
     return number;
 }
 
-/// "… (x, y) (x, y) radius 0.5", as DrawListText writes it: all points, with the size around them.
-/// A text's quotes may hold anything, so it is read no further than to them.
+/// Parses "… (x, y) (x, y) radius 0.5" of DrawListText: the bounds of all points with their size.
+/// Stops at quotes, because a text may contain anything.
 class LineBounds
 {
 public:

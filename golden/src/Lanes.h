@@ -8,16 +8,16 @@
 #include <emmintrin.h>
 #endif
 
-/// Four numbers at once, by the vector types that gcc and clang share: every processor of theirs
-/// has such operations, and at any level of optimisation they are used. For the filters of the
-/// comparison, which decide what is clear and leave the rest to plain code.
+/// Vectors of four numbers, by the vector types of gcc and clang, available on all their processors
+/// and at any level of optimization. For the filters of the comparison, which decide clear cases
+/// and leave the rest to scalar code.
 namespace boxreel
 {
 
 inline constexpr int kLanes = 4;
 using Floats = float __attribute__((vector_size(16)));
 using Words = std::uint32_t __attribute__((vector_size(16)));
-using Masks = std::int32_t __attribute__((vector_size(16))); ///< of a comparison: -1 or 0
+using Masks = std::int32_t __attribute__((vector_size(16))); ///< result of a comparison: -1 or 0
 
 inline Floats Splat(float value)
 {
@@ -44,8 +44,8 @@ inline Floats Root(Floats a)
     return Floats{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 }
 
-/// Of signed 16-bit halves: the products of the lower ones and of the upper ones, added. Halves
-/// between -256 and 256.
+/// Returns the dot product of signed 16-bit halves between -256 and 256: the sum of lower and upper
+/// products.
 inline Masks PairDot(Masks a, Masks b)
 {
 #ifdef __SSE2__
@@ -56,7 +56,7 @@ inline Masks PairDot(Masks a, Masks b)
 #endif
 }
 
-/// Of 16-bit halves, each for itself.
+/// Subtracts 16-bit halves separately.
 inline Masks PairMinus(Masks a, Masks b)
 {
     using Halves = std::int16_t __attribute__((vector_size(16)));

@@ -30,7 +30,7 @@ constexpr const char* kTrace = "trace";
 constexpr const char* kDrawList = "drawlist";
 constexpr const char* kFrames = "frames";
 constexpr const char* kSheet = "sheet";
-// Written once and kept for years: as small as it gets.
+// Maximum compression: written once and kept for years.
 constexpr int kReferenceCompression = 9;
 constexpr const char* kFingerprint = "Renderer fingerprint"; // keyword of a PNG's text
 
@@ -39,7 +39,7 @@ fs::path Relative(const char* depth, const std::string& name, const char* extens
     return fs::path(depth) / (name + extension);
 }
 
-/// The text kept for a depth, and where from; none when there is none.
+/// The stored text of a depth and its path, if any.
 struct Kept
 {
     std::optional<std::string> text;
@@ -59,7 +59,7 @@ Result<Kept> Read(const fs::path& root, const fs::path& relative)
         return text.GetError();
     }
     Kept kept{*std::move(text), (root / relative).string()};
-    // A checkout may convert them, and then every line would differ without looking different.
+    // A checkout may convert line ends; every line would then differ invisibly.
     if (kept.text && kept.text->find("\r\n") != std::string::npos)
     {
         return Damaged(kept, "has lines that end in CR LF (give its folder the attribute -text in "
@@ -68,7 +68,7 @@ Result<Kept> Read(const fs::path& root, const fs::path& relative)
     return kept;
 }
 
-/// Fills what is known of the state: a line with its hash, then a line a body.
+/// Reads the state: a line with its hash, then one line per body.
 Result<void> ReadState(const fs::path& root, const std::string& name, Moment& moment)
 {
     const Result<Kept> kept = Read(root, Relative(kState, name, ".txt"));
@@ -113,8 +113,8 @@ Result<void> ReadTrace(const fs::path& root, const std::string& name, Moment& mo
     return {};
 }
 
-/// "pyramid/2s@osmesa-llvmpipe-llvm-15.0.6-256-bits": a renderer's description as a part of a name.
-/// '@' cannot be in a name.
+/// Returns a name with the renderer's description:
+/// "pyramid/2s@osmesa-llvmpipe-llvm-15.0.6-256-bits". '@' is not allowed in names.
 std::string KeyedName(const std::string& name, const std::string& renderer)
 {
     std::string key;
@@ -131,8 +131,7 @@ std::string KeyedName(const std::string& name, const std::string& renderer)
     return renderer.empty() ? name : name + "@" + key;
 }
 
-/// Which moments of a film are on its contact sheet, and how its pictures lie there. Two lines, to
-/// be read by a person as well.
+/// Returns the moments of a film on its contact sheet and their layout, in two readable lines.
 std::string SheetText(const SheetLayout& layout)
 {
     std::array<char, 32> digits;
@@ -144,7 +143,7 @@ std::string SheetText(const SheetLayout& layout)
            std::to_string(layout.columns) + " in a row\n";
 }
 
-/// Fills the frame and who drew it, where there is a picture of that name.
+/// Reads the frame and its renderer, if there is a picture of that name.
 Result<void> ReadFrame(const fs::path& root, const std::string& name, Moment& moment)
 {
     ASSIGN_OR_RETURN(const fs::path path, PathInside(root, Relative(kFrames, name, ".png")));
@@ -196,7 +195,8 @@ void CollectNames(const fs::path& folder, std::initializer_list<std::string_view
     }
 }
 
-// Every file that a reference can consist of. PathInside for each, so that no link leads out.
+// Returns all possible files of a reference, each checked by PathInside against links that lead
+// out.
 Result<std::vector<fs::path>> Places(const fs::path& references, const std::string& name)
 {
     std::vector<fs::path> places;
@@ -389,13 +389,14 @@ Result<void> Store(const fs::path& references, const std::string& name, const Mo
                      "has neither a state nor a draw list nor a frame to accept"};
     }
     RETURN_IF_ERROR(WriteAll(files));
-    // What the candidate does not have was approved for another one.
+    // Depths that the candidate does not have belong to an older one.
     for (const fs::path& place : places)
     {
         const bool isKept =
             std::any_of(files.begin(), files.end(),
                         [&](const FileToWrite& f) { return f.path == place; }) ||
-            (!renderer.empty() && place.extension() == ".png"); // the other renderers' one
+            (!renderer.empty() && place.extension() == ".png"); // keep the common picture of the
+                                                                // other renderers
         RETURN_IF_ERROR(isKept ? Result<void>() : RemoveFile(place));
     }
     return {};

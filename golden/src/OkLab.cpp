@@ -13,9 +13,9 @@ namespace boxreel
 namespace
 {
 
-// s^(1/5) for s in (0, 1] by Newton on r^5 - s = 0. From r = 1 the steps only ever fall towards the
-// root, by at least a fifth at first and quadratically near it; 60 are plenty for the smallest s
-// used.
+// Returns s^(1/5) for s in (0, 1], by Newton's method on r^5 - s = 0. From r = 1 the values
+// decrease towards the root, first by at least a fifth per step, then quadratically. 60 steps
+// suffice for the smallest s.
 constexpr double FifthRoot(double s)
 {
     double r = 1.0;
@@ -43,10 +43,10 @@ constexpr std::array<double, 256> MakeLinearLight()
 
 constexpr std::array<double, 256> kLinearLight = MakeLinearLight();
 
-// x^(1/3) for normal x >= 0. A third of the bits is a third of the exponent: a guess within 7 %
-// (682 is two thirds of the exponent's bias). A step of Halley's method on r^3 - x = 0 turns a
-// relative error e into about 2/3 e^3, so two leave less than 1e-10, far below any tolerance. A
-// fixed number of steps and no library call: the same bits everywhere.
+// Returns x^(1/3) for normal x >= 0. A third of the bits is a third of the exponent: an estimate
+// within 7 % (682 is two thirds of the exponent's bias). A step of Halley's method on r^3 - x = 0
+// reduces a relative error e to about 2/3 e^3, so two leave less than 1e-10, far below any
+// tolerance. A fixed number of steps without library calls gives the same bits everywhere.
 double CubeRoot(double x)
 {
     if (x <= 0.0)
@@ -63,8 +63,8 @@ double CubeRoot(double x)
     return r;
 }
 
-// What a channel's value adds to the three cone responses. 1e-30 keeps black from dividing by
-// zero, and changes nothing else.
+// Contribution of a channel's value to the three cone responses. 1e-30 avoids a division by zero
+// for black without changing other values.
 struct ConeShares
 {
     alignas(16) float channels[3][256][kLanes];
@@ -93,8 +93,8 @@ constexpr ConeShares MakeConeShares()
 
 constexpr ConeShares kConeShares = MakeConeShares();
 
-// As CubeRoot, in floats: the guess is within 3.5 % (its constant is the one that makes the worst
-// smallest), and one step leaves 3e-5.
+// As CubeRoot, in floats: the estimate is within 3.5 % (its constant minimizes the maximum), and
+// one step leaves 3e-5.
 Floats NearlyCubeRoot(Floats x)
 {
     const Floats bits = ToFloats(std::bit_cast<Masks>(x));
@@ -111,7 +111,7 @@ Floats ConeShare(int channel, std::uint32_t value)
     return share;
 }
 
-// The cube roots of the cone responses of one pixel.
+// Returns the cube roots of the cone responses of a pixel.
 Floats NearlyCones(std::uint32_t pixel)
 {
     std::uint8_t bytes[4];

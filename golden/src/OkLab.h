@@ -5,9 +5,9 @@
 
 #include <cstdint>
 
-/// Colours in OKLab, the space in which equal distances look about equally different. Used by the
-/// comparison of pictures only; every compiler and C library gives the same bits, because nothing
-/// but +, -, *, / and the square root (all correctly rounded by IEEE 754) is used.
+/// Colours in OKLab, a space in which equal distances look about equally different. Used only for
+/// comparing pictures. Every compiler and C library gives the same bits, because only +, -, *, /
+/// and the square root are used, all correctly rounded by IEEE 754.
 namespace boxreel
 {
 
@@ -18,24 +18,24 @@ struct OkLab
     double b = 0.0;         ///< blue to yellow, about -0.4 to 0.4
 };
 
-/// Of an opaque sRGB colour.
+/// Converts an opaque sRGB colour.
 OkLab ToOkLab(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
 
-/// Euclidean; black to white is 1.
+/// Returns the Euclidean distance; black to white is 1.
 double Distance(const OkLab& p, const OkLab& q);
 
-/// Of two premultiplied RGBA pixels: laid on black and laid on white, the larger distance counts,
-/// so that a change of opacity alone is seen too.
+/// Returns the distance of two premultiplied RGBA pixels: the maximum over a black and a white
+/// background, to detect changes of opacity.
 double PixelDistance(const std::uint8_t* p, const std::uint8_t* q);
 
-/// PixelDistance of four pairs at once, the bytes of pixels as they lie in memory, up to kNearly:
-/// enough to see that a pair is far from a limit.
+/// Returns PixelDistance of four pairs of pixels, stored as bytes in memory, with an error up to
+/// kNearly: sufficient to see that a pair is far from a limit.
 Floats NearlyPixelDistance(Words p, Words q);
 
-/// A cube root is off by a share of 3e-5 at most, and none is larger than 1. The sums of the
-/// magnitudes in the rows of OKLab's matrix are 1.01, 4.86 and 1.62, so a colour is off by 1.56e-4,
-/// a pair by 3.2e-4, and the rest is for rounding. Smaller, and a verdict could depend on it;
-/// larger, and more pairs are computed exactly.
+/// The relative error of a cube root is at most 3e-5, and none is larger than 1. The sums of
+/// absolute values in the rows of OKLab's matrix are 1.01, 4.86 and 1.62. The error of a colour is
+/// therefore 1.56e-4, that of a pair 3.2e-4, and the rest is for rounding. Smaller could change a
+/// verdict; larger computes more pairs exactly.
 inline constexpr float kNearly = 4e-4f;
 
 } // namespace boxreel

@@ -9,9 +9,8 @@
 #include <cstring>
 #include <vector>
 
-/// Which pairs of pixels are over the tolerance. Drawings have few colours, so the same pair comes
-/// again and again and is judged when it is new. Used by MarkDifferences, one for each comparison.
-/// Tested by PixelMarksTest.
+/// A cache of which pairs of pixels are over the tolerance, because drawings have few colours. Used
+/// by MarkDifferences, one per comparison. Tested by PixelMarksTest.
 namespace boxreel
 {
 
@@ -20,8 +19,8 @@ class PairTable
 public:
     explicit PairTable(double tolerance) : m_tolerance(tolerance) {}
 
-    /// Of two different pixels, their bytes as they lie in memory: 1 over, 0 not, larger when the
-    /// pair is new. `entries` are a table's.
+    /// Looks up two different pixels, stored as bytes in memory: 1 over, 0 not, larger if unknown.
+    /// `entries` is a table.
     static std::uint64_t Find(const std::uint64_t* entries, std::uint32_t p, std::uint32_t q)
     {
         const std::uint64_t product = Product(p, q);
@@ -29,25 +28,25 @@ public:
     }
     const std::uint64_t* Entries() const { return m_entries.data(); }
 
-    /// Finds out, and remembers it.
+    /// Computes and stores the result.
     bool IsOver(std::uint32_t p, std::uint32_t q)
     {
         const std::uint64_t answer = Find(Entries(), p, q);
         return answer > 1 ? Keep(p, q, Compute(p, q)) : answer == 1;
     }
 
-    /// The same for four. `count` of them are meant.
+    /// As above, for the first `count` of four pairs.
     std::array<bool, kLanes> AreOver(Words p, Words q, int count);
 
-    double LargestDistance() const { return m_largest; } ///< of all pairs asked for
+    double LargestDistance() const { return m_largest; } ///< over all pairs
 
 private:
-    static constexpr int kBits = 15; ///< 256 kB: fits the second cache
-    /// Of an entry's low bits only bit 0 is used, which says whether the pair is over.
+    static constexpr int kBits = 15; ///< 256 kB, fits in the L2 cache
+    /// Only bit 0 of an entry's low bits is used: true if the pair is over.
     static constexpr std::uint64_t kNone = 2;
 
-    // Times an odd number (2^64 over the golden ratio) is one-to-one and mixes: the top bits choose
-    // an entry, and the others, kept in it, tell whose it is.
+    // Multiplication by an odd number (2^64 divided by the golden ratio) is bijective and mixes.
+    // The top bits select an entry; the others are stored in it as the key.
     static std::uint64_t Product(std::uint32_t p, std::uint32_t q)
     {
         return (std::uint64_t(p) << 32 | q) * 0x9e3779b97f4a7c15u;

@@ -37,7 +37,7 @@ public:
         {
             m_marks.Ignore(bounds);
         }
-        // They may overlap, so the pixels are counted, not the areas.
+        // Rectangles may overlap, so pixels are counted instead of areas.
         m_result.ignored = std::count(m_marks.marks.begin(), m_marks.marks.end(), Mark::Ignored);
         m_hasIgnored = m_result.ignored > 0;
         m_result.compared = std::int64_t(m_marks.width) * m_marks.height - m_result.ignored;
@@ -104,9 +104,9 @@ public:
 private:
     void MarkCommon(const std::uint8_t* p, const std::uint8_t* q, int count)
     {
-        // Eight pixels at once, since most of a row that differs is still equal.
+        // Eight pixels at once, because most of a different row is equal.
         constexpr int kBlock = 8;
-        int begin = m_first; // of those to be looked at one by one
+        int begin = m_first; // pixels to test one by one
         for (int x = m_first; x < count; x += kBlock)
         {
             if (count - x >= kBlock && (std::memcmp(p + 4 * x, q + 4 * x, 4 * kBlock) == 0 ||
@@ -120,8 +120,8 @@ private:
         MarkNew(p, q);
     }
 
-    // Fills that differ as a whole: `count` pixels of one colour, in either picture, at once. False
-    // when they are not, or have to be looked at one by one.
+    // Marks `count` pixels of one colour in both pictures at once. False if they are not uniform,
+    // or must be tested one by one.
     bool MarkUniform(const std::uint8_t* p, const std::uint8_t* q, int x, int count)
     {
         const std::size_t allButOne = std::size_t(count - 1) * 4;
@@ -137,8 +137,7 @@ private:
         return true;
     }
 
-    // Members are read once, since a mark may be a part of any of them as far as the compiler
-    // knows.
+    // Members are copied to locals, because the compiler assumes that a mark may alias them.
     void MarkEach(const std::uint8_t* p, const std::uint8_t* q, int x, int end)
     {
         static_assert(int(Mark::Over) == int(Mark::Within) + 1);
@@ -171,7 +170,7 @@ private:
         m_overInRow += over;
     }
 
-    // Those whose pairs were not in the table, four together.
+    // Tests pairs that were not in the table, four at a time.
     void MarkNew(const std::uint8_t* p, const std::uint8_t* q)
     {
         if (m_newCount == 0)
@@ -226,7 +225,7 @@ private:
     PairTable m_pairs;
     Marks m_marks;
     bool m_hasIgnored;
-    // The row at hand, and where in it marks lie.
+    // The current row, and its range of marks.
     Mark* m_row = nullptr;
     int m_first = 0, m_last = -1;
     int m_inRow = 0, m_overInRow = 0;

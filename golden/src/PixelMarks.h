@@ -5,12 +5,12 @@
 
 #include <golden/Compare.h>
 
-/// Judges every pixel of two pictures. The larger part of what Compare does, and of its time.
+/// Marks every pixel of two pictures: the larger part of Compare's work and time.
 namespace boxreel
 {
 
-/// One mark for every pixel of the larger size. Counts into `result`, which has the largest
-/// distance and the first pixel over the tolerance then, too.
+/// Returns a mark for every pixel of the larger size. Sets the counts, the largest distance and the
+/// first pixel over the tolerance in `result`.
 Marks MarkDifferences(const Frame& expected, const Frame& actual, const CompareSettings& settings,
                       Comparison& result);
 

@@ -17,7 +17,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-// Leaves room for a suffix and ".part" in the 255 bytes that file systems allow.
+// Leaves space for a suffix and ".part" in the 255 bytes that file systems allow.
 constexpr std::size_t kLongestName = 200;
 constexpr std::size_t kPlainTextLimit = 4 * 1024;
 constexpr std::size_t kLargestText = 64 * 1024 * 1024;
@@ -51,7 +51,7 @@ std::string WhyNotUsable(const std::string& name)
     {
         return "must have 1 to " + std::to_string(kLongestName) + " characters";
     }
-    // Cut at every slash, the ends included: an absolute name starts with an empty part.
+    // Split at every slash, including the ends: an absolute name starts with an empty part.
     for (std::size_t begin = 0; begin <= name.size();)
     {
         const std::size_t end = std::min(name.find('/', begin), name.size());

@@ -9,25 +9,24 @@
 #include <string_view>
 #include <vector>
 
-/// The files under a reference store: which names are fit, where a name lies, reading and writing.
-/// Knows nothing of what the files mean. Whatever a name or a link in the folder says, nothing
-/// outside the folder is read or written.
+/// The files of a reference store: valid names, paths, reading and writing. Independent of their
+/// content. No name or link in the folder can cause access outside the folder.
 namespace boxreel
 {
 
-/// Empty when `name` is fit for files, otherwise the reason for a person.
+/// Returns the reason why `name` is invalid for files; empty if it is valid.
 std::string WhyNotUsable(const std::string& name);
 
-/// `root` / `relative`, or an Error when a symbolic link on the way leads out of `root` (or
-/// nowhere).
+/// Returns `root` / `relative`, or an Error when a symbolic link on the path leads out of `root` or
+/// is broken.
 Result<std::filesystem::path> PathInside(const std::filesystem::path& root,
                                          const std::filesystem::path& relative);
 
-/// False when nothing is there; an Error when what is there is no file or cannot be looked at.
+/// False if the path does not exist; an Error if it is not a file or not accessible.
 Result<bool> IsFile(const std::filesystem::path& path);
 
-/// The text that StoredText wrote: FILE.txt, or FILE.txt.gz unpacked; none when there is neither.
-/// An Error when there are both, since then it is anybody's guess which one was approved.
+/// Reads a text of StoredText: FILE.txt, or FILE.txt.gz decompressed; none if neither exists. An
+/// Error if both exist, because the approved one is unknown.
 Result<std::optional<std::string>> ReadStoredText(const std::filesystem::path& root,
                                                   const std::filesystem::path& relativeTxt);
 
@@ -37,14 +36,14 @@ struct FileToWrite
     std::string bytes;
 };
 
-/// A text as the store keeps it: plain when short, so that a diff can be read; packed when long.
+/// Returns a text as it is stored: plain if short, for readable diffs; compressed if long.
 Result<FileToWrite> StoredText(const std::filesystem::path& pathTxt, std::string text);
 
-/// All are written beside their places first and only then renamed, so that a full disk or a folder
-/// without permission leaves every old file as it was. Makes the folders; replaces what is there.
+/// Writes all files under temporary names, then renames them. A full disk or missing permission
+/// therefore leaves every old file unchanged. Creates the folders; replaces existing files.
 Result<void> WriteAll(const std::vector<FileToWrite>& files);
 
-/// Nothing to remove is fine.
+/// Removes a file; it may be missing.
 Result<void> RemoveFile(const std::filesystem::path& path);
 
 } // namespace boxreel

@@ -22,11 +22,11 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A film as it is compared.
+/// A film's contact sheet for a comparison.
 struct SheetView
 {
     const Frame& frame;
-    const SheetLayout& layout; ///< all of it lies on the frame
+    const SheetLayout& layout; ///< completely on the frame
 };
 
 bool HaveSameSize(const SheetLayout& a, const SheetLayout& b)
@@ -41,8 +41,8 @@ bool LiesOn(const Frame& frame, const SheetLayout& layout)
     return row.x1 <= frame.width && layout.Place(layout.pictures - 1).y1 <= frame.height;
 }
 
-/// How the pictures of two films of the same moments part: the step of the first that differs by
-/// itself, or that only one film has; none when all are of another size, or differ together only.
+/// Returns the step of the first picture that differs, or that only one film has. None if all have
+/// different sizes, or only the sheet as a whole differs.
 std::optional<std::int64_t> FirstPicture(const SheetView& expected, const SheetView& actual,
                                          CompareSettings settings)
 {
@@ -81,7 +81,7 @@ GoldenStatus StatusOf(const GoldenVerdict& verdict)
                                                : GoldenStatus::Same;
 }
 
-// The failure stays known even when its files cannot be written.
+// Keeps the failure when its files cannot be written.
 Error With(const GoldenVerdict& verdict, const Error& error)
 {
     return Error{error.kind, verdict.name,
@@ -95,7 +95,7 @@ bool IsNothingKept(const Moment& expected)
            !expected.sheet;
 }
 
-/// The depths of the actual moment for which there is something to compare with.
+/// Returns the depths of the actual moment that the reference has too.
 Moment Comparable(const Moment& expected, Moment actual)
 {
     if (!expected.state)
@@ -115,7 +115,7 @@ Moment Comparable(const Moment& expected, Moment actual)
     {
         actual.frame.reset();
     }
-    if (!expected.sheet || !expected.frame) // it says how the picture's parts lie
+    if (!expected.sheet || !expected.frame) // the layout applies to the picture
     {
         actual.sheet.reset();
     }
@@ -139,7 +139,7 @@ std::string OptionsFor(const SheetLayout& sheet)
     return options.str();
 }
 
-/// The command takes the references of the checkout around it unless told otherwise.
+/// Returns the option for the references; the command's default is that of the current checkout.
 std::string OptionFor(const fs::path& references)
 {
     const bool isDefault =
@@ -147,7 +147,7 @@ std::string OptionFor(const fs::path& references)
     return isDefault ? "" : " --references " + ShellQuoted(references.string());
 }
 
-/// There is nothing to compare with.
+/// Reports a candidate without a reference.
 Result<GoldenVerdict> ReportAlone(GoldenVerdict verdict, const FailureFiles& files,
                                   const Moment& actual)
 {
@@ -224,9 +224,9 @@ std::string WhyNotLeftOut(const std::vector<int>& bodies, const GoldenCandidate&
                             std::to_string(last);
 }
 
-/// Empty when the depths of what was approved belong together. They do not when the lines of bodies
-/// were changed and the hash above them was not, as a merge may do, or when the trace of the same
-/// state has other steps: what the worlds would be said to differ in would not be true.
+/// Returns why the depths of the reference are inconsistent; empty if they are not. A merge may
+/// change the lines of bodies but not the hash, or the trace may have other steps. The reported
+/// differences would then be wrong.
 std::string WhyNotWhole(const Moment& expected, const Moment& actual)
 {
     if (!actual.state || *actual.state != *expected.state)
@@ -298,14 +298,14 @@ FilmComparison CompareFilms(const Moment& expected, const Moment& actual,
     return film;
 }
 
-/// What a person runs to make the candidate the reference.
+/// Returns the command that accepts the candidate.
 std::string CommandToAccept(const GoldenCandidate& candidate, const fs::path& references)
 {
     return "boxreel golden accept " + candidate.name +
            (candidate.sheet ? OptionsFor(*candidate.sheet) : "") + OptionFor(references);
 }
 
-/// The reference is damaged; the candidate may become a new one.
+/// Reports a damaged reference; the candidate may replace it.
 Judged SayDamaged(Judged judged, const GoldenCandidate& candidate, const fs::path& references,
                   const Error& why)
 {
@@ -317,7 +317,8 @@ Judged SayDamaged(Judged judged, const GoldenCandidate& candidate, const fs::pat
     return judged;
 }
 
-/// Leaves the bodies out of both moments, and of their pictures by the limits. Empty when it could.
+/// Removes the bodies from both moments and, by the limits, from their pictures. Returns the reason
+/// if that is impossible, otherwise an empty string.
 std::string WhyNotLessBodies(const std::vector<int>& bodies, const GoldenCandidate& candidate,
                              Moment& expected, Moment& actual, CompareSettings& limits)
 {
@@ -337,7 +338,7 @@ std::string WhyNotLessBodies(const std::vector<int>& bodies, const GoldenCandida
                : "";
 }
 
-/// The limits of two pictures' comparison, by who drew them.
+/// Selects the limits by the renderers of both pictures.
 LimitsChoice ChooseLimits(const Moment& expected, const Moment& actual, CompareSettings& limits)
 {
     const std::optional<CompareSettings> others = ForOtherRenderer(limits);
@@ -391,7 +392,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
                           {ErrorKind::Unusable, references.string(),
                            "the text of its sheet is not that of its picture", "restore it"});
     }
-    Moment less[2]; // the files of a failure have the bodies that are left out
+    Moment less[2]; // the files of a failure still contain the ignored bodies
     const Moment* before = &judged.expected;
     const Moment* now = &actual;
     if (!settings.ignoredBodies.empty())

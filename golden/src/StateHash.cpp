@@ -14,12 +14,12 @@ namespace boxreel
 namespace
 {
 
-// G. Fowler, L. C. Noll, K.-P. Vo: FNV-1a, 64 bits (RFC 9923). Byte after byte, so that a single
-// changed bit reaches all that follows.
+// G. Fowler, L. C. Noll, K.-P. Vo: FNV-1a, 64 bits (RFC 9923). Byte by byte, so that a single
+// changed bit affects all later ones.
 constexpr std::uint64_t kOffsetBasis = 0xcbf29ce484222325u;
 constexpr std::uint64_t kPrime = 0x100000001b3u;
 
-// Lowest byte first on every machine. -0 equals 0, so it counts as the same state.
+// Little-endian on every machine. -0 equals 0, so it has the same hash.
 void Mix(std::uint64_t& hash, float value)
 {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(value == 0.0f ? 0.0f : value);
@@ -62,7 +62,7 @@ std::string Digits(std::uint64_t value, int count)
     return text;
 }
 
-// FNV's low bits hang on the low bits of what went in alone; its middle on all of them.
+// FNV's low bits depend only on the low bits of the input; its middle bits on all of them.
 char Digit(std::uint64_t hash)
 {
     return kHex[(hash ^ hash >> 32) >> 24 & 15u];

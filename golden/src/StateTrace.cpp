@@ -38,7 +38,7 @@ std::optional<TraceStep> ParseStep(std::string_view line)
                                                              : std::nullopt;
 }
 
-/// Where two strings of digits differ; beyond the end of one, all of the other.
+/// Returns the positions of different digits, including those beyond the end of one string.
 std::vector<int> Different(std::string_view a, std::string_view b)
 {
     std::vector<int> places;
@@ -57,7 +57,7 @@ std::vector<int> BodiesThatDiffer(std::string_view expected, std::string_view ac
     const std::size_t slash = expected.find('/');
     if (slash != actual.find('/'))
     {
-        return {}; // so many more or fewer that they are numbered otherwise
+        return {}; // different sizes of the square, so numbers do not correspond
     }
     if (slash == std::string_view::npos)
     {

@@ -9,7 +9,7 @@
 namespace boxreel
 {
 
-/// Cuts the first line off `rest`; none when nothing is left.
+/// Removes the first line from `rest` and returns it; none if it is empty.
 inline std::optional<std::string_view> TakeLine(std::string_view& rest)
 {
     if (rest.empty())
@@ -22,8 +22,8 @@ inline std::optional<std::string_view> TakeLine(std::string_view& rest)
     return line;
 }
 
-/// The beginning of a line in quotation marks, to be shown to a person: what is not printable ASCII
-/// becomes `?`, for the line may be of any file or program.
+/// Returns the start of a line in quotation marks, for messages. Characters other than printable
+/// ASCII become `?`, because the line may come from any file or program.
 inline std::string Shown(std::string_view line)
 {
     std::string text(line.substr(0, 80));

@@ -13,7 +13,7 @@ namespace
 
 using nlohmann::ordered_json;
 
-/// A draw list may hold any bytes: what is not UTF-8 becomes U+FFFD.
+/// Replaces invalid UTF-8 by U+FFFD, because a draw list may contain any bytes.
 std::string Dumped(const ordered_json& object)
 {
     return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
@@ -61,7 +61,7 @@ void AddSteps(ordered_json& object, const VerdictRecord& record)
     const std::vector<TraceStep>& steps = record.candidate.trace.steps;
     if (!steps.empty())
     {
-        object["since"] = steps.front().step; // the first that was compared
+        object["since"] = steps.front().step; // the first compared step
         object["step"] = steps.back().step;
     }
     const auto& [world, film] = std::tie(record.verdict.world, record.verdict.film);
@@ -79,7 +79,7 @@ void AddSteps(ordered_json& object, const VerdictRecord& record)
     {
         if (*first == step.step)
         {
-            // By which a program that goes the steps again sees that it does the same.
+            // Lets a program that repeats the steps verify that its world is the same.
             object["firstHash"] = step.world;
         }
     }
@@ -91,7 +91,7 @@ std::string ToJson(const VerdictRecord& record)
 {
     const GoldenVerdict& verdict = record.verdict;
     const GoldenCandidate& candidate = record.candidate;
-    ordered_json object{{"verdict", 2}, // the format's version
+    ordered_json object{{"verdict", 2}, // version of the format
                         {"name", verdict.name},
                         {"status", StatusWord(verdict.status)},
                         {"findings", verdict.Findings()}};

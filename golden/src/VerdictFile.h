@@ -9,12 +9,12 @@
 #include <string>
 #include <string_view>
 
-/// What a comparison came to, for programs: NAME.verdict.json in the output folder, whether it
-/// passed or not. Written by the reference store, read by `boxreel golden report`.
+/// The result of a comparison for programs: NAME.verdict.json in the output folder, for success and
+/// failure. Written by the reference store, read by `boxreel golden report`.
 namespace boxreel
 {
 
-/// Everything that the file says.
+/// The content of the file.
 struct VerdictRecord
 {
     const GoldenVerdict& verdict;
@@ -22,10 +22,10 @@ struct VerdictRecord
     const CompareSettings& limits;
 };
 
-/// As JSON (RFC 8259), a field a line.
+/// Returns JSON (RFC 8259), one field per line.
 std::string ToJson(const VerdictRecord& record);
 
-/// The same verdict, now of something that has become the reference; none when the text is none.
+/// Returns the verdict with the status of an accepted candidate; none if the text is not a verdict.
 std::optional<std::string> Accepted(std::string_view json);
 
 } // namespace boxreel

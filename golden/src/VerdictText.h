@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-/// The words of verdicts. No other file makes sentences of them.
+/// The texts of verdicts. No other file forms sentences of them.
 namespace boxreel
 {
 
@@ -16,19 +16,19 @@ struct StatusWords
     const char* word;    ///< in verdict files
     const char* label;   ///< in reports
     const char* meaning; ///< in reports
-    bool passes;         ///< whether the moment counts as approved
+    bool passes;         ///< true if the moment counts as approved
 };
 
-/// All statuses that a verdict file may have, the worst first.
+/// Returns all statuses of verdict files, the worst first.
 std::span<const StatusWords> AllStatusWords();
 
-/// Null when no status has this word.
+/// Returns the status of this word, or null.
 const StatusWords* FindStatus(std::string_view word);
 
-/// The word of verdict files.
+/// Returns the word in verdict files.
 const char* StatusWord(GoldenStatus status);
 
-/// "as given", "same renderer" or "other renderer".
+/// Returns "as given", "same renderer" or "other renderer".
 const char* LimitsWord(LimitsChoice choice);
 
 /// Of a list.

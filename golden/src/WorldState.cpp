@@ -60,7 +60,7 @@ std::optional<BodyState> ParseBody(std::string_view line)
     return at == end && (read == 3 || read == 6) ? std::optional<BodyState>(body) : std::nullopt;
 }
 
-/// The bodies that only one of the worlds has, and pairs of those that both have.
+/// The bodies of only one world, and the pairs of common bodies.
 struct Matched
 {
     std::vector<int> missing, extra;

@@ -18,7 +18,7 @@ namespace boxreel
 namespace
 {
 
-/// A film's stored frames, and for which frames of the recording each of them stands.
+/// The stored frames of a film, each with the frames of the recording that it represents.
 class StoredFrames
 {
 public:
@@ -31,8 +31,8 @@ public:
     Result<bool> Next(); ///< false after the last
 
     const boxreel::Frame& Frame() const { return m_stored.frame; }
-    std::int64_t First() const { return m_first; } ///< index of the first that looks like this
-    std::int64_t End() const { return m_end; }     ///< and of the first that does no more
+    std::int64_t First() const { return m_first; } ///< index of its first frame
+    std::int64_t End() const { return m_end; }     ///< index after its last frame
 
 private:
     StoredFrames(VideoFormat format, const VideoSettings& settings)
@@ -58,7 +58,8 @@ Result<StoredFrames> StoredFrames::Open(const std::filesystem::path& path,
     return frames;
 }
 
-/// Of the frame that is shown from then on. A GIF begins with the first frame that it keeps.
+/// Returns the index of the frame shown from then on. A GIF starts with the first frame that it
+/// keeps.
 std::int64_t StoredFrames::IndexAt(double seconds) const
 {
     if (m_format != VideoFormat::Gif)
@@ -71,7 +72,7 @@ std::int64_t StoredFrames::IndexAt(double seconds) const
         ++begin;
     }
     std::int64_t index = m_times.IndexAt(std::llround(seconds * 100.0) + m_times.TimeOf(begin));
-    while (!m_times.IsKept(index)) // several frames may begin in the same 1/100 s
+    while (!m_times.IsKept(index)) // several frames may start in the same 1/100 s
     {
         --index;
     }
@@ -86,7 +87,7 @@ Result<bool> StoredFrames::Next()
         return more;
     }
     const bool isApng = m_format == VideoFormat::Apng;
-    // libav rounds how long each frame of an animated PNG stays, and adds that up.
+    // libav rounds the duration of each frame of an animated PNG, and the errors add up.
     m_first = isApng ? m_end : IndexAt(m_stored.seconds);
     m_end = isApng ? m_first + std::llround(m_stored.length * m_rate.ToDouble())
                    : IndexAt(m_stored.seconds + m_stored.length);
@@ -101,7 +102,7 @@ Error CutShort(const std::filesystem::path& path, std::int64_t frames)
                  "record it again"};
 }
 
-/// The last frame once more until `count` are appended.
+/// Repeats the last frame until `count` are appended.
 Result<void> RepeatUntil(std::int64_t count, std::int64_t appended, VideoWriter& to)
 {
     Result<void> done;
@@ -112,7 +113,7 @@ Result<void> RepeatUntil(std::int64_t count, std::int64_t appended, VideoWriter&
     return done;
 }
 
-/// `settings` of a part that begins with this frame of the whole.
+/// Returns the `settings` of a part that starts with this frame of the film.
 VideoSettings PartOf(VideoSettings settings, std::int64_t firstFrame)
 {
     settings.frames = FrameRange(FrameRun{.first = firstFrame});
@@ -140,11 +141,11 @@ Result<void> CopyAnimation(const std::filesystem::path& from, const VideoSetting
         {
             return CutShort(from, appended);
         }
-        if (!more) // a film of one picture does not say for how long it is shown
+        if (!more) // a film of one picture does not store its duration
         {
             return count ? RepeatUntil(*count, appended, to) : Result<void>();
         }
-        // What a GIF that begins with a frame it leaves out has for it.
+        // For leading frames that a GIF omits, append its first stored frame.
         for (; appended < std::min(frames.First() + 1, end); ++appended)
         {
             RETURN_IF_ERROR(to.Append(frames.Frame()));

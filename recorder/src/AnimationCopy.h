@@ -10,21 +10,21 @@
 #include <optional>
 #include <vector>
 
-/// Frames of one gif, apng or webp into another: read back, as they come back unchanged, and
-/// written once more. Used to continue and to join such films; for others there is FFmpegCopy.
+/// Copies frames of a gif, apng or webp by decoding and encoding again, which is lossless. Used to
+/// resume and join such films; FFmpegCopy handles the others.
 namespace boxreel
 {
 
-/// Appends the first `count` frames of the film `from` to `to`, all that are there unless said.
-/// `settings`: those that `from` was made with. An Error when it cannot be read so far, or has
-/// another size. Ends early once `isStopped` says so.
+/// Appends the first `count` frames of the film `from` to `to`, by default all. `settings`: those
+/// of `from`. An Error when it cannot be read, or has a different size. Ends early if `isStopped`
+/// returns true.
 Result<void> CopyAnimation(
     const std::filesystem::path& from, const VideoSettings& settings,
     std::optional<std::int64_t> count, VideoWriter& to,
     const std::function<bool()>& isStopped = [] { return false; });
 
-/// How many frames of an interrupted film are whole: those of the groups that another one follows.
-/// None when it is no such film.
+/// Returns the number of complete frames of an interrupted film: those of all groups but the last.
+/// 0 if it is not such a film.
 std::int64_t CountWholeAnimation(const std::filesystem::path& left, const VideoSettings& settings);
 
 /// JoinFilms for animations.

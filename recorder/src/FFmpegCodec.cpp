@@ -14,8 +14,7 @@ namespace boxreel
 namespace
 {
 
-// The bytes of x264's film depend on the number of its threads, so the number must not depend on
-// the machine.
+// The bytes of x264 depend on the number of threads, so the default must not depend on the machine.
 constexpr int kDefaultThreads = 2;
 
 std::string ThisLibrary()
@@ -41,7 +40,7 @@ std::string Given(const VideoSettings& settings)
     return options;
 }
 
-/// The encoder refused to start: most likely because of what the user asked of it.
+/// The encoder refused to start, most likely because of the user's options.
 Error Refused(const EncoderPlan& plan, const VideoSettings& settings, const std::string& film,
               int status)
 {
@@ -57,8 +56,8 @@ Error Refused(const EncoderPlan& plan, const VideoSettings& settings, const std:
                  "try another quality, size or format"};
 }
 
-/// An option that is left over is one that the encoder does not know: the user's, or one of ours
-/// that another version of it lacks.
+/// Reports an option that the encoder did not use: a user's option, or one of ours that this
+/// version does not have.
 Error Unknown(const EncoderPlan& plan, const VideoSettings& settings, const std::string& option)
 {
     for (const auto& [name, value] : settings.codecOptions)
@@ -78,7 +77,7 @@ void TagColours(AVCodecContext& context, const EncoderPlan& plan)
 {
     const std::string& pixelFormat = plan.pixelFormat;
     const bool isYuv = pixelFormat.starts_with("yuv");
-    const bool isTagged = plan.muxer != "yuv4mpegpipe"; // which has no place for a matrix
+    const bool isTagged = plan.muxer != "yuv4mpegpipe"; // has no field for a matrix
     context.colorspace = !isYuv     ? AVCOL_SPC_RGB
                          : isTagged ? AVCOL_SPC_BT709
                                     : UntaggedSpace(context.height);
@@ -89,7 +88,7 @@ void TagColours(AVCodecContext& context, const EncoderPlan& plan)
     context.chroma_sample_location = isHalved ? AVCHROMA_LOC_LEFT : AVCHROMA_LOC_UNSPECIFIED;
 }
 
-/// Before it is opened: what is the same for all codecs.
+/// Sets what is the same for all codecs, before opening.
 void SetUp(AVCodecContext& context, const EncoderPlan& plan, const VideoSettings& settings)
 {
     context.width = settings.width;
@@ -100,7 +99,7 @@ void SetUp(AVCodecContext& context, const EncoderPlan& plan, const VideoSettings
         AVRational{int(settings.framesPerSecond.num), int(settings.framesPerSecond.den)};
     context.time_base = TickOf(settings.framesPerSecond);
     context.thread_count = settings.threads > 0 ? settings.threads : kDefaultThreads;
-    context.flags |= AV_CODEC_FLAG_BITEXACT; // no versions of libraries in the film
+    context.flags |= AV_CODEC_FLAG_BITEXACT; // no library versions in the film
     if (plan.muxer != "nut")
     {
         context.flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
@@ -108,7 +107,7 @@ void SetUp(AVCodecContext& context, const EncoderPlan& plan, const VideoSettings
     TagColours(context, plan);
 }
 
-/// libvpx may leave frames out to keep to a rate; films would be shorter than they say.
+/// True if libvpx may drop frames to hold a bit rate; the film would be shorter than stated.
 bool DropsFrames(const AVCodecContext& context)
 {
     std::int64_t threshold = 0;
@@ -117,8 +116,8 @@ bool DropsFrames(const AVCodecContext& context)
            threshold > 0;
 }
 
-/// What an option has changed that other settings decide, and that the film is made by; nothing
-/// when it is as it was set up.
+/// Returns the setting that a codec option has overridden although the film depends on it; null if
+/// there is none.
 const char* Overridden(const AVCodecContext& context, const EncoderPlan& plan,
                        const VideoSettings& settings)
 {
@@ -192,8 +191,8 @@ Result<FFmpegOwner<AVCodecParameters>> FFmpegCodec::MakeParameters(const Encoder
     {
         return parameters;
     }
-    // libaom tells its header only with its first packet, which is too late for a pipe and for a
-    // film that begins with packets of another; so another run is asked for it.
+    // libaom returns its header only with the first packet. That is too late for a pipe, and for a
+    // film that starts with packets of another. A separate run returns it.
     ASSIGN_OR_RETURN(FFmpegCodec probe, Open(plan, settings, film));
     ASSIGN_OR_RETURN(const FFmpegOwner<AVPacket> packet, probe.EncodeBlack());
     std::size_t size = 0;
@@ -209,7 +208,7 @@ Result<FFmpegOwner<AVCodecParameters>> FFmpegCodec::MakeParameters(const Encoder
     return parameters;
 }
 
-/// One picture, and the end.
+/// Encodes one black picture and returns its packet.
 Result<FFmpegOwner<AVPacket>> FFmpegCodec::EncodeBlack()
 {
     ASSIGN_OR_RETURN(FFmpegOwner<AVFrame> picture, MakePicture());

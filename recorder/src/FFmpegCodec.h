@@ -6,33 +6,34 @@
 
 #include <string>
 
-/// One run of libav's encoder: pictures in, packets out. Used by FFmpegFilm, which starts one for
-/// each group of frames.
+/// One run of libav's encoder: pictures in, packets out. FFmpegFilm starts one for each group of
+/// frames.
 namespace boxreel
 {
 
 class FFmpegCodec
 {
 public:
-    /// `film`: for messages. An Error (Absent) when libav has no such encoder, (Unusable) when the
-    /// encoder does not know an option, or will not have its value.
+    /// Opens the encoder. `film`: for messages. An Error (Absent) when libav does not have it,
+    /// (Unusable) for an unknown option or an invalid value.
     static Result<FFmpegCodec> Open(const EncoderPlan& plan, const VideoSettings& settings,
                                     const std::string& film);
 
     const AVCodecContext& Context() const { return *m_context; }
 
-    /// What a container has to know of such an encoder before its first packet.
+    /// Returns the parameters that a container needs before the first packet.
     Result<FFmpegOwner<AVCodecParameters>> MakeParameters(const EncoderPlan& plan,
                                                           const VideoSettings& settings,
                                                           const std::string& film) const;
 
-    /// An empty picture of this codec's size, format and colours.
+    /// Returns an empty picture with this codec's size, format and colours.
     Result<FFmpegOwner<AVFrame>> MakePicture() const;
 
-    /// None ends the run. libav's status.
+    /// Sends a picture; null ends the run. Returns libav's status.
     int Send(const AVFrame* picture);
 
-    /// libav's status: AVERROR(EAGAIN) until more is sent, AVERROR_EOF after the last.
+    /// Receives a packet. Returns libav's status: AVERROR(EAGAIN) if more input is needed,
+    /// AVERROR_EOF after the last.
     int Receive(AVPacket& packet);
 
 private:
@@ -42,7 +43,7 @@ private:
     FFmpegOwner<AVCodecContext> m_context;
 };
 
-/// The unit of a film's times: a frame.
+/// Returns the time unit of a film: one frame.
 AVRational TickOf(const Rational& framesPerSecond);
 
 } // namespace boxreel

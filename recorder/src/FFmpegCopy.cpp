@@ -14,8 +14,8 @@ namespace boxreel
 namespace
 {
 
-/// Containers put the length before each unit of H.264, where encoders put a start code of as many
-/// bytes (H.264, annex B), and a film must have one kind.
+/// Replaces unit lengths by start codes. Containers store the length before each unit of H.264,
+/// encoders a start code of the same size (H.264, annex B). A film must use one kind.
 void PutStartCodes(AVPacket& packet)
 {
     constexpr std::array<std::uint8_t, 4> kStartCode{0, 0, 0, 1};
@@ -119,7 +119,7 @@ std::int64_t CountWholeFrames(const std::filesystem::path& left, const FrameTime
 Result<void> WriteWithIndexInFront(const std::filesystem::path& path, bool overwrite,
                                    const std::filesystem::path& from, AVRational tick, int delay)
 {
-    // Nobody else's name: what a killed run left there is replaced.
+    // A name that only boxreel uses: the leftover of a killed run is replaced.
     ASSIGN_OR_RETURN(AtomicFile file,
                      AtomicFile::Create(path, {.overwrite = overwrite, .mark = "boxreel-indexed"}));
     ASSIGN_OR_RETURN(FFmpegPackets packets, FFmpegPackets::Open(from, tick));

@@ -12,40 +12,39 @@
 #include <span>
 #include <vector>
 
-/// Packets from one film into another, as they are.
+/// Copies packets from one film to another without decoding.
 namespace boxreel
 {
 
-/// Those packets of `from` that are shown before `before`, `offset` later than there; times in
-/// `tick`s.
+/// The packets of `from` that are shown before `before`, shifted by `offset`; times in `tick`s.
 struct CopiedPart
 {
     std::filesystem::path from;
     AVRational tick{1, 60};
     std::int64_t before = std::numeric_limits<std::int64_t>::max();
     std::int64_t offset = 0;
-    std::int64_t lastDuration = 1; ///< of its last packet
+    std::int64_t lastDuration = 1; ///< duration of its last packet
 };
 
-/// When the part's frames are shown, in the order of its packets.
+/// Returns when the part's frames are shown, in packet order.
 Result<std::vector<std::int64_t>> TimesIn(const CopiedPart& part);
 
-/// `decodingTimes`: of each of its packets. Ends early once `isStopped` says so.
+/// Copies the packets. `decodingTimes`: one per packet. Ends early if `isStopped` returns true.
 Result<void> CopyPackets(
     const CopiedPart& part, std::span<const std::int64_t> decodingTimes, FFmpegMuxer& muxer,
     const std::function<bool()>& isStopped = [] { return false; });
 
-/// The part as the beginning of a film that goes on with packets as the encoder gives them.
+/// Copies the part as the start of a film that continues with packets of the encoder.
 Result<void> CopyBeginning(const CopiedPart& part, FFmpegMuxer& muxer,
                            DecodingTimes& decodingTimes);
 
-/// How many frames of an interrupted film are whole: those of the groups that another one follows.
-/// None when it is no film that can be read.
+/// Returns the number of complete frames of an interrupted film: those of all groups but the last.
+/// 0 if the film cannot be read.
 std::int64_t CountWholeFrames(const std::filesystem::path& left, const FrameTimes& times,
                               AVRational tick);
 
-/// Writes the film `from` anew as the MP4 `path`, its index in front. `delay`: how many frames the
-/// encoder puts into another order.
+/// Writes the film `from` to the MP4 `path` with its index at the front. `delay`: reordering delay
+/// of the encoder [frames].
 Result<void> WriteWithIndexInFront(const std::filesystem::path& path, bool overwrite,
                                    const std::filesystem::path& from, AVRational tick, int delay);
 

@@ -62,21 +62,22 @@ private:
     VideoSettings m_settings;
     EncoderPlan m_plan;
     FrameTimes m_frameTimes;
-    AVRational m_tick{1, 60};         // the unit of times [s]
-    int m_delay = 0;                  // how many places packets may come before their frames
-    std::optional<AtomicFile> m_file; // none when it goes to the standard output
+    AVRational m_tick{1, 60};         // time unit [s]
+    int m_delay = 0;                  // maximum number of packets by which decoding precedes
+                                      // display
+    std::optional<AtomicFile> m_file; // none for the standard output
     std::unique_ptr<FFmpegOutput> m_output;
     std::optional<FFmpegMuxer> m_muxer;
     std::optional<DecodingTimes> m_decodingTimes;
-    std::optional<FFmpegCodec> m_codec; // of the group at hand
-    FFmpegOwner<AVFrame> m_picture;     // shows the last frame
+    std::optional<FFmpegCodec> m_codec; // of the current group
+    FFmpegOwner<AVFrame> m_picture;     // contains the last frame
     bool m_isPictureWhole = false;
-    std::optional<FrameToPicture> m_converter; // of any film that is open
+    std::optional<FrameToPicture> m_converter; // set while the film is open
     std::int64_t m_resumed = 0;
-    std::int64_t m_frames = 0;      // kept, appended or repeated
-    std::int64_t m_group = -1;      // that m_codec encodes
-    std::int64_t m_shown = -1;      // index of the frame that was encoded last
-    std::int64_t m_lastWritten = 0; // when the frame begins whose packet was written last [ticks]
+    std::int64_t m_frames = 0;      // resumed, appended or repeated
+    std::int64_t m_group = -1;      // group that m_codec encodes
+    std::int64_t m_shown = -1;      // index of the last encoded frame
+    std::int64_t m_lastWritten = 0; // start of the frame whose packet was written last [ticks]
 };
 
 Error FFmpegFilm::EncodeError(int status) const
@@ -98,7 +99,7 @@ Result<void> FFmpegFilm::Open()
     return m_settings.resume && !IsAnimation(m_format) ? Resume() : OpenMuxer();
 }
 
-/// What is left of a film that was stopped stays until what can be kept of it has been copied.
+/// Opens the file. The interrupted film is kept until its complete groups have been copied.
 Result<void> FFmpegFilm::OpenFile()
 {
     if (IsPipe(m_path))
@@ -141,7 +142,7 @@ Result<void> FFmpegFilm::OpenPicture()
     return {};
 }
 
-/// Copies the groups that are whole out of what was left, which then takes its name.
+/// Copies the complete groups of the interrupted film; the new file then replaces it.
 Result<void> FFmpegFilm::Resume()
 {
     const std::filesystem::path left = PartPath(m_path);
@@ -173,7 +174,7 @@ Result<void> FFmpegFilm::Repeat()
 Result<void> FFmpegFilm::Fill(const Frame& frame, std::span<const PixelBounds> changed)
 {
     const StageTimer timer(m_settings.stages, Stage::Convert);
-    // The encoder may still look at the last picture; a new one costs an allocation from a pool.
+    // The encoder may still use the last picture; a new one comes from a pool.
     if (FFmpeg().av_frame_is_writable(m_picture.get()) == 0)
     {
         ASSIGN_OR_RETURN(FFmpegOwner<AVFrame> picture, m_codec->MakePicture());
@@ -192,9 +193,9 @@ Result<void> FFmpegFilm::Fill(const Frame& frame, std::span<const PixelBounds> c
     return {};
 }
 
-/// Whether a frame that shows what the one before shows is encoded all the same. A group's first
-/// and last are, so that it is the same whatever comes before and after it; and the second of all,
-/// for most programs take the film's rate from the distance of the first two.
+/// True if a frame equal to the previous one must be encoded. The first and last of a group are, so
+/// that a group does not depend on its neighbours. The second of the film is, because most programs
+/// derive the rate from the first two frames.
 bool FFmpegFilm::MustShow(std::int64_t index) const
 {
     const std::int64_t group = m_frameTimes.GroupOf(index);
@@ -204,7 +205,7 @@ bool FFmpegFilm::MustShow(std::int64_t index) const
     return m_plan.isConstantRate || m_settings.constantRate || isSecond || isFirst || isLast;
 }
 
-/// Encodes the picture as this frame.
+/// Encodes the picture as frame `index`.
 Result<void> FFmpegFilm::Show(std::int64_t index)
 {
     RETURN_IF_ERROR(StartGroup(m_frameTimes.GroupOf(index)));
@@ -232,8 +233,8 @@ Result<void> FFmpegFilm::StartGroup(std::int64_t group)
     return {};
 }
 
-/// Empties the encoder and closes it before another begins: two at once take twice the memory, and
-/// were no faster.
+/// Flushes and closes the encoder before the next one starts: two at once need twice the memory and
+/// were not faster.
 Result<void> FFmpegFilm::EndGroup()
 {
     Result<void> written = Encode(nullptr);
@@ -241,7 +242,7 @@ Result<void> FFmpegFilm::EndGroup()
     return written;
 }
 
-/// And writes what the encoder has ready; no picture empties it.
+/// Sends the picture and writes all available packets; null flushes the encoder.
 Result<void> FFmpegFilm::Encode(const AVFrame* picture)
 {
     const Result<Packets> packets = Take(picture);
@@ -279,17 +280,18 @@ Result<void> FFmpegFilm::Write(const Packets& packets)
     return {};
 }
 
-/// Empties the encoder and writes what the muxer needs to be played.
+/// Flushes the encoder and writes the end of the container.
 Result<void> FFmpegFilm::Finish()
 {
-    if (m_frames == m_resumed) // nothing has come to what was there
+    if (m_frames == m_resumed) // no frame was added to the resumed ones
     {
         return m_muxer->Finish();
     }
     const bool isLastShown = m_shown == Last();
     if (!isLastShown && !IsAnimation(m_format))
     {
-        if (Result<void> shown = Show(Last()); !shown) // it says how long the one before stays
+        if (Result<void> shown = Show(Last()); !shown) // it defines the duration of the previous
+                                                       // frame
         {
             return shown;
         }
@@ -320,8 +322,8 @@ Result<void> FFmpegFilm::Suspend()
     return m_file ? m_file->Leave() : Result<void>();
 }
 
-/// While it is made an MP4 is in pieces, each of which can be played; now that all of them are
-/// known they are copied behind one index.
+/// While it is recorded, an MP4 consists of fragments, each of which can be played. Now they are
+/// copied behind a common index.
 Result<void> FFmpegFilm::CommitWithIndexInFront()
 {
     return WriteWithIndexInFront(m_path, m_settings.overwrite, m_file->PartPath(), m_tick, m_delay);

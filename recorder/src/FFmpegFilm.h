@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <memory>
 
-/// A film made by libav. Used by VideoWriter; loads libav when called.
+/// A film written by libav. Used by VideoWriter; loads libav when called.
 namespace boxreel
 {
 
-/// `settings` must have passed CheckVideoPath; `format` is one of libav's.
+/// `settings` must have passed CheckVideoPath; `format` is written by libav.
 Result<std::unique_ptr<VideoSink>> OpenFFmpegFilm(const std::filesystem::path& path,
                                                   VideoFormat format,
                                                   const VideoSettings& settings);

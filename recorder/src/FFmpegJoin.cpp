@@ -16,7 +16,7 @@ namespace boxreel
 namespace
 {
 
-/// A part as it is copied, and when its frames are shown in the whole.
+/// A part, and the times of its frames in the film.
 struct Part
 {
     CopiedPart copied;
@@ -43,7 +43,7 @@ Result<std::vector<Part>> LookAt(const std::vector<FilmPart>& films, const Frame
     return parts;
 }
 
-/// When each packet is needed, over all parts, and how long the last of all lasts.
+/// Computes the decoding time of each packet over all parts, and the duration of the last packet.
 void FillDecodingTimes(std::vector<Part>& parts)
 {
     std::vector<std::int64_t> shown;
@@ -70,7 +70,7 @@ bool IsAlike(const AVCodecParameters& a, const AVCodecParameters& b)
             std::memcmp(a.extradata, b.extradata, std::size_t(a.extradata_size)) == 0);
 }
 
-/// One stream has one description of how it is coded.
+/// Checks that all parts have the same codec parameters, because a stream has only one set.
 Result<void> CheckAlike(const std::vector<FilmPart>& films, AVRational tick)
 {
     ASSIGN_OR_RETURN(FFmpegPackets first, FFmpegPackets::Open(films.front().path, tick));

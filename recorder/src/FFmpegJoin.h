@@ -5,7 +5,7 @@
 
 #include <recorder/JoinFilms.h>
 
-/// JoinFilms for what libav writes. Loads libav when called.
+/// JoinFilms for formats that libav writes. Loads libav when called.
 namespace boxreel
 {
 

@@ -15,7 +15,7 @@ namespace
 
 FFmpegLibrary g_library;
 
-// One per library, for the four lists of functions differ.
+// One per library, because each has its own list of functions.
 #define BOXREEL_BIND(symbol)                                                                       \
     if (!library->Bind(#symbol, g_library.symbol))                                                 \
     {                                                                                              \
@@ -38,7 +38,7 @@ BOXREEL_LOADER(BindFormat, BOXREEL_AVFORMAT_FUNCTIONS)
 #undef BOXREEL_LOADER
 #undef BOXREEL_BIND
 
-/// The version is part of the name: the structures are those of the headers compiled against.
+/// The major version is part of the name: the structures must match the headers of the build.
 Result<void> LoadOne(Result<void> (*bind)(const std::string&, const std::string&),
                      const std::string& library, int major)
 {
@@ -52,7 +52,8 @@ Result<void> LoadAll()
     RETURN_IF_ERROR(LoadOne(BindScale, "swscale", LIBSWSCALE_VERSION_MAJOR));
     RETURN_IF_ERROR(LoadOne(BindCodec, "avcodec", LIBAVCODEC_VERSION_MAJOR));
     RETURN_IF_ERROR(LoadOne(BindFormat, "avformat", LIBAVFORMAT_VERSION_MAJOR));
-    if (g_library.av_log_get_level() == AV_LOG_INFO) // libav's default: nobody else has a say
+    if (g_library.av_log_get_level() == AV_LOG_INFO) // libav's default: the program has not set a
+                                                     // level
     {
         g_library.av_log_set_level(AV_LOG_QUIET);
     }
@@ -114,7 +115,7 @@ void FFmpegDelete::operator()(SwsContext* context) const
 
 void FFmpegDelete::operator()(AVIOContext* context) const
 {
-    FFmpeg().av_freep(&context->buffer); // libav may have exchanged the buffer it was given
+    FFmpeg().av_freep(&context->buffer); // libav may have replaced the buffer
     FFmpeg().avio_context_free(&context);
 }
 

@@ -15,9 +15,8 @@ extern "C" {
 #include <libswscale/swscale.h>
 }
 
-/// libav, opened when first asked for: linking it would cost every command 30 ms. A table of the
-/// functions used here, and owners for what they allocate. Only the files named FFmpeg* include
-/// this.
+/// libav, loaded on first use: linking it would cost every command 30 ms. A table of the functions
+/// in use, and owners of their objects. Only the files named FFmpeg* include this.
 namespace boxreel
 {
 
@@ -106,14 +105,14 @@ struct FFmpegLibrary
 #undef BOXREEL_DECLARE
 };
 
-/// Opens the libraries, once per process. An Error (Absent) says which is missing and which package
-/// has it. libav's own messages are switched off unless the program has chosen a level itself.
+/// Loads the libraries, once per process. An Error (Absent) names the missing library and its
+/// package. Disables libav's own messages unless the program has set a level.
 Result<void> LoadFFmpeg();
 
-/// The table. LoadFFmpeg must have succeeded.
+/// Returns the function table. LoadFFmpeg must have succeeded.
 const FFmpegLibrary& FFmpeg();
 
-/// libav's words for one of its error codes.
+/// Returns libav's description of an error code.
 std::string FFmpegText(int status);
 
 struct FFmpegDelete
@@ -123,7 +122,8 @@ struct FFmpegDelete
     void operator()(AVCodecContext* context) const;
     void operator()(AVCodecParameters* parameters) const;
     void operator()(SwsContext* context) const;
-    void operator()(AVIOContext* context) const; ///< its buffer, too; not what it reads or writes
+    void operator()(AVIOContext* context) const; ///< Frees the context and its buffer, not the
+                                                 ///< underlying file.
 };
 
 template <class T>

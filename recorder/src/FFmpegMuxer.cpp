@@ -8,7 +8,7 @@
 namespace boxreel
 {
 
-/// What the file said first, or libav's reason.
+/// Returns the first error of the file, or libav's reason.
 Error FFmpegMuxer::WriteError(int status) const
 {
     return m_output->FirstError(Error{ErrorKind::Failed, m_film,
@@ -30,11 +30,10 @@ Result<FFmpegMuxer> FFmpegMuxer::Open(FFmpegOutput& output, const std::string& m
         return opened.WriteError(status);
     }
     opened.m_context.reset(context);
-    context->flags |= AVFMT_FLAG_BITEXACT; // no dates, no versions, no random numbers
+    context->flags |= AVFMT_FLAG_BITEXACT; // no dates, versions or random numbers
     if (muxer == "apng")
     {
-        context->flags |=
-            AVFMT_FLAG_FLUSH_PACKETS; // there are few; a run that is killed leaves them
+        context->flags |= AVFMT_FLAG_FLUSH_PACKETS; // packets are few; a killed run then loses none
     }
     output.AttachTo(*context);
     opened.m_tick = stream.tick;
@@ -42,7 +41,7 @@ Result<FFmpegMuxer> FFmpegMuxer::Open(FFmpegOutput& output, const std::string& m
     FFmpeg().avcodec_parameters_copy(opened.m_stream->codecpar, stream.codec);
     if (stream.codec->codec_id != AV_CODEC_ID_RAWVIDEO)
     {
-        opened.m_stream->codecpar->codec_tag = 0; // each container has its own
+        opened.m_stream->codecpar->codec_tag = 0; // each container has its own tag
     }
     opened.m_stream->time_base = stream.tick;
     opened.m_stream->avg_frame_rate = stream.framesPerSecond;
@@ -72,7 +71,7 @@ FFmpegMuxer::~FFmpegMuxer()
 {
     if (m_context && m_isTrailerDue)
     {
-        // libav's muxer of animated PNGs lets go of its last packet only here; the file itself is
+        // libav's muxer of animated PNGs releases its last packet only here; the file itself is
         // discarded.
         FFmpeg().av_write_trailer(m_context.get());
     }

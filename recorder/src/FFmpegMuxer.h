@@ -7,17 +7,17 @@
 #include <memory>
 #include <string>
 
-/// Packets into a file: libav's muxer, which knows nothing of encoders. Used by whatever makes
-/// films of packets, fresh ones or those of other films.
+/// Writes packets to a file with libav's muxer, independent of encoders. The packets are new or
+/// copied from other films.
 namespace boxreel
 {
 
-/// What the file's header says of its one stream.
+/// The header's description of the only stream.
 struct MuxerStream
 {
     const AVCodecParameters* codec = nullptr;
-    AVRational tick{1, 60};            ///< the unit of the packets' times [s]
-    AVRational framesPerSecond{60, 1}; ///< as a player may show it
+    AVRational tick{1, 60};            ///< time unit of the packets [s]
+    AVRational framesPerSecond{60, 1}; ///< shown by players
 };
 
 class FFmpegMuxer
@@ -31,13 +31,13 @@ public:
     FFmpegMuxer& operator=(FFmpegMuxer&&) noexcept = default;
     ~FFmpegMuxer();
 
-    /// Times in ticks; the packet is empty afterwards.
+    /// Writes a packet with times in ticks; the packet is empty afterwards.
     Result<void> Write(AVPacket& packet);
 
-    /// Writes what the muxer still holds, and its index. Nothing may follow.
+    /// Writes buffered packets and the index. The object cannot be used afterwards.
     Result<void> Finish();
 
-    /// How long the last frame of an animated PNG stays [ticks]; before Finish.
+    /// Sets the duration of the last frame of an animated PNG [ticks]; call before Finish.
     void SetFinalDelay(std::int64_t ticks);
 
 private:
@@ -53,7 +53,7 @@ private:
     FFmpegOutput* m_output;
     std::string m_film;
     std::unique_ptr<AVFormatContext, ContextDelete> m_context;
-    AVStream* m_stream = nullptr; // the context's
+    AVStream* m_stream = nullptr; // owned by the context
     AVRational m_tick{1, 60};
     bool m_isTrailerDue = false; // the header is written
 };

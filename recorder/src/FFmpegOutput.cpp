@@ -14,9 +14,9 @@ namespace boxreel
 namespace
 {
 
-constexpr int kBufferSize = 1 << 16; // a packet or two; larger brings nothing
+constexpr int kBufferSize = 1 << 16; // one or two packets; a larger buffer is not faster
 
-/// All of it, however slowly the reader takes it.
+/// Writes all bytes, waiting for a slow reader.
 Result<void> WriteToStandardOutput(std::span<const std::uint8_t> bytes)
 {
     while (!bytes.empty())
@@ -45,7 +45,7 @@ FFmpegOutput::FFmpegOutput(AtomicFile* file) : m_file(file), m_writing{this}, m_
 FFmpegOwner<AVIOContext> FFmpegOutput::MakeContext(Cursor& cursor, bool forWriting) const
 {
     auto* buffer = static_cast<unsigned char*>(FFmpeg().av_malloc(kBufferSize));
-    // Takes libav's bytes as const since FFmpeg 7, and as not const before.
+    // libav's buffer is const since FFmpeg 7, and was not const before.
     const auto onWrite = [](void* opaque, auto* data, int size) {
         return OnWrite(opaque, data, size);
     };

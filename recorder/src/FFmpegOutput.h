@@ -10,31 +10,32 @@
 #include <span>
 #include <utility>
 
-/// libav's muxer writing into an AtomicFile or to the standard output, so that any name is a name
-/// (no "a:b.mp4" as a protocol) and what went wrong is known in full. Used by FFmpegMuxer.
+/// Connects libav's muxer with an AtomicFile or the standard output. Every file name is valid
+/// ("a:b.mp4" is not a protocol), and Errors are reported in full. Used by FFmpegMuxer.
 namespace boxreel
 {
 
 class FFmpegOutput
 {
 public:
-    explicit FFmpegOutput(AtomicFile* file); ///< which must outlive it; none: standard output
+    explicit FFmpegOutput(AtomicFile* file); ///< must outlive it; null: standard output
     FFmpegOutput(const FFmpegOutput&) = delete;
     FFmpegOutput& operator=(const FFmpegOutput&) = delete;
 
-    /// Gives `context` this output; it must not outlive it.
+    /// Sets this output for `context`, which must not outlive it.
     void AttachTo(AVFormatContext& context);
 
-    /// Hands libav's buffer to the file.
+    /// Writes libav's buffer to the file.
     void Flush();
 
     bool HasFailed() const { return m_error.has_value(); }
 
-    /// What went wrong first while writing; `fallback` when it was not the file.
+    /// Returns the first write error; `fallback` if there is none.
     Error FirstError(Error fallback) const { return m_error.value_or(std::move(fallback)); }
 
 private:
-    /// A place in the file. libav opens a second one to read when it moves an index to the front.
+    /// A position in the file. libav opens a second one for reading when it moves an index to the
+    /// front.
     struct Cursor
     {
         FFmpegOutput* output = nullptr;

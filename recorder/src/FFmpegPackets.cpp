@@ -54,7 +54,7 @@ FFmpegOwner<AVPacket> FFmpegPackets::Next()
         FFmpeg().av_packet_unref(packet.get());
         if (isOurs)
         {
-            return nullptr; // what comes after something broken cannot be shown either
+            return nullptr; // frames after a damaged packet cannot be decoded either
         }
     }
     return nullptr;
@@ -80,7 +80,7 @@ std::vector<std::int64_t> LatestDecodingTimes(const std::vector<std::int64_t>& s
     std::int64_t latest = std::numeric_limits<std::int64_t>::max();
     for (std::size_t j = shown.size(); j-- > 0;)
     {
-        latest = std::min(latest - 1, shown[j]); // before any later packet's frame is shown
+        latest = std::min(latest - 1, shown[j]); // before the frame of any later packet is shown
         times[j] = std::min(times[j] - delay, latest);
     }
     return times;

@@ -12,7 +12,8 @@ namespace boxreel
 namespace
 {
 
-// Exact rounding and chroma for each pixel; BITEXACT keeps SIMD paths of different machines equal.
+// Exact rounding and chroma for each pixel; BITEXACT makes the SIMD paths of different machines
+// equal.
 constexpr int kFlags =
     SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP | SWS_FULL_CHR_H_INT | SWS_BITEXACT;
 
@@ -21,13 +22,13 @@ constexpr int kOne = 1 << 16; // swscale's 1.0 for contrast and saturation
 void SetColours(SwsContext* context, int sourceSpace, bool sourceFull, int targetSpace,
                 bool targetFull)
 {
-    // Fails for RGB on both sides, where there is nothing to set.
+    // Fails if both sides are RGB, where no matrix applies.
     FFmpeg().sws_setColorspaceDetails(context, FFmpeg().sws_getCoefficients(sourceSpace),
                                       sourceFull ? 1 : 0, FFmpeg().sws_getCoefficients(targetSpace),
                                       targetFull ? 1 : 0, 0, kOne, kOne);
 }
 
-/// swscale's number for the matrix of a picture.
+/// Returns swscale's number for the matrix of a picture.
 int MatrixOf(const AVFrame& picture)
 {
     const bool isNamed =
@@ -47,7 +48,7 @@ int MatrixOf(const AVFrame& picture)
     case AVCOL_SPC_BT2020_CL:
         return SWS_CS_BT2020;
     default:
-        return SWS_CS_ITU709; // of none that boxreel writes
+        return SWS_CS_ITU709; // a matrix that boxreel does not write
     }
 }
 
@@ -87,8 +88,8 @@ std::optional<PlaneFormat> PlanesOf(AVPixelFormat format)
     }
 }
 
-/// swscale takes chroma for centred unless told otherwise; the formats of films, and untagged ones,
-/// have it to the left. In 1/256 of a pixel from the centre of the first one.
+/// Sets the chroma position, in 1/256 pixel from the centre of the first one. swscale's default is
+/// centred; film formats, and untagged films, have it on the left.
 void PlaceChroma(SwsContext* context, const AVFrame& picture)
 {
     const AVPixFmtDescriptor* description =
@@ -112,7 +113,7 @@ void PlaceChroma(SwsContext* context, const AVFrame& picture)
 
 AVColorSpace UntaggedSpace(int height)
 {
-    constexpr int kHdLines = 720; // of the smallest picture of high definition
+    constexpr int kHdLines = 720; // minimum height of high definition
     return height >= kHdLines ? AVCOL_SPC_BT709 : AVCOL_SPC_SMPTE170M;
 }
 
@@ -182,7 +183,7 @@ bool PictureToFrame::Prepare(const AVFrame& picture)
     return m_context != nullptr;
 }
 
-/// Leaves none when swscale refuses.
+/// Leaves no context if swscale refuses.
 void PictureToFrame::OpenContext(const AVFrame& picture)
 {
     m_context.reset(FFmpeg().sws_alloc_context());
@@ -211,7 +212,7 @@ void PictureToFrame::OpenContext(const AVFrame& picture)
 namespace
 {
 
-/// Which swscale would send through YUV.
+/// Copies directly, because swscale would convert through YUV.
 void CopyRgb(const AVFrame& picture, Frame& frame)
 {
     for (int y = 0; y < picture.height; ++y)

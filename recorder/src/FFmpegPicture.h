@@ -8,14 +8,15 @@
 
 #include <span>
 
-/// Colours between frames (RGB, full range) and the pictures codecs take. The one place that knows
-/// matrices, ranges and places of chroma; the arithmetic is YuvConvert's towards a codec and
-/// swscale's back.
+/// Converts between frames (RGB, full range) and the pictures of codecs. The only place with
+/// matrices, ranges and chroma positions. YuvConvert does the arithmetic towards a codec, swscale
+/// the reverse.
 namespace boxreel
 {
 
-/// Frame -> picture of a fixed size and pixel format: yuv420p with chroma to the left or yuv444p,
-/// both in limited range by the matrix that `space` names, bt709 or bt601; gbrp, bgr0 or rgb24.
+/// Converts a frame to a picture of a fixed size and pixel format. YUV is yuv420p with chroma on
+/// the left or yuv444p, in limited range, with the matrix `space`, bt709 or bt601. RGB is gbrp,
+/// bgr0 or rgb24.
 class FrameToPicture
 {
 public:
@@ -23,10 +24,10 @@ public:
     static Result<FrameToPicture> Create(int width, int height, AVPixelFormat format,
                                          AVColorSpace space = AVCOL_SPC_BT709);
 
-    /// Writes into `picture`, which must be writable and of that size and format.
+    /// Writes to `picture`, which must be writable and of that size and format.
     void Convert(const Frame& frame, AVFrame& picture) const;
 
-    /// The same when `picture` already shows a frame that differs from this one in `changed` only.
+    /// As above, if `picture` already shows a frame that differs from this one only in `changed`.
     void Convert(const Frame& frame, std::span<const PixelBounds> changed, AVFrame& picture) const;
 
 private:
@@ -37,8 +38,9 @@ private:
     YuvMatrix m_matrix;
 };
 
-/// Picture -> frame, by the picture's own tags. Untagged YUV is taken as players take it: bt709
-/// from 720 lines on, else bt601, its chroma to the left. Follows a film whose pictures change.
+/// Converts a picture to a frame by the picture's tags. Untagged YUV is interpreted as players do:
+/// bt709 from 720 lines on, otherwise bt601, chroma on the left. Pictures may change size and
+/// format.
 class PictureToFrame
 {
 public:
@@ -57,7 +59,7 @@ private:
     int m_chromaLocation = -1;
 };
 
-/// The matrix that players take YUV for which does not name its own: y4m.
+/// Returns the matrix that players assume for untagged YUV such as y4m.
 AVColorSpace UntaggedSpace(int height);
 
 } // namespace boxreel

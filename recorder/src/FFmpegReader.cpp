@@ -23,7 +23,7 @@ namespace boxreel
 namespace
 {
 
-// Containers of films; none that points to other files or to the network.
+// Allowed containers; none of them refers to other files or to the network.
 constexpr const char* kContainers = "mov,matroska,gif,apng,avi,nut,yuv4mpegpipe,ivf,flv,ogg,mpegts";
 constexpr std::int64_t kMostPixels = 8192 * 8192;
 
@@ -37,7 +37,7 @@ std::string NameOr(const char* name)
     return name != nullptr ? name : "unknown";
 }
 
-/// How long a frame is shown, in its stream's ticks. The member's name changed with FFmpeg 6.
+/// Returns the duration of a frame in its stream's ticks. The member's name changed with FFmpeg 6.
 template <class Frame>
 std::int64_t LengthOf(const Frame& frame)
 {
@@ -51,7 +51,7 @@ std::int64_t LengthOf(const Frame& frame)
     }
 }
 
-/// How long each frame of a GIF is shown [1/100 s].
+/// Returns the duration of each frame of a GIF [1/100 s].
 std::vector<std::int64_t> DelaysOf(const std::filesystem::path& path)
 {
     std::vector<std::int64_t> delays;
@@ -85,15 +85,15 @@ private:
 
     std::filesystem::path m_path;
     std::unique_ptr<AVFormatContext, InputDelete> m_input;
-    AVStream* m_stream = nullptr; // the input's
+    AVStream* m_stream = nullptr; // owned by the input
     FFmpegOwner<AVCodecContext> m_decoder;
     FFmpegOwner<AVPacket> m_packet;
     FFmpegOwner<AVFrame> m_picture;
     PictureToFrame m_converter;
     std::int64_t m_frames = 0;
-    double m_end = 0.0;         // of the last frame [s]
-    std::int64_t m_periods = 0; // of an animated PNG that were shown
-    bool m_isEven = true;       // each of its frames stayed for whole ones
+    double m_end = 0.0;         // end of the last frame [s]
+    std::int64_t m_periods = 0; // shown frames of an animated PNG
+    bool m_isEven = true;       // every frame lasts a whole number of periods
     bool m_isDraining = false;
 };
 
@@ -125,7 +125,7 @@ Result<void> FFmpegReader::OpenInput()
     FFmpeg().av_dict_set(&options, "format_whitelist", kContainers, 0);
     FFmpeg().av_dict_set(&options, "protocol_whitelist", "file", 0);
     AVFormatContext* input = nullptr;
-    // "file:" keeps a colon in the name from being taken for a protocol.
+    // "file:" prevents a colon in the name from being parsed as a protocol.
     int status = FFmpeg().avformat_open_input(&input, ("file:" + m_path.string()).c_str(), nullptr,
                                               &options);
     FFmpeg().av_dict_free(&options);
@@ -161,7 +161,7 @@ Result<void> FFmpegReader::OpenDecoder()
     m_decoder->pkt_timebase = m_stream->time_base;
     m_decoder->max_pixels = kMostPixels;
     m_decoder->err_recognition =
-        AV_EF_CRCCHECK | AV_EF_EXPLODE; // no guesses where a film is damaged
+        AV_EF_CRCCHECK | AV_EF_EXPLODE; // no error concealment for damaged films
     const int status = FFmpeg().avcodec_open2(m_decoder.get(), codec, nullptr);
     if (status < 0)
     {
@@ -182,8 +182,7 @@ void FFmpegReader::FillInfo()
     AVRational rate = m_stream->avg_frame_rate;
     if (info.container.find("mp4") != std::string::npos)
     {
-        // The average counts frames that are held for long but once; all times are multiples of
-        // this.
+        // The average counts a held frame only once; all times are multiples of this rate.
         rate = m_stream->r_frame_rate;
     }
     if (rate.num <= 0 || rate.den <= 0)
@@ -204,7 +203,7 @@ void FFmpegReader::FillInfo()
     info.colorRange = NameOr(FFmpeg().av_color_range_name(codec.color_range));
 }
 
-/// Gives the decoder the next packet of the film, or its end.
+/// Sends the next packet of the film, or its end, to the decoder.
 Result<void> FFmpegReader::Feed()
 {
     int status = FFmpeg().av_read_frame(m_input.get(), m_packet.get());
@@ -232,7 +231,7 @@ Result<void> FFmpegReader::Feed()
     return {};
 }
 
-/// Whether an animation ends as it should; its header promises nothing.
+/// True if an animation has its end marker; its header contains no length.
 bool FFmpegReader::HasEnd() const
 {
     constexpr std::string_view kEndOfPng("\0\0\0\0IEND\xae\x42\x60\x82", 12);
@@ -245,7 +244,7 @@ bool FFmpegReader::HasEnd() const
     return (!isGif && info.container != "apng") || (file && end == expected);
 }
 
-/// After the last picture: whether the film holds what its header promised.
+/// Checks after the last picture that the film is as long as its header states.
 Result<bool> FFmpegReader::End()
 {
     if (m_frames == 0)
@@ -264,7 +263,7 @@ Result<bool> FFmpegReader::End()
     const double period = 1.0 / info.framesPerSecond.ToDouble();
     const bool isStoredDuration =
         m_input->duration_estimation_method != AVFMT_DURATION_FROM_BITRATE;
-    // The header's clock may be as coarse as a millisecond; a whole frame must be missing.
+    // The header's time unit may be a millisecond, so only a missing whole frame counts.
     if (m_input->duration > 0 && isStoredDuration && m_end + 0.5 * period + 0.002 < promised)
     {
         return Damaged(std::to_string(promised) + " s were promised");
@@ -272,11 +271,11 @@ Result<bool> FFmpegReader::End()
     return false;
 }
 
-/// When a frame of an animated PNG is shown. libav rounds how long each stays and adds that up, so
-/// it drifts by a frame in some thousand; where all stay for whole periods, these are counted.
+/// Returns when a frame of an animated PNG is shown. libav adds up rounded durations, which drifts
+/// by one frame in a few thousand. If all durations are whole periods, these are counted instead.
 double FFmpegReader::PlaceEvenly(double seconds, double length)
 {
-    constexpr double kRounded = 1e-5; // half of libav's tick, and what it may round [s]
+    constexpr double kRounded = 1e-5; // half of libav's tick, plus rounding [s]
     const Rational& rate = info.framesPerSecond;
     const std::int64_t before = m_periods;
     const std::int64_t periods = std::llround(length * rate.ToDouble());

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-/// A film read by libav. Used by VideoReader; loads libav when called.
+/// Reads a film with libav. Used by VideoReader; loads libav when called.
 namespace boxreel
 {
 

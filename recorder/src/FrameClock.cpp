@@ -13,7 +13,7 @@ namespace boxreel
 namespace
 {
 
-// Three parts of a Rational and a frame number multiply to 10^27 * 10^11 < 2^127.
+// The product of three parts of a Rational and a frame number is at most 10^27 * 10^11 < 2^127.
 __extension__ typedef __int128 Wide;
 
 constexpr std::size_t kMaxDigits = 9;
@@ -36,7 +36,7 @@ std::int64_t ToInteger(std::string_view digits)
 
 Error Refuse(std::string_view text, const char* why)
 {
-    constexpr std::size_t kShown = 40; // a longer text would bury the sentence
+    constexpr std::size_t kShown = 40; // limit of the quoted text in a message
     std::string shown(text.substr(0, kShown));
     if (text.size() > kShown)
     {
@@ -58,7 +58,7 @@ std::optional<Rational> Reduce(std::int64_t num, std::int64_t den)
     return Rational{num, den};
 }
 
-/// The quotient as a double without first rounding its two halves.
+/// Returns the quotient as a double with a single rounding.
 double Divide(Wide num, Wide den)
 {
     return double(num / den) + double(num % den) / double(den);
@@ -81,7 +81,7 @@ Result<Rational> Rational::Parse(std::string_view text)
     const std::size_t mark = slash != std::string_view::npos ? slash : text.find('.');
     const std::string_view whole = text.substr(0, mark);
     const std::string_view part = mark == std::string_view::npos ? "" : text.substr(mark + 1);
-    // ".5" is a number, "5." and "1/" are slips of the keyboard.
+    // ".5" is accepted; "5." and "1/" are typing errors.
     const bool wholeMissing = whole.empty() && slash == std::string_view::npos;
     if ((!wholeMissing && !IsDigits(whole)) || (mark != std::string_view::npos && !IsDigits(part)))
     {
@@ -117,7 +117,7 @@ Result<Rational> Rational::Parse(std::string_view text)
 namespace
 {
 
-/// The steps that have begun when a frame is shown, as a fraction.
+/// The number of steps at a frame, as a fraction.
 struct Steps
 {
     Wide num;
@@ -142,7 +142,8 @@ std::int64_t FrameClock::StepOfFrame(std::int64_t frame) const
 double FrameClock::FractionOfFrame(std::int64_t frame) const
 {
     const Steps steps = StepsAt(*this, frame);
-    // Rounding could only reach 1 where the denominator is beyond 2^53; such a frame waits.
+    // Rounding could reach 1 only for denominators beyond 2^53; the frame then stays below the next
+    // step.
     constexpr double kBelowOne = 1.0 - 0x1p-53;
     return std::min(kBelowOne, double(steps.num % steps.den) / double(steps.den));
 }

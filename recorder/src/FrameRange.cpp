@@ -16,7 +16,7 @@ namespace
 
 constexpr std::int64_t kMost = 1'000'000'000'000;
 
-/// `why` is said of the word at fault.
+/// `why` describes the word at fault.
 Error Refused(std::string_view text, std::string_view word, std::string_view why)
 {
     const std::string problem = Quoted(word) + " " + std::string(why);
@@ -32,7 +32,7 @@ std::optional<std::int64_t> Whole(std::string_view text)
     return isWhole && value >= 0 && value < kMost ? std::optional(value) : std::nullopt;
 }
 
-/// "7", "7-20", "7-20:2".
+/// Parses "7", "7-20" or "7-20:2".
 std::optional<FrameRun> ParseRun(std::string_view text)
 {
     const std::size_t colon = text.find(':');

@@ -16,8 +16,8 @@ Result<void> FrameRelay::Submit(const DrawList& list, const Camera& camera, cons
 {
     const StageTimer timer(m_stages, Stage::Draw);
     RETURN_IF_ERROR(m_renderer.Submit(list, camera, overlay));
-    // The renderer may have drawn the same before this film began, but the film has no frame to
-    // repeat then.
+    // The renderer may have drawn the same picture before this film started; then the film has no
+    // frame to repeat.
     m_isRepeat = m_isBegun && m_renderer.Statistics().unchanged;
     return {};
 }
@@ -42,7 +42,7 @@ Result<const Frame*> FrameRelay::Read()
     return m_renderer.ReadChanges();
 }
 
-/// Reads what has changed and hands it to the encoder.
+/// Reads the changes and passes them to the encoder.
 Result<void> FrameRelay::Append()
 {
     ASSIGN_OR_RETURN(const Frame* read, Read());

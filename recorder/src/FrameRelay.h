@@ -7,26 +7,29 @@
 #include <recorder/VideoWriter.h>
 #include <render/Renderer.h>
 
-/// A renderer's frames on their way into a film: what is submitted is drawn while its caller does
-/// something else, then read where it has changed, and encoded on another thread. Used by Record
-/// and Recording.
+/// Passes a renderer's frames to a film. Submitted frames are drawn while the caller continues,
+/// read where they changed, and encoded on another thread. Used by Record and Recording.
 namespace boxreel
 {
 
 class FrameRelay
 {
 public:
-    /// Both belong to the relay until it ends.
+    /// Only the relay may use both until it is destroyed.
     FrameRelay(Renderer& renderer, VideoWriter& writer);
 
     Result<void> Submit(const DrawList& list, const Camera& camera, const Overlay* overlay);
 
-    /// What was submitted last becomes the film's next frame.
+    /// Appends the last submitted picture to the film.
     Result<void> HandOver();
 
-    bool WasRepeated() const { return m_isRepeat; }   ///< the frame handed over last
-    const Frame& Pixels() const { return *m_pixels; } ///< of it
-    EncoderThread& Encoder() { return m_encoder; }    ///< to wait for
+    bool WasRepeated() const
+    {
+        return m_isRepeat;
+    }                                                 ///< true if the last appended frame was a
+                                                      ///< repetition
+    const Frame& Pixels() const { return *m_pixels; } ///< its pixels
+    EncoderThread& Encoder() { return m_encoder; }    ///< to wait for frames
     const EncoderThread& Encoder() const { return m_encoder; }
 
 private:
@@ -35,8 +38,8 @@ private:
 
     Renderer& m_renderer;
     StageTimes* m_stages;
-    const Frame* m_pixels = nullptr; // the renderer's
-    bool m_isBegun = false;          // the encoder has a frame
+    const Frame* m_pixels = nullptr; // owned by the renderer
+    bool m_isBegun = false;          // the encoder has received a frame
     bool m_isRepeat = false;
     EncoderThread m_encoder;
 };

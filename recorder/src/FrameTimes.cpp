@@ -12,7 +12,7 @@ FrameTimes::FrameTimes(VideoFormat format, const VideoSettings& settings)
 
 std::int64_t FrameTimes::NumberOf(std::int64_t index) const
 {
-    // Frames that are not in one run make a film of their own, which is no part of another.
+    // Frames with gaps form a separate film, which is not a part of another.
     return m_frames.IsWhole() ? m_frames.First() + index : index;
 }
 

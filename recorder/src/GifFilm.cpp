@@ -26,10 +26,11 @@ namespace
 using Bytes = std::vector<std::uint8_t>;
 using Colors = std::vector<std::uint32_t>; // 0xffRRGGBB
 
-constexpr std::int64_t kShortest = 2;      // that browsers honour [1/100 s]
-constexpr std::int64_t kLongest = 65535;   // that a frame can hold [1/100 s]
-constexpr std::int64_t kLongPiece = 60000; // and what is left of longer ones is long enough
-constexpr std::size_t kDelayAt = 4;        // in what FrameBytes gives
+constexpr std::int64_t kShortest = 2;      // minimum that browsers respect [1/100 s]
+constexpr std::int64_t kLongest = 65535;   // maximum delay of a frame [1/100 s]
+constexpr std::int64_t kLongPiece = 60000; // piece of a longer delay; the rest stays above
+                                           // kShortest
+constexpr std::size_t kDelayAt = 4;        // offset in the result of FrameBytes
 
 void Append16(Bytes& out, int value)
 {
@@ -50,43 +51,44 @@ void Append(Bytes& out, std::string_view text)
     out.insert(out.end(), text.begin(), text.end());
 }
 
-/// `plays`: 0 is for ever.
+/// `plays`: 0 is forever.
 Bytes Header(int width, int height, int plays)
 {
     Bytes out;
     Append(out, "GIF89a");
     Append16(out, width);
     Append16(out, height);
-    Append(out, {0x70, 0, 0}); // 8 bits a colour, no table for all, square pixels
+    Append(out, {0x70, 0, 0}); // 8 bits per colour, no global table, square pixels
     if (plays != 1)
     {
         Append(out, {0x21, 0xff, 11});
         Append(out, "NETSCAPE2.0");
         Append(out, {3, 1});
-        Append16(out, plays == 0 ? 0 : plays - 1); // how often it is played again
+        Append16(out, plays == 0 ? 0 : plays - 1); // number of repetitions
         out.push_back(0);
     }
     return out;
 }
 
-/// A rectangle of a frame as it is stored: indices into a table of colours, the last of which may
-/// stand for the pixels that stay.
+/// A stored rectangle of a frame: indices into a colour table. The last index may stand for pixels
+/// that do not change.
 struct Picture
 {
     PixelBounds part;
-    Colors table; ///< without that one
+    Colors table; ///< without the index for unchanged pixels
     bool hasKept = false;
     std::vector<std::uint8_t> indices;
 };
 
-/// The head, table and data of one frame, its delay still 0.
+/// Returns the header, table and data of one frame, with a delay of 0.
 Bytes FrameBytes(const Picture& picture)
 {
     Bytes out;
     const std::size_t count = picture.table.size() + (picture.hasKept ? 1 : 0);
     const int bits = std::max(2, int(std::bit_width(count - 1)));
     const int kept = picture.hasKept ? int(picture.table.size()) : 0;
-    const int flags = 1 << 2 | (picture.hasKept ? 1 : 0); // it stays; one index is see-through
+    const int flags = 1 << 2 | (picture.hasKept ? 1 : 0); // do not dispose; one index is
+                                                          // transparent
     Append(out, {0x21, 0xf9, 4, flags, 0, 0, kept, 0, 0x2c});
     Append16(out, picture.part.x0);
     Append16(out, picture.part.y0);
@@ -102,7 +104,7 @@ Bytes FrameBytes(const Picture& picture)
     return out;
 }
 
-/// Where they differ; both are of this width.
+/// Returns the rectangle of different pixels; both have this width.
 PixelBounds Difference(const Colors& a, const Colors& b, int width)
 {
     PixelBounds bounds{width, 0, 0, 0};
@@ -159,13 +161,13 @@ private:
     GifPalette m_palette;
     std::int64_t m_frames = 0; // appended or repeated
     Frame m_last;
-    bool m_isDue = false;                // the last frame was not yet shown
-    std::int64_t m_group = -1;           // of the frame that was shown last
-    std::vector<std::uint8_t> m_indices; // its pixels in the palette
-    Colors m_colors;                     // and in the film
-    Colors m_before;                     // those of the one before it
-    Bytes m_waiting;                     // its bytes, until it is known how long it stays
-    std::int64_t m_waitingSince = 0;     // [1/100 s]
+    bool m_isDue = false;                // the last frame is not stored yet
+    std::int64_t m_group = -1;           // of the last stored frame
+    std::vector<std::uint8_t> m_indices; // palette indices of the last frame
+    Colors m_colors;                     // colours of the last frame in the film
+    Colors m_before;                     // colours of the previous frame in the film
+    Bytes m_waiting;                     // bytes of the last frame, until its delay is known
+    std::int64_t m_waitingSince = 0;     // start of the last frame [1/100 s]
 };
 
 Result<void> GifFilm::Open()
@@ -195,16 +197,16 @@ Result<void> GifFilm::Repeat()
     return m_times.IsKept(Last()) && isDue ? Show() : Result<void>();
 }
 
-/// Whether the last frame, which shows what the one before shows, is stored all the same. A group's
-/// first is, so that groups can be parts; and the second of all, for most programs take the film's
-/// rate from the distance of the first two.
+/// True if the last frame must be stored although it equals the previous one. The first of a group
+/// is, so that groups can be parts. The second of the film is, because most programs derive the
+/// rate from the first two frames.
 bool GifFilm::MustShow() const
 {
     const bool isSecond = m_times.NumberOf(Last()) == GifFrameStep(m_settings.framesPerSecond);
     return m_settings.constantRate || isSecond || m_times.GroupOf(Last()) != m_group;
 }
 
-/// The last frame becomes one of the film.
+/// Stores the last frame.
 Result<void> GifFilm::Show()
 {
     m_isDue = false;
@@ -212,7 +214,7 @@ Result<void> GifFilm::Show()
     if (isWhole)
     {
         m_group = m_times.GroupOf(Last());
-        m_palette = GifPalette(); // a group knows nothing of the one before
+        m_palette = GifPalette(); // groups are independent
     }
     RETURN_IF_ERROR(Map());
     PixelBounds part{0, 0, m_last.width, m_last.height};
@@ -222,12 +224,12 @@ Result<void> GifFilm::Show()
     }
     if (part.IsEmpty())
     {
-        part = {0, 0, 1, 1}; // there is no smaller one
+        part = {0, 0, 1, 1}; // minimum size
     }
     const std::int64_t now = m_times.TimeOf(Last());
     RETURN_IF_ERROR(WriteWaiting(now));
     m_waiting = FrameBytes(PictureOf(part, true));
-    if (!isWhole) // pixels that stay pay off unless they are few among many that change
+    if (!isWhole) // transparent pixels help unless they are few among many changes
     {
         Bytes sparse = FrameBytes(PictureOf(part, false));
         if (sparse.size() < m_waiting.size())
@@ -239,7 +241,7 @@ Result<void> GifFilm::Show()
     return {};
 }
 
-/// The last frame in colours of the palette.
+/// Maps the last frame to the palette.
 Result<void> GifFilm::Map()
 {
     m_colors.swap(m_before);
@@ -258,7 +260,7 @@ Result<void> GifFilm::Map()
     return {};
 }
 
-/// The pixels of this part of the last frame; unless it is `isWhole`, without those that stay.
+/// Returns this part of the last frame; unchanged pixels are transparent unless `isWhole`.
 Picture GifFilm::PictureOf(const PixelBounds& part, bool isWhole) const
 {
     Picture picture{part, {}, !isWhole, {}};
@@ -274,7 +276,7 @@ Picture GifFilm::PictureOf(const PixelBounds& part, bool isWhole) const
     }
     if (std::count(isUsed.begin(), isUsed.end(), true) == std::ptrdiff_t(isUsed.size()))
     {
-        picture.hasKept = false; // there is no index left that could stand for them
+        picture.hasKept = false; // no index left for unchanged pixels
     }
     std::array<std::uint8_t, GifPalette::kSize> places{};
     for (std::size_t i = 0; i < isUsed.size(); ++i)
@@ -299,8 +301,8 @@ Picture GifFilm::PictureOf(const PixelBounds& part, bool isWhole) const
     return picture;
 }
 
-/// Writes the frame that was shown last, and how long it stays; one that stays for longer than a
-/// GIF can say is followed by some that change nothing.
+/// Writes the last stored frame with its delay. A delay above the maximum is continued by frames
+/// without changes.
 Result<void> GifFilm::WriteWaiting(std::int64_t until)
 {
     const auto write = [this](Bytes& bytes, std::int64_t delay) {

@@ -8,11 +8,10 @@
 #include <filesystem>
 #include <memory>
 
-/// An animated GIF (GIF89a, CompuServe 1990), written front to back. A frame holds only the
-/// rectangle that has changed, in it only the pixels that have, and of the palette only the colours
-/// of these; libav's encoder does so no more once the palette has changed. Groups of frames know
-/// nothing of each other: each begins with a whole picture and a palette of its own. Used by
-/// VideoWriter.
+/// Writes an animated GIF (GIF89a, CompuServe 1990) sequentially. A frame contains only the changed
+/// rectangle, only its changed pixels, and only their colours; libav's encoder does not do so after
+/// a palette change. Groups of frames are independent: each starts with a full picture and its own
+/// palette. Used by VideoWriter.
 namespace boxreel
 {
 

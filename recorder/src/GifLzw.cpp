@@ -13,10 +13,10 @@ namespace
 {
 
 constexpr int kMostBits = 12;
-// The table is begun anew one code before it is full, for some readers stumble over the last one.
+// The table is reset one code before it is full, because some decoders mishandle the last code.
 constexpr std::uint32_t kMostCodes = (1u << kMostBits) - 1;
 
-/// Numbers of any width, the lowest bit first, in blocks that begin with their length.
+/// Writes numbers of variable width, lowest bit first, in blocks that start with their length.
 class BlockWriter
 {
 public:
@@ -71,7 +71,7 @@ private:
     std::size_t m_size = 0;
 };
 
-/// Codes of runs of indices: that of a run and the index after it lead to that of the longer run.
+/// The codes of index runs: the code of a run and the next index give the code of the longer run.
 class RunTable
 {
 public:
@@ -86,7 +86,7 @@ public:
         bool IsEmpty() const { return key == kNone; }
     };
 
-    /// That of this run, or the empty one where it belongs.
+    /// Returns the slot of this run, or the empty slot for it.
     Slot& Find(std::uint32_t key)
     {
         std::size_t at = (key * 0x9e3779b1u) >> (32 - kSlotBits);
@@ -99,7 +99,7 @@ public:
 
 private:
     static constexpr std::uint32_t kNone = 0xffffffffu;
-    static constexpr int kSlotBits = 13; // twice the codes, so that few runs meet
+    static constexpr int kSlotBits = 13; // twice the number of codes, to reduce collisions
     std::array<Slot, 1u << kSlotBits> m_slots;
 };
 
@@ -141,7 +141,7 @@ void AppendGifLzw(std::span<const std::uint8_t> indices, int bits, std::vector<s
         ++next;
     }
     writer.Put(run, width);
-    width += next == 1u << width ? 1 : 0; // a reader has made a code of this run, too
+    width += next == 1u << width ? 1 : 0; // the decoder has also added a code for this run
     writer.Put(end, width);
     writer.Finish();
 }

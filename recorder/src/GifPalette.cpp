@@ -10,12 +10,13 @@ namespace
 {
 
 constexpr std::size_t kFirstTable = 1 << 12;
-constexpr std::size_t kMostColors = 1 << 18; // remembered; more would only cost memory
-constexpr int kFar = 12; // a difference in one channel that shows on a flat drawing [1/255]
-constexpr std::size_t kFarShare = 2000; // one pixel in so many may be that far off
+constexpr std::size_t kMostColors = 1 << 18; // maximum number of remembered colours, to limit
+                                             // memory
+constexpr int kFar = 12; // a visible difference in one channel of a flat drawing [1/255]
+constexpr std::size_t kFarShare = 2000; // one pixel in this many may differ by more than kFar
 constexpr std::size_t kFlatShare =
-    1000; // a colour of one pixel in so many is an area, and must be exact
-constexpr std::uint32_t kFewPixels = 16; // below this nothing counts as an area
+    1000; // a colour of at least one pixel in this many is an area, and must be exact
+constexpr std::uint32_t kFewPixels = 16; // minimum number of pixels of an area
 
 std::uint32_t ColorAt(const std::uint8_t* pixel)
 {
@@ -44,8 +45,8 @@ struct Weighted
     std::uint32_t pixels;
 };
 
-/// Sums over colours, from which their squared error about the mean follows. Whole numbers: 8192^2
-/// pixels times 255^2 fits, and the result depends on no order.
+/// Sums over colours, which give their squared error about the mean. Integers, so that the result
+/// does not depend on the order: 8192^2 pixels times 255^2 fits.
 struct Moments
 {
     std::int64_t pixels = 0;
@@ -82,7 +83,7 @@ struct Moments
     double Error() const { return Error(0) + Error(1) + Error(2); }
 };
 
-/// A set of similar colours that will share one entry of the palette.
+/// A set of similar colours that share one entry of the palette.
 struct Box
 {
     std::size_t begin = 0;
@@ -100,7 +101,7 @@ Box MakeBox(const std::vector<Weighted>& colors, std::size_t begin, std::size_t 
     return box;
 }
 
-/// Cuts a box along the axis where it is widest, at the place that leaves the least squared error.
+/// Returns the cut along the widest axis with the smallest squared error.
 std::size_t BestCut(std::vector<Weighted>& colors, const Box& box)
 {
     int widest = 0;
@@ -130,7 +131,7 @@ std::size_t BestCut(std::vector<Weighted>& colors, const Box& box)
     return best;
 }
 
-/// The colour of an area where one fills most of the box, else the mean.
+/// Returns the colour that fills most of the box, otherwise the mean.
 std::uint32_t ColorOf(const std::vector<Weighted>& colors, const Box& box)
 {
     Weighted most = colors[box.begin];
@@ -151,10 +152,9 @@ std::uint32_t ColorOf(const std::vector<Weighted>& colors, const Box& box)
     return mean;
 }
 
-/// Median cut in the variant that always cuts the box with the largest squared error (after
-/// Heckbert, "Color image quantization for frame buffer display", 1982, and Wu, "Efficient
-/// statistical computations for optimal color quantization", 1991). `colors` holds more than
-/// `count`.
+/// Median cut that always splits the box with the largest squared error. After Heckbert, "Color
+/// image quantization for frame buffer display", 1982, and Wu, "Efficient statistical computations
+/// for optimal color quantization", 1991. `colors` has more than `count` elements.
 std::vector<std::uint32_t> Quantize(std::vector<Weighted>& colors, std::size_t count)
 {
     std::vector<Box> boxes{MakeBox(colors, 0, colors.size())};
@@ -225,7 +225,7 @@ void GifPalette::Grow()
     }
 }
 
-/// Empties the table, not the palette.
+/// Clears the table, not the palette.
 void GifPalette::Forget()
 {
     m_table.assign(kFirstTable, Entry{});
@@ -268,8 +268,8 @@ void GifPalette::Match(Entry& entry) const
     }
 }
 
-/// Gives every colour of the frame an index; colours that are new get entries of their own while
-/// there are any.
+/// Maps every colour of the frame to an index; new colours get their own entries while there are
+/// any.
 void GifPalette::AddNewColors()
 {
     for (const std::uint32_t color : m_frameColors)
@@ -310,7 +310,7 @@ bool GifPalette::LacksColors()
            largestInexact > std::max<std::size_t>(kFewPixels, total / kFlatShare);
 }
 
-/// A palette for the current frame; old colours stay where there is room.
+/// Computes a palette for the current frame; keeps old colours if possible.
 void GifPalette::Rebuild()
 {
     const std::vector<std::uint32_t> old(m_colors.begin(),

@@ -18,7 +18,8 @@ Rational Reduced(std::int64_t num, std::int64_t den)
     return {num / divisor, den / divisor};
 }
 
-/// The mean over delays of a single frame. Rounded, these are two neighbours; longer ones are held.
+/// Returns the mean rate over single-frame delays. Rounded, these are two neighbouring values;
+/// longer ones are held frames.
 Rational MeanRate(std::span<const std::int64_t> delays)
 {
     const std::int64_t shortest = *std::ranges::min_element(delays);
@@ -32,8 +33,8 @@ Rational MeanRate(std::span<const std::int64_t> delays)
     return Reduced(100 * frames, length);
 }
 
-/// True if frames begin at multiples of the rate's period, rounded to 1/100 s. The film may be a
-/// part that begins at a rounded time, so all of them may be off by the same amount.
+/// True if frames start at multiples of the rate's period, rounded to 1/100 s. A part starts at a
+/// rounded time, so a common offset is allowed.
 bool Fits(const Rational& rate, std::span<const std::int64_t> delays)
 {
     constexpr double kRounding = 1e-9; // of the divisions below
@@ -57,7 +58,7 @@ bool Fits(const Rational& rate, std::span<const std::int64_t> delays)
     return true;
 }
 
-/// The rate nearest to `mean` that fits, if one does.
+/// Returns the rate nearest to `mean` that fits, if any.
 std::optional<Rational> Nearest(std::span<const Rational> rates, const Rational& mean,
                                 std::span<const std::int64_t> delays)
 {
@@ -86,11 +87,11 @@ Rational RateOfGif(std::span<const std::int64_t> delays)
         return {1, 1};
     }
     const Rational mean = MeanRate(delays);
-    if (100 * mean.den % mean.num == 0 && Fits(mean, delays)) // all delays of a frame are equal
+    if (100 * mean.den % mean.num == 0 && Fits(mean, delays)) // all single-frame delays are equal
     {
         return mean;
     }
-    std::vector<Rational> whole; // up to a frame per 1/100 s, the shortest delay
+    std::vector<Rational> whole; // up to one frame per 1/100 s, the shortest delay
     for (std::int64_t rate = 1; rate <= 100; ++rate)
     {
         whole.push_back({rate, 1});

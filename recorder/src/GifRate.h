@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <span>
 
-/// The frame rate of an animated GIF, which stores delays alone, each rounded. libav's guess looks
-/// at the first frames, and at how many of them depends on its version. Used by FFmpegReader.
+/// The frame rate of an animated GIF, which stores only rounded delays. libav estimates it from the
+/// first frames, and their number depends on its version. Used by FFmpegReader.
 namespace boxreel
 {
 
-/// The rate of which all times are rounded multiples, so that held frames count as several: a usual
-/// rate where one fits, else the mean of the shortest delays. `delays`: how long each frame is
-/// shown [1/100 s], more than 0.
+/// Returns the rate of which all times are rounded multiples, so that held frames count as several.
+/// A common rate if one fits, otherwise the mean of the shortest delays. `delays`: duration of each
+/// frame [1/100 s], > 0.
 Rational RateOfGif(std::span<const std::int64_t> delays);
 
 } // namespace boxreel

@@ -25,9 +25,9 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr int kDefaultThreads = 2;
-constexpr int kFastest = 1; // for flat drawings a twentieth larger than level 3, and a fifth faster
+constexpr int kFastest = 1; // for flat drawings 5 % larger than level 3, and 20 % faster
 
-/// One frame and the places in the sequence that show it.
+/// A frame and its positions in the sequence.
 struct Job
 {
     std::int64_t first = 0;
@@ -58,16 +58,16 @@ private:
     FrameRange m_numbers;
     bool m_overwrite;
     StageTimes* m_stages;
-    std::size_t m_depth; // jobs that may wait
-    Job m_pending;       // the last frame: a Repeat may still follow
+    std::size_t m_depth; // maximum number of waiting jobs
+    Job m_pending;       // the last frame, to which a Repeat may still be added
     std::int64_t m_resumed;
-    std::int64_t m_frames; // with those that were there
+    std::int64_t m_frames; // including existing pictures
     bool m_isClosed = false;
 
-    std::mutex m_mutex; // guards all that follows but the threads
+    std::mutex m_mutex; // guards the members below, except the threads
     std::condition_variable m_changed;
     std::deque<Job> m_jobs;
-    std::vector<Frame> m_spare; // buffers of frames that are written
+    std::vector<Frame> m_spare; // buffers of written frames, for reuse
     std::vector<fs::path> m_written;
     std::optional<std::pair<std::int64_t, Error>> m_error; // of the earliest frame
     bool m_isEnding = false;
@@ -124,7 +124,7 @@ Result<void> PngSequenceWriter::Append(const Frame& frame, std::span<const Pixel
     const StageTimer timer(m_stages, Stage::Copy);
     m_pending.first = m_frames++;
     m_pending.count = 1;
-    m_pending.frame = frame; // into a buffer that is used again
+    m_pending.frame = frame; // into a reused buffer
     return {};
 }
 
@@ -135,7 +135,7 @@ Result<void> PngSequenceWriter::Repeat()
     return {};
 }
 
-/// Hands the pending frame to the threads, waiting while they are behind.
+/// Passes the pending frame to the threads; waits while the queue is full.
 Result<void> PngSequenceWriter::Flush()
 {
     std::unique_lock lock(m_mutex);
@@ -202,7 +202,7 @@ Result<void> PngSequenceWriter::Write(const Job& job)
 
 Result<void> PngSequenceWriter::Close()
 {
-    if (m_frames > m_resumed) // else all pictures were there
+    if (m_frames > m_resumed) // otherwise all pictures existed already
     {
         RETURN_IF_ERROR(Flush());
     }
@@ -215,14 +215,13 @@ Result<void> PngSequenceWriter::Close()
     return {};
 }
 
-/// Every picture that was written is whole.
+/// Every written picture is complete.
 Result<void> PngSequenceWriter::Suspend()
 {
     return Close();
 }
 
-/// The numbers of the sequence that lie in its folder, sorted; empty when the folder cannot be
-/// read.
+/// Returns the numbers of the sequence in its folder, sorted; empty when the folder cannot be read.
 std::vector<std::int64_t> NumbersPresent(const SequenceName& name)
 {
     std::vector<std::int64_t> numbers;
@@ -245,7 +244,7 @@ bool IsAmong(std::int64_t number, const FrameRange& numbers)
     return number >= numbers.First() && number <= numbers.Last();
 }
 
-/// How many of the pictures that are asked for are there, from the first on.
+/// Returns how many of the requested pictures exist, counted from the first.
 std::int64_t CountLeading(const SequenceName& name, const FrameRange& numbers)
 {
     std::error_code ignored;
@@ -320,7 +319,7 @@ Result<std::unique_ptr<VideoSink>> OpenPngSequence(const std::filesystem::path& 
                          "--resume), or allow overwriting (--force)"};
         }
     }
-    // Whether the folder can be written to is known before anything is simulated.
+    // Checks that the folder is writable before the simulation starts.
     const std::int64_t first = settings.frames.First();
     RETURN_IF_ERROR(AtomicFile::Create(name.PathOf(first), settings.overwrite || settings.resume));
     return std::unique_ptr<VideoSink>(std::make_unique<PngSequenceWriter>(name, settings, resumed));

@@ -13,12 +13,12 @@
 namespace boxreel
 {
 
-/// `settings` must have passed CheckVideoPath. Pictures are encoded on threads of their own; each
-/// appears whole. Destroyed before Close, the pictures it wrote go.
+/// `settings` must have passed CheckVideoPath. Separate threads encode the pictures; each appears
+/// only when complete. Destruction before Close removes the written pictures.
 Result<std::unique_ptr<VideoSink>> OpenPngSequence(const std::filesystem::path& path,
                                                    const VideoSettings& settings);
 
-/// The pictures in the order of their numbers, which must have no gap.
+/// Reads pictures in the order of their numbers, which must have no gap.
 Result<std::unique_ptr<VideoSource>> OpenPngSequenceSource(const std::filesystem::path& path);
 
 } // namespace boxreel

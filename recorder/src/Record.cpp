@@ -35,7 +35,7 @@ private:
     const RecordingSettings& m_settings;
     VideoWriter& m_writer;
     FrameContent m_content;
-    std::int64_t m_frameCount; // until a frame says that it is the last
+    std::int64_t m_frameCount; // until a frame has isLast
     std::int64_t m_reported = 0;
     std::int64_t m_repeated = 0;
     FrameRelay m_relay;
@@ -59,11 +59,11 @@ Result<RecordingEnd> Recorder::Run()
     return Finish();
 }
 
-/// What was handed over is still encoded.
+/// Frames already appended are still encoded.
 Result<RecordingEnd> Recorder::Stop()
 {
     RETURN_IF_ERROR(m_relay.Encoder().Finish());
-    Report(m_relay.Encoder().FramesDone()); // its answer is known
+    Report(m_relay.Encoder().FramesDone()); // the result is not needed
     return RecordingEnd::Stopped;
 }
 
@@ -86,7 +86,7 @@ Result<void> Recorder::Submit()
     return m_relay.Submit(m_content.list, m_content.camera, overlay);
 }
 
-/// Submits frame `frame`, fills the next while it is drawn, hands its pixels to the encoder.
+/// Submits frame `frame`, fills the next while it is drawn, and passes its pixels to the encoder.
 Result<void> Recorder::Make(std::int64_t frame)
 {
     RETURN_IF_ERROR(Submit());
@@ -103,7 +103,7 @@ Result<void> Recorder::Make(std::int64_t frame)
     return {};
 }
 
-/// False when the caller wants to stop.
+/// False when the caller stops the recording.
 bool Recorder::Report(std::int64_t framesDone)
 {
     if (!m_settings.progress || framesDone == m_reported)
@@ -120,7 +120,7 @@ Result<RecordingEnd> Recorder::Finish()
     while (done < m_frameCount)
     {
         const std::int64_t more = m_relay.Encoder().WaitForMore(done);
-        if (more == done) // the writer has failed
+        if (more == done) // the writer failed
         {
             break;
         }

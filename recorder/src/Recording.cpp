@@ -24,7 +24,7 @@ struct Recording::Impl
 
     VideoWriter writer;
     Renderer renderer;
-    bool isDrawing = false; // the last frame, which the encoder has not got yet
+    bool isDrawing = false; // the last frame is not passed to the encoder yet
     std::optional<Error> error;
     FrameRelay relay;
 };

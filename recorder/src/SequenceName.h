@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-/// The names of pictures that make a film: one place for the number.
+/// File names of picture sequences, with one place for the number.
 namespace boxreel
 {
 
-/// "frames-####.png" taken apart.
+/// The parts of "frames-####.png".
 struct SequenceName
 {
     std::filesystem::path folder;
@@ -18,13 +18,13 @@ struct SequenceName
     std::string after;
     int digits = 0;
 
-    /// The path of picture `number`; a number with more digits than # is written out.
+    /// Returns the path of picture `number`; a number with more digits than # is written in full.
     std::filesystem::path PathOf(std::int64_t number) const;
-    /// The number in a name of this sequence, as PathOf would write it.
+    /// Returns the number in a name of this sequence, in the format of PathOf.
     std::optional<std::int64_t> NumberIn(const std::string& name) const;
 };
 
-/// Nothing when the name has no #. The last run of # is the number's place.
+/// Parses a name; empty without a #. The last run of # is the number's place.
 std::optional<SequenceName> ParseSequenceName(const std::filesystem::path& path);
 
 } // namespace boxreel

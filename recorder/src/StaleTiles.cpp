@@ -49,7 +49,7 @@ void StaleTiles::BringUpToDate(const Frame& original, Frame& copy)
     std::fill(m_isStale.begin(), m_isStale.end(), std::uint8_t(0));
 }
 
-/// Those of a row from `first` to before `end`, as one rectangle.
+/// Copies the tiles from `first` to before `end` of a row, as one rectangle.
 void StaleTiles::CopyTiles(const Frame& original, int row, int first, int end, Frame& copy) const
 {
     const int left = first * kTile;

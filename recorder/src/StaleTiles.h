@@ -6,18 +6,19 @@
 #include <cstdint>
 #include <vector>
 
-/// Where a copy of a frame shows an older one, in square tiles: what has changed several times
-/// since is copied once. Used by EncoderThread for each frame of its ring.
+/// The outdated areas of a copy of a frame, in square tiles. An area that changed several times is
+/// copied once. Used by EncoderThread for each frame of its ring.
 namespace boxreel
 {
 
 class StaleTiles
 {
 public:
-    /// The original has changed here; bounds may reach beyond the frame.
+    /// Marks a change of the original; bounds may extend beyond the frame.
     void Mark(const PixelBounds& part);
 
-    /// Copies the stale tiles, all of them when `copy` is of another size. Nothing is stale then.
+    /// Copies the outdated tiles, or all of them when `copy` has another size, and clears the
+    /// marks.
     void BringUpToDate(const Frame& original, Frame& copy);
 
 private:

@@ -16,11 +16,11 @@ namespace boxreel
 namespace
 {
 
-constexpr int kMaxSize = 8192;      // the renderer's limit; every format here can hold it [px]
-constexpr int kMaxRate = 1000;      // more frames a second than Matroska's clock can tell apart
-constexpr int kMaxThreads = 64;     // what libvpx takes
-constexpr int kMostPlays = 65535;   // what the formats can count
-constexpr int kGifCentiseconds = 2; // the shortest delay that browsers honour
+constexpr int kMaxSize = 8192;      // the renderer's limit; every format supports it [px]
+constexpr int kMaxRate = 1000;      // resolution of Matroska's clock
+constexpr int kMaxThreads = 64;     // limit of libvpx
+constexpr int kMostPlays = 65535;   // limit of the formats
+constexpr int kGifCentiseconds = 2; // shortest delay that browsers respect
 
 struct Extension
 {
@@ -46,7 +46,7 @@ std::optional<VideoFormat> FormatOfExtension(const std::string& extension)
     return std::nullopt;
 }
 
-/// Whether it can be written front to back, and read while it is.
+/// True if the format can be written and read sequentially.
 bool CanBePiped(VideoFormat format)
 {
     return format == VideoFormat::Y4m || format == VideoFormat::Nut ||
@@ -107,7 +107,7 @@ Result<void> CheckSize(const VideoSettings& settings)
     return {};
 }
 
-/// The size that halved colours need.
+/// Checks the size for subsampled chroma.
 Result<void> CheckEvenSize(VideoFormat format, const VideoSettings& settings)
 {
     const int w = settings.width;
@@ -116,7 +116,7 @@ Result<void> CheckEvenSize(VideoFormat format, const VideoSettings& settings)
     {
         return {};
     }
-    const char* const others = format == VideoFormat::Y4m // which cannot be lossless
+    const char* const others = format == VideoFormat::Y4m // y4m cannot be lossless
                                    ? ", --chroma 444 or nut"
                                    : ", --chroma 444, --quality lossless, .gif or frames-####.png";
     return Error{ErrorKind::Unusable, "size " + SizeText(w, h),
@@ -157,7 +157,7 @@ Result<void> CheckNumbers(const VideoSettings& settings)
     return CheckSize(settings);
 }
 
-/// Settings that ask for what the format does not have.
+/// Checks for settings that the format does not support.
 Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
                          const VideoSettings& settings)
 {

@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-/// Which format a name asks for, and what it can hold. No libav, so that a wrong request is refused
-/// before anything is loaded or simulated.
+/// Selects the format by name, with its limits. Independent of libav, so that invalid requests are
+/// refused before anything is loaded or simulated.
 namespace boxreel
 {
 
@@ -27,27 +27,27 @@ enum class VideoFormat
     PngSequence,
 };
 
-/// The name that stands for the standard output.
+/// True for the name of the standard output.
 bool IsPipe(const std::filesystem::path& path);
 
 std::optional<VideoFormat> FormatOf(const std::filesystem::path& path,
                                     const VideoSettings& settings);
 
-/// Whether libav writes it.
+/// True if libav writes it.
 bool IsOfLibav(VideoFormat format);
 
-/// Whether a film of this format may be kept unfinished and continued, and be a part of another.
+/// True if a film of this format can be resumed and joined.
 bool HasParts(VideoFormat format);
 
-/// Whether frames come back from it as they were written, so that such a film is continued and
-/// joined by writing them once more.
+/// True if decoding and encoding again is lossless; such films are resumed and joined that way.
 bool IsAnimation(VideoFormat format);
 
-/// A GIF keeps every n-th frame: its delays are whole centiseconds and players slow anything below
-/// two down.
+/// Returns n if a GIF keeps every n-th frame. Its delays are whole centiseconds, and players slow
+/// down delays below two.
 std::int64_t GifFrameStep(const Rational& framesPerSecond);
 
-/// When frame k of a GIF begins, rounded from the exact time, so that no error adds up [1/100 s].
+/// Returns the start of frame k of a GIF, rounded from the exact time, so that errors do not add up
+/// [1/100 s].
 std::int64_t GifTimeOfFrame(std::int64_t frame, const Rational& framesPerSecond);
 
 } // namespace boxreel

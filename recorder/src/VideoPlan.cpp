@@ -14,18 +14,18 @@ namespace boxreel
 namespace
 {
 
-/// What a container is called, and which codecs it holds; the first is its own.
+/// The name of a container, and its codecs; the first is the default.
 struct Container
 {
     VideoFormat format;
-    const char* name; ///< as users know it
+    const char* name; ///< for messages
     const char* muxer;
     Options options;
     std::vector<std::string> codecs;
 };
 
-/// Written as fragments, an MP4 can be played however it ends; Close turns it into one with its
-/// index in front.
+/// MP4 is written in fragments, so that it is playable if interrupted; Close converts it to one
+/// with the index at the front.
 const std::array<Container, 6>& Containers()
 {
     static const std::array<Container, 6> containers = {{
@@ -34,7 +34,7 @@ const std::array<Container, 6>& Containers()
          "mp4",
          {{"movflags", "+frag_keyframe+delay_moov+default_base_moof"}},
          {"h264", "av1"}},
-        // A cluster is written when it is complete; a shorter one loses less when a run is killed.
+        // A cluster is written when complete; shorter ones lose less when a run is killed.
         {VideoFormat::Matroska,
          ".mkv",
          "matroska",
@@ -103,11 +103,10 @@ void Add(EncoderPlan& plan, std::initializer_list<std::pair<std::string, std::st
     plan.codecOptions.insert(plan.codecOptions.end(), options);
 }
 
-/// Presets by measured cost per 720p frame: ultrafast 2.7 ms, veryfast 7.5, medium 15. Lossless
-/// keeps RGB: any YUV of 8 bits would round. No macroblock tree: with it and more than one thread,
-/// one run in some hundred gives another film (5 of 1500 runs of a small one; none of 3000
-/// without). On drawings it saves nothing: at equal error the size is the same within a twentieth,
-/// about three steps of crf higher.
+/// Presets by cost per 720p frame: ultrafast 2.7 ms, veryfast 7.5, medium 15. Lossless keeps RGB,
+/// because 8-bit YUV would round.
+/// No macroblock tree: with it and several threads, one run in a few hundred gives different bytes.
+/// On drawings it saves nothing at equal error.
 void PlanH264(EncoderPlan& plan, const VideoSettings& settings)
 {
     plan.encoder = "libx264";
@@ -131,8 +130,8 @@ void PlanH264(EncoderPlan& plan, const VideoSettings& settings)
     }
 }
 
-/// "realtime" is the name of a faster search: on drawings at 720p it takes a quarter of the time of
-/// "good" for a tenth more bytes at equal error.
+/// "realtime" selects a faster search: for 720p drawings a quarter of the time of "good", for a
+/// tenth more bytes at equal error.
 void PlanVp9(EncoderPlan& plan, const VideoSettings& settings)
 {
     plan.encoder = "libvpx-vp9";
@@ -156,10 +155,10 @@ void PlanVp9(EncoderPlan& plan, const VideoSettings& settings)
     }
 }
 
-/// Levels have about the errors of VP9 (docs/notes/codec-qualities.md). Speed 8 takes 1.6 times
+/// Quality levels match the errors of VP9 (docs/notes/codec-qualities.md). Speed 8 takes 1.6 times
 /// the bytes of speed 6 for 0.6 of its time.
-/// SVT-AV1 takes the time of this for half the bytes, but knows neither 4:4:4 nor lossless coding,
-/// and waits for ever when it is closed before its first frame.
+/// SVT-AV1 takes the same time for half the bytes. However, it supports neither 4:4:4 nor lossless,
+/// and hangs when closed before its first frame.
 void PlanAv1(EncoderPlan& plan, const VideoSettings& settings)
 {
     const bool isLossless = settings.quality == Quality::Lossless;
@@ -168,7 +167,7 @@ void PlanAv1(EncoderPlan& plan, const VideoSettings& settings)
     const std::size_t level = std::size_t(settings.quality);
     plan.encoder = "libaom-av1";
     plan.pixelFormat = isLossless ? "gbrp" : YuvOf(settings.chroma);
-    // libaom's search for real time is off by up to 46 of 255 where it should be lossless.
+    // libaom's realtime search has errors of up to 46 of 255 in lossless mode.
     Add(plan, {{"usage", isLossless ? "good" : "realtime"},
                {"cpu-used", speeds[level]},
                {"row-mt", "1"},
@@ -183,15 +182,15 @@ void PlanAv1(EncoderPlan& plan, const VideoSettings& settings)
     }
 }
 
-/// A fixed number of slices, or the bytes would depend on the threads; the sums let a reader see
-/// damage. Each frame by itself, so that parts of films are what they are in the whole.
+/// The number of slices is fixed, because the bytes depend on it; checksums let a reader detect
+/// damage. Intra frames only, so that parts equal the whole film.
 void PlanFfv1(EncoderPlan& plan, const VideoSettings& settings)
 {
     plan.encoder = "ffv1";
     plan.pixelFormat = "bgr0";
     Add(plan, {{"g", "1"}});
-    // 2 x 2 slices of a side of one pixel are refused, those of two come back black (libav 5.1): so
-    // small a frame is coded whole, as before there were slices.
+    // libav 5.1 refuses 2 x 2 slices with a side of one pixel, and decodes those with two as black.
+    // Such small frames are one slice.
     const bool isTiny = std::min(settings.width, settings.height) < 3;
     if (isTiny)
     {
@@ -203,8 +202,8 @@ void PlanFfv1(EncoderPlan& plan, const VideoSettings& settings)
     }
 }
 
-/// Every pixel survives at any quality. For 720p drawings, a frame: none and 1 30 ms and 71 kB,
-/// paeth and 3 35 ms and 54 kB, mixed and 6 60 ms and 51 kB.
+/// Lossless at every setting. Cost per frame of 720p drawings: none and level 1: 30 ms, 71 kB;
+/// paeth and 3: 35 ms, 54 kB; mixed and 6: 60 ms, 51 kB.
 void PlanApng(EncoderPlan& plan, const VideoSettings& settings)
 {
     plan.encoder = "apng";
@@ -223,7 +222,7 @@ void PlanApng(EncoderPlan& plan, const VideoSettings& settings)
     }
 }
 
-/// Whether it says how good the film is to be, which `lossless` has said.
+/// True for options that set the quality, which conflict with `lossless`.
 bool IsRateOption(const std::string& name)
 {
     constexpr const char* kNames[] = {"b",        "crf",        "qp",          "cqp",
@@ -233,8 +232,8 @@ bool IsRateOption(const std::string& name)
                        [&](const char* known) { return name == known; });
 }
 
-/// The user's options come last, so that they win. x264-params takes what x264 does not know
-/// without a word; x264opts is the same otherwise.
+/// The user's options come last and take precedence. x264-params silently accepts unknown options;
+/// x264opts is the same otherwise.
 Result<void> AddUsers(EncoderPlan& plan, const VideoSettings& settings)
 {
     for (const auto& [name, value] : settings.codecOptions)
@@ -339,7 +338,7 @@ Result<void> PlanCodec(EncoderPlan& plan, VideoFormat format, const std::string&
     return {};
 }
 
-/// How often it plays.
+/// Sets the number of plays.
 void PlanPlays(EncoderPlan& plan, VideoFormat format, int plays)
 {
     if (format == VideoFormat::Apng)

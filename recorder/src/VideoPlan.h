@@ -7,26 +7,26 @@
 #include <utility>
 #include <vector>
 
-/// How libav is asked for each format, codec and quality: one table, without libav itself.
+/// The encoder options for each format, codec and quality: one table, without libav itself.
 namespace boxreel
 {
 
 using Options = std::vector<std::pair<std::string, std::string>>;
 
-/// The names are libav's own.
+/// Names are libav's own.
 struct EncoderPlan
 {
     std::string muxer;
     std::string encoder;
     std::string pixelFormat;
-    Options codecOptions; ///< the user's last, so that they win
+    Options codecOptions; ///< the user's come last and take precedence
     Options muxerOptions;
-    bool needsGroups = false;    ///< frames are coded by what differs from others, inexactly
-    bool isConstantRate = false; ///< every frame must be there, also one that shows the same
+    bool needsGroups = false;    ///< frames depend on others, with loss
+    bool isConstantRate = false; ///< every frame is needed, including identical ones
 };
 
-/// An Error (Unusable) when the format has no such codec, or the codec no such quality or chroma.
-/// For formats that libav writes.
+/// An Error (Unusable) when the format does not support the codec, or the codec does not support
+/// the quality or chroma. For formats that libav writes.
 Result<EncoderPlan> PlanFor(VideoFormat format, const VideoSettings& settings);
 
 } // namespace boxreel

@@ -21,7 +21,7 @@ namespace boxreel
 namespace
 {
 
-/// An animated PNG that never moves is a plain one, which libav takes for none.
+/// An animated PNG of one frame is a plain PNG, which libav does not accept as a film.
 class StillReader final : public VideoSource
 {
 public:
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    std::optional<Frame> m_frame; // until it was given
+    std::optional<Frame> m_frame; // until returned
 };
 
 Result<std::unique_ptr<VideoSource>> OpenApng(const std::filesystem::path& path)
@@ -89,25 +89,25 @@ struct VideoReader::Impl
 {
     std::unique_ptr<VideoSource> source;
     Frames frames = Frames::Shown;
-    StoredFrame current; ///< what is shown
-    StoredFrame next;    ///< what comes after it
+    StoredFrame current; ///< the shown frame
+    StoredFrame next;    ///< the following frame
     bool isBegun = false;
     bool hasNext = false;
-    double start = 0.0;          ///< when the first is shown [s]
-    std::int64_t timesShown = 0; ///< how often the current one came
+    double start = 0.0;          ///< start of the first frame [s]
+    std::int64_t timesShown = 0; ///< how often the current frame was returned
     std::int64_t timesToBeShown = 0;
 
     Result<bool> Advance();
     std::int64_t PeriodOf(double seconds) const;
 };
 
-/// The number of the period in which something shown at this time begins.
+/// Returns the number of the period in which a frame with this time starts.
 std::int64_t VideoReader::Impl::PeriodOf(double seconds) const
 {
     return std::llround((seconds - start) * source->info.framesPerSecond.ToDouble());
 }
 
-/// Makes the next frame the current one, and looks for how long it stays; false after the last.
+/// Makes the next frame the current one and finds its duration; false after the last.
 Result<bool> VideoReader::Impl::Advance()
 {
     if (!isBegun)
@@ -144,7 +144,7 @@ Result<VideoReader> VideoReader::Open(const std::filesystem::path& path, Frames 
     }
     auto impl = std::make_unique<Impl>();
     impl->source = std::move(*source);
-    // The rate of an animated WebP is not known: its frames come once each.
+    // The rate of an animated WebP is unknown: its frames are returned once each.
     impl->frames = FormatOf(path, {}) == VideoFormat::WebP ? Frames::Stored : frames;
     return VideoReader(std::move(impl));
 }

@@ -9,15 +9,15 @@
 #include <memory>
 #include <string>
 
-/// What a VideoReader takes its frames from: one implementation per way of storing them.
+/// The input of a VideoReader: one implementation per kind of storage.
 namespace boxreel
 {
 
 struct StoredFrame
 {
     Frame frame;
-    double seconds = 0.0; ///< when it is shown [s]
-    double length = 0.0;  ///< for how long; 0: not known, until the next or for one period [s]
+    double seconds = 0.0; ///< start [s]
+    double length = 0.0;  ///< duration; 0: unknown, until the next frame or one period [s]
 };
 
 class VideoSource
@@ -30,11 +30,11 @@ public:
     VideoInfo info;
 };
 
-/// Of pictures that are stored as they are, in RGB.
+/// Returns the metadata of pictures stored in RGB.
 VideoInfo RgbInfo(int width, int height, const Rational& framesPerSecond,
                   const std::string& container, const std::string& codec);
 
-/// By the name's end. An Error when it is not there or no film.
+/// Opens a source by its extension. An Error when the file does not exist or is not a film.
 Result<std::unique_ptr<VideoSource>> OpenVideoSource(const std::filesystem::path& path);
 
 } // namespace boxreel

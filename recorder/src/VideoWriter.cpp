@@ -20,14 +20,14 @@ namespace boxreel
 
 struct VideoWriter::Impl
 {
-    std::unique_ptr<VideoSink> sink; ///< none after Close or an Error
+    std::unique_ptr<VideoSink> sink; ///< null after Close or an Error
     int width = 0;
     int height = 0;
-    bool isEmpty = true;      ///< nothing was appended
-    std::int64_t resumed = 0; ///< frames of an animation that were written once more
+    bool isEmpty = true;      ///< no frame was appended
+    std::int64_t resumed = 0; ///< frames of an animation that were encoded again
     StageTimes* stages = nullptr;
 
-    /// After an Error the sink goes, and with it what it wrote.
+    /// After an Error the sink is destroyed, which removes its files.
     Result<void> Keep(Result<void> result)
     {
         if (!result)
@@ -86,7 +86,7 @@ Result<VideoWriter> VideoWriter::Open(const std::filesystem::path& path,
     return writer;
 }
 
-/// Begins with the frames that can be kept of what was left.
+/// Starts with the frames that can be kept of the interrupted film.
 Result<void> VideoWriter::Resume(const std::filesystem::path& left, const VideoSettings& settings)
 {
     const std::int64_t count = CountWholeAnimation(left, settings);

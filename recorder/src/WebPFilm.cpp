@@ -20,7 +20,7 @@ namespace boxreel
 namespace
 {
 
-/// What is used of libwebp; its headers call these by inline functions that check versions.
+/// The functions of libwebp in use; its headers wrap them in inline functions that check versions.
 struct WebPLibrary
 {
     decltype(&::WebPConfigInitInternal) configInit = nullptr;
@@ -61,8 +61,8 @@ Result<WebPLibrary> Load()
     return library;
 }
 
-/// Lossless whatever the quality: flat drawings are smaller so, and their lines stay clean. Drafts
-/// search less for what repeats.
+/// Lossless at every quality: flat drawings are smaller so, and lines stay clean. Draft searches
+/// less for repetitions.
 void SetQuality(Quality quality, WebPConfig& config)
 {
     config.lossless = 1;
@@ -70,7 +70,7 @@ void SetQuality(Quality quality, WebPConfig& config)
     config.quality = quality == Quality::Draft ? 0.0f : quality == Quality::High ? 75.0f : 50.0f;
 }
 
-/// libwebp's own names for what it can be told.
+/// libwebp's names of its options.
 struct OptionName
 {
     const char* name;
@@ -215,7 +215,7 @@ Result<void> WebPFilm::Open()
                                                      "free some memory"});
 }
 
-/// Rounded by itself, so that no error adds up.
+/// Each time is rounded separately, so that errors do not add up.
 int WebPFilm::TimeOf(std::int64_t frame) const
 {
     const Rational& rate = m_settings.framesPerSecond;
@@ -240,7 +240,7 @@ Result<void> WebPFilm::Append(const Frame& frame, std::span<const PixelBounds>)
 
 Result<void> WebPFilm::Repeat()
 {
-    ++m_frames; // the frame before stays until another comes
+    ++m_frames; // the previous frame stays until the next one
     return {};
 }
 

@@ -17,7 +17,7 @@ namespace boxreel
 namespace
 {
 
-constexpr std::uintmax_t kLargestFile = 0xFFFFFFFE; // of a RIFF container [bytes]
+constexpr std::uintmax_t kLargestFile = 0xFFFFFFFE; // limit of a RIFF container [bytes]
 
 struct WebPLibrary
 {
@@ -64,7 +64,7 @@ private:
     std::string m_bytes;
     WebPAnimDecoder* m_decoder = nullptr;
     WebPAnimInfo m_info{};
-    int m_end = 0; // of the last frame [ms]
+    int m_end = 0; // end of the last frame [ms]
 };
 
 WebPReader::~WebPReader()
@@ -87,7 +87,7 @@ Result<void> WebPReader::Open()
         return Error{ErrorKind::Unusable, m_path.string(),
                      "is not a WebP, is damaged or cut short"};
     }
-    const Rational unknown{1000, 1}; // what its times are multiples of is not stored
+    const Rational unknown{1000, 1}; // the time unit is not stored
     info = RgbInfo(int(m_info.canvas_width), int(m_info.canvas_height), unknown, "webp", "webp");
     return {};
 }

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-/// An animated WebP back into frames. Used by VideoReader; loads libwebp when called.
+/// Reads the frames of an animated WebP. Used by VideoReader; loads libwebp when called.
 namespace boxreel
 {
 

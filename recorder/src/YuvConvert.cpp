@@ -5,9 +5,9 @@
 #include <bit>
 #include <cstring>
 
-// The loops are plain, over integers, and the compiler makes vectors of them: once for any
-// processor and, on x86-64, once more for those with AVX2. Two functions and a question at run time
-// instead of target_clones, whose resolvers run before the sanitizers have started.
+// The loops are plain integer code that the compiler vectorizes. They are compiled once for any
+// processor and, on x86-64, once for AVX2, selected at run time. target_clones is not used, because
+// its resolvers run before the sanitizers have started.
 #define BOXREEL_INLINE [[gnu::always_inline]] inline
 #if defined(__x86_64__)
 #define BOXREEL_AVX2 1
@@ -20,7 +20,7 @@ namespace
 {
 
 /// One row of the matrix: (red R + green G + blue B + offset) / 2^24, modulo 2^32, so negative
-/// weights are their complements. The offset holds the half that rounds.
+/// weights are stored as complements. The offset contains the half for rounding.
 struct Weights
 {
     std::uint32_t red;
@@ -31,24 +31,23 @@ struct Weights
 
 constexpr std::uint32_t kRoundedZero = (128u << 24) + (1u << 23);
 
-// Sums of pixels that weigh sixteen together take four bits of the weights and one for what a
-// filter may overshoot: / 2^23, and above by kOvershoot.
-constexpr std::uint32_t kOvershoot = 64; // chroma comes to -40 at least and 296 at most
+// A weighted sum of sixteen pixels needs four bits more, and one for the filter's overshoot. Hence
+// / 2^23, with an offset of kOvershoot.
+constexpr std::uint32_t kOvershoot = 64; // chroma ranges from -40 to 296
 constexpr std::uint32_t kZeroOfSums = ((128u + kOvershoot) << 23) + (1u << 22);
 
 struct Matrix
 {
     Weights y;
-    Weights cb; ///< of one pixel
+    Weights cb; ///< for one pixel
     Weights cr;
     Weights cbOfSums;
     Weights crOfSums;
 };
 
-// All integers within 5 of the real weights were tried against the exact results near halves;
-// YuvConvertTest goes through all 2^24 colours. These of Cb and Cr are right for every one. None of
-// Y is, for its sum fills 32 bits with just these 24 behind the point; this one takes 7 colours,
-// within 2.4e-6 of a half, to the other side.
+// The best integers within 5 of the exact weights; YuvConvertTest checks all 2^24 colours. Those of
+// Cb and Cr are right for every colour. No integers are right for all Y, because its sum fills 32
+// bits with 24 fractional ones. These round 7 colours, within 2.4e-6 of a half, to the other side.
 constexpr Matrix kBt709 = {
     {3063283u, 10305079u, 1040306u, (16u << 24) + (1u << 23) - 19u},
     {-1688522u, -5680295u, 7368817u, kRoundedZero},
@@ -57,7 +56,7 @@ constexpr Matrix kBt709 = {
     {230276u, -209161u, -21115u, kZeroOfSums},
 };
 
-// The nearest integers, or next to them where a row of chroma must come to nothing.
+// The nearest integers, adjusted where a row of chroma must sum to zero.
 constexpr Matrix kBt601 = {
     {4308192u, 8457888u, 1642588u, (16u << 24) + (1u << 23)},
     {-2486768u, -4882049u, 7368817u, kRoundedZero},
@@ -66,7 +65,7 @@ constexpr Matrix kBt601 = {
     {230276u, -192827u, -37449u, kZeroOfSums},
 };
 
-// Grey has no colour, whatever its brightness.
+// True if grey has zero chroma at every brightness.
 constexpr bool IsNeutral(const Weights& w)
 {
     return w.red + w.green + w.blue == 0;
@@ -77,10 +76,10 @@ constexpr bool IsNeutral(const Matrix& m)
 }
 static_assert(IsNeutral(kBt709) && IsNeutral(kBt601));
 
-constexpr int kBlockWidth = 512; // so what is kept between two loops stays in the fastest memory
+constexpr int kBlockWidth = 512; // small enough for intermediate rows to stay in the L1 cache
 static_assert(kBlockWidth % 2 == 0);
 
-// Where a colour is in a pixel loaded as one number.
+// Position of a colour in a pixel loaded as one integer.
 constexpr bool kLittle = std::endian::native == std::endian::little;
 constexpr int kRedShift = kLittle ? 0 : 24;
 constexpr int kGreenShift = kLittle ? 8 : 16;
@@ -114,7 +113,7 @@ BOXREEL_INLINE std::uint32_t Weigh(const Weights& w, std::uint32_t red, std::uin
     return w.red * red + w.green * green + w.blue * blue + w.offset;
 }
 
-/// A run of pixels in a row to as many samples.
+/// Converts a run of pixels in a row to samples.
 BOXREEL_INLINE void WeighRow(const Weights& weights, const std::uint8_t* rgba, int count,
                              std::uint8_t* __restrict samples)
 {
@@ -158,9 +157,9 @@ BOXREEL_INLINE void PackRow(const std::uint8_t* rgba, int count, std::uint8_t* _
     }
 }
 
-/// Columns of two pixels, the colours of both added: red in the low half and blue in the high one,
-/// where even sixteen pixels fit. Column x of a block from x0 is at (x - x0) / 2 + 1 of `even` or,
-/// to its right, of `odd`; apart, as samples of chroma are two columns apart.
+/// Sums of two pixels per column: red in the low half and blue in the high half, with room for
+/// sixteen pixels. Column x of a block from x0 is at (x - x0) / 2 + 1, in `even` or for the next
+/// column in `odd`. They are separate because chroma samples are two columns apart.
 struct ColumnSums
 {
     struct Colours
@@ -197,13 +196,13 @@ BOXREEL_INLINE void AddPairs(const std::uint8_t* above, const std::uint8_t* belo
     }
 }
 
-/// By the weights -1 2 6 2 -1 of the 5/3 wavelet's low pass.
+/// Applies the weights -1 2 6 2 -1, the low pass of the 5/3 wavelet.
 BOXREEL_INLINE std::uint32_t LowPass(const std::uint32_t* even, const std::uint32_t* odd, int i)
 {
     return 6 * even[i + 1] + 2 * (odd[i] + odd[i + 1]) - even[i] - even[i + 2];
 }
 
-/// Within what a picture may hold: 0 and 255 are for synchronisation (BT.709-6, part 4).
+/// Clamps to the range of a picture: 0 and 255 are reserved for synchronization (BT.709-6, part 4).
 BOXREEL_INLINE std::uint8_t Chroma(std::uint32_t sum)
 {
     return std::uint8_t(std::clamp(int(sum >> 23) - int(kOvershoot), 1, 254));
@@ -212,7 +211,7 @@ BOXREEL_INLINE std::uint8_t Chroma(std::uint32_t sum)
 BOXREEL_INLINE void WeighColumns(const Matrix& matrix, const ColumnSums& sums, int count,
                                  std::uint8_t* __restrict cb, std::uint8_t* __restrict cr)
 {
-    // Added to each colour, it changes no chroma, and then no half of a number is negative.
+    // Added to each colour, it does not change chroma and keeps both halves non-negative.
     constexpr std::uint32_t bias = 1024;
     for (int x = 0; x < count; ++x)
     {
@@ -231,7 +230,7 @@ std::uint8_t* Sample(const PicturePlanes& picture, int plane, int x, int y)
     return picture.data[plane] + y * picture.strides[plane] + x;
 }
 
-/// One column of a block from `x0`; at the frame's border those stand for the columns outside.
+/// Adds one column of a block from `x0`; columns outside the frame repeat its border.
 BOXREEL_INLINE void AddColumn(const Frame& frame, int x0, int x, int y, int yBelow,
                               ColumnSums& sums)
 {
@@ -244,7 +243,7 @@ BOXREEL_INLINE void AddColumn(const Frame& frame, int x0, int x, int y, int yBel
     colours.green[i] = Green(a) + Green(b);
 }
 
-/// The columns from `x0` to `x1` and two to either side.
+/// Adds the columns from `x0` to `x1` and two on either side.
 BOXREEL_INLINE void AddColumns(const Frame& frame, int x0, int x1, int y, int yBelow,
                                ColumnSums& sums)
 {
@@ -256,8 +255,8 @@ BOXREEL_INLINE void AddColumns(const Frame& frame, int x0, int x1, int y, int yB
     }
 }
 
-/// Of two rows from `y`, an even one, the columns from `x0`, an even one, to `x1`: at most a block;
-/// it may end on an odd column only where the frame ends.
+/// Converts two rows from `y` (even), columns `x0` (even) to `x1`: at most one block. It may end on
+/// an odd column only at the end of the frame.
 BOXREEL_INLINE void ConvertBlock420(const Matrix& matrix, const Frame& frame, int x0, int x1, int y,
                                     const PicturePlanes& picture)
 {
@@ -270,7 +269,8 @@ BOXREEL_INLINE void ConvertBlock420(const Matrix& matrix, const Frame& frame, in
                  Sample(picture, 2, x0 / 2, y / 2));
 }
 
-/// Whole pairs of rows and columns: all whose samples reach the part, two columns to either side.
+/// Converts whole pairs of rows and columns: all whose samples depend on the part, two columns on
+/// either side.
 BOXREEL_INLINE void Convert420(const Matrix& matrix, const Frame& frame, const PixelBounds& part,
                                const PicturePlanes& picture)
 {
@@ -324,7 +324,7 @@ BOXREEL_INLINE void ConvertBy(const Matrix& matrix, const Frame& frame, const Pi
     }
 }
 
-/// Once for each matrix, whose weights are constants in the loops.
+/// Instantiated for each matrix, so that the weights are constants in the loops.
 BOXREEL_INLINE void ConvertPart(const Frame& frame, const PixelBounds& part,
                                 const PicturePlanes& picture)
 {

@@ -6,33 +6,33 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The pixels of a frame become the planes that codecs take, whole or where they have changed.
-/// Alpha is ignored. Knows no codec: FFmpegPicture says where the planes are.
+/// Converts the pixels of a frame to the planes of codecs, completely or where they changed. Alpha
+/// is ignored. Independent of codecs: FFmpegPicture provides the planes.
 ///
-/// YUV is limited range, 8 bits, by the matrix of BT.709-6 (part 3). With colours of 0 to 255:
+/// YUV is limited range, 8 bits, with the matrix of BT.709-6 (part 3). With colours of 0 to 255:
 /// Y' = 0.2126 R + 0.7152 G + 0.0722 B, and
 /// Y = 16 + 219/255 Y', Cb = 128 + 224/255 (B - Y')/1.8556, Cr = 128 + 224/255 (R - Y')/1.5748.
-/// Or by that of BT.601-7 (part 2.5.1), for formats that do not name theirs:
-/// Y' = 0.299 R + 0.587 G + 0.114 B, and 1.772 and 1.402 in the places of 1.8556 and 1.5748.
-/// In 4:2:0 a chroma sample lies on the left pixel of its two columns and between its two rows
-/// (H.264, annex E, chroma_sample_loc_type 0). It is the mean of its two rows, by the weights
-/// -1 2 6 2 -1 of five columns around it: the low pass that belongs to the linear interpolation of
-/// players (5/3 wavelet, Le Gall and Tabatabai 1988), at most 254 and at least 1. At the border of
-/// the frame the pixels there count for those outside.
+/// Untagged formats use BT.601-7 (part 2.5.1):
+/// Y' = 0.299 R + 0.587 G + 0.114 B, with 1.772 and 1.402 instead of 1.8556 and 1.5748.
+/// In 4:2:0 a chroma sample is on the left pixel of its two columns and between its two rows
+/// (H.264, annex E, chroma_sample_loc_type 0). It is the mean of its two rows, with the weights -1
+/// 2 6 2 -1 over five columns. This low pass belongs to the linear interpolation of players (5/3
+/// wavelet, Le Gall and Tabatabai 1988). Results are clamped to 1 to 254. The frame's border is
+/// repeated outside.
 ///
-/// Distance from the real number: Y at most 0.500003; Cb and Cr of one pixel at most 0.5, so the
-/// nearest integer; Cb and Cr of 4:2:0 at most 0.501, and 0.5002 where all pixels are alike. By
-/// BT.601 0.50001 for all of one pixel.
+/// Distance from the exact value: Y at most 0.500003; Cb and Cr of one pixel at most 0.5, so the
+/// nearest integer. Cb and Cr of 4:2:0 at most 0.501, and 0.5002 where all pixels are equal. With
+/// BT.601, one pixel at most 0.50001.
 namespace boxreel
 {
 
 enum class PlaneFormat
 {
-    Yuv420, ///< Y, Cb, Cr; these two of half the width and height, rounded up
+    Yuv420, ///< Y, Cb, Cr; chroma with half the width and height, rounded up
     Yuv444, ///< Y, Cb, Cr
     Gbr,    ///< G, B, R
-    Bgr0,   ///< one plane of four bytes a pixel: B, G, R, 0
-    Rgb24,  ///< one plane of three bytes a pixel: R, G, B
+    Bgr0,   ///< one plane of four bytes per pixel: B, G, R, 0
+    Rgb24,  ///< one plane of three bytes per pixel: R, G, B
 };
 
 enum class YuvMatrix
@@ -44,20 +44,20 @@ enum class YuvMatrix
 struct PicturePlanes
 {
     PlaneFormat format = PlaneFormat::Yuv420;
-    YuvMatrix matrix = YuvMatrix::Bt709; ///< of the two YUV formats
-    std::uint8_t* data[3] = {};          ///< the top row of each
-    std::ptrdiff_t strides[3] = {};      ///< from a row to the one below [B]
+    YuvMatrix matrix = YuvMatrix::Bt709; ///< for the two YUV formats
+    std::uint8_t* data[3] = {};          ///< the top row of each plane
+    std::ptrdiff_t strides[3] = {};      ///< from a row to the one below [bytes]
 };
 
-/// How wide the processor's registers may be. Not a bit differs.
+/// The vector instructions to use. The result has the same bits.
 enum class Instructions
 {
-    Any,    ///< what every processor of this kind has
-    Widest, ///< what this one has
+    Any,    ///< supported by every processor of this architecture
+    Widest, ///< the widest of this processor
 };
 
-/// Writes every sample that depends on a pixel within `changed`, and some beside them as they would
-/// be anyway. Of `changed` only what lies in the frame counts.
+/// Writes every sample that depends on a pixel within `changed`; neighbouring samples may be
+/// rewritten with equal values. `changed` is clipped to the frame.
 void ConvertPixels(const Frame& frame, const PixelBounds& changed, const PicturePlanes& picture,
                    Instructions instructions = Instructions::Widest);
 

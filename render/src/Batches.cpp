@@ -9,11 +9,11 @@ namespace boxreel
 namespace
 {
 
-// Smaller tiles tell more neighbours apart, larger ones are fewer to look at. A draw call costs as
-// much as some thousand tiles.
+// Smaller tiles separate more neighbours, larger ones are fewer to check. A draw call costs as much
+// as a few thousand tiles.
 constexpr int kTileShift = 1;
 
-// More batches than this after m_first cannot be told from each other.
+// Limit of Age: batches later than this after m_first are indistinguishable.
 constexpr int kMostAge = std::numeric_limits<std::uint8_t>::max();
 
 } // namespace
@@ -61,7 +61,7 @@ std::size_t Batches::Place(ProgramKind kind, Form form)
             latest = std::max(latest, m_latest[tile]);
         }
     }
-    // The first batch of this kind and form that is executed after all that this instance covers.
+    // The first batch of this kind and form that is drawn after everything below this instance.
     const int least = m_first + std::max(int(latest) - 1, 0);
     std::vector<int>& ofKind = m_ofKind[std::size_t(kind) * kForms + std::size_t(form)];
     const auto found = std::lower_bound(ofKind.begin(), ofKind.end(), least);

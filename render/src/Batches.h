@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
-/// Gathers what is to be drawn into as few draw calls as painter's order allows. Written by
-/// Renderer, read by Canvas. Knows no GL.
+/// Collects instances in as few draw calls as painter's order allows. Written by Renderer, read by
+/// Canvas. Independent of GL.
 namespace boxreel
 {
 
@@ -29,34 +29,34 @@ struct Batch
 class Batches
 {
 public:
-    /// Starts a picture of this size [px]; keeps the memory of the last one.
+    /// Starts a picture of this size [px]; keeps the allocated memory.
     void Clear(int width, int height);
 
-    /// The first vector of an instance: the rectangle of pixels to draw of it. An empty one means
-    /// all of it, by the quad that lies closest around it. As a square, the one around its middle
-    /// is drawn that holds it.
+    /// The first vector of an instance: the rectangle of pixels to draw. An empty one draws the
+    /// whole instance, by its tightest quad. As a square, the enclosing square around the
+    /// rectangle's centre is drawn.
     using Part = std::array<float, 4>;
 
     /// Adds an instance that touches only pixels within `bounds` (not empty, inside the picture).
-    /// It is drawn after everything added before whose Footprint shares a tile with its own; among
-    /// strangers the order is free.
+    /// It is drawn after all earlier instances whose Footprint shares a tile with its own. The
+    /// order of other instances is free.
     void Add(ProgramKind kind, Form form, const PixelBounds& bounds, const Part& part,
              std::span<const float> attributes);
 
-    /// All that was added.
+    /// Returns the number of instances added.
     std::size_t Instances() const { return m_instances; }
 
     std::span<const Batch> All() const { return {m_batches.data(), m_used}; }
 
 private:
-    /// Tiles of a row, in m_latest.
+    /// A range of tiles in a row, index into m_latest.
     struct Run
     {
         std::size_t begin;
         std::size_t end;
     };
-    /// The batch m_first + age - 1; 0: one before m_first, or none. Small, so that many tiles fit
-    /// into the caches.
+    /// The batch m_first + age - 1; 0: a batch before m_first, or none. One byte, so that more
+    /// tiles fit in the cache.
     using Age = std::uint8_t;
 
     void StartOver(int first);
@@ -64,13 +64,14 @@ private:
     std::size_t Place(ProgramKind kind, Form form);
 
     std::size_t m_columns = 0;
-    std::vector<Run> m_tiles;  // of the instance in hand
-    std::vector<Age> m_latest; // per tile: the last batch that draws into it, from m_first on
-    int m_first = 0;           // nothing more is added to the batches before it
+    std::vector<Run> m_tiles;  // of the current instance
+    std::vector<Age> m_latest; // per tile: the last batch that draws into it, relative to m_first
+    int m_first = 0;           // first batch that still accepts instances
     std::vector<Batch> m_batches;
     std::size_t m_used = 0;
     std::size_t m_instances = 0;
-    std::array<std::vector<int>, kProgramKinds * kForms> m_ofKind; // batches of each, ascending
+    std::array<std::vector<int>, kProgramKinds * kForms> m_ofKind; // batches per kind and form,
+                                                                   // ascending
 };
 
 } // namespace boxreel

@@ -19,7 +19,7 @@ constexpr std::size_t kVectorBytes = 4 * sizeof(float);
 constexpr GLint kFontUnit = 0;
 constexpr GLint kInstancesUnit = 1;
 
-// Indices are made for so many quads at first, and for twice as many when they do not suffice.
+// Initial number of quads in the index buffer; doubled when it is too small.
 constexpr std::size_t kFirstQuads = 4096;
 
 std::size_t VectorsOf(const Batch& batch)
@@ -29,7 +29,7 @@ std::size_t VectorsOf(const Batch& batch)
 
 const void* Offset(std::size_t bytes)
 {
-    // OpenGL takes offsets so. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    // OpenGL passes offsets as pointers. NOLINTNEXTLINE(performance-no-int-to-ptr)
     return reinterpret_cast<const void*>(bytes);
 }
 
@@ -117,7 +117,7 @@ Result<GLuint> Canvas::Compile(GLenum stage, const std::string& source)
     const char* const text = source.c_str();
     m_gl.ShaderSource(shader, 1, &text, nullptr);
     m_gl.CompileShader(shader);
-    return shader; // what is wrong with it, linking tells
+    return shader; // errors are reported by linking
 }
 
 Result<Canvas::Program> Canvas::Link(const ShaderSource& source)
@@ -218,7 +218,7 @@ void Canvas::Clear(const std::array<float, 4>& background)
     m_gl.Clear(GL_COLOR_BUFFER_BIT);
 }
 
-/// Two triangles for each four corners, which the vertex shader places.
+/// Two triangles per quad; the vertex shader places the corners.
 void Canvas::NeedQuads(std::size_t count)
 {
     m_gl.BindVertexArray(m_quadArray);
@@ -295,7 +295,7 @@ Result<void> Canvas::DrawFitting(std::span<const Batch> batches)
     return {};
 }
 
-/// For a GL whose textures are too short for a whole picture's instances.
+/// For a GL whose maximum texture size is too small for all instances.
 Result<void> Canvas::DrawSliced(const Batch& batch)
 {
     ASSIGN_OR_RETURN(const Program* program, Need(batch.kind, batch.form));
@@ -391,7 +391,7 @@ void Canvas::CopyToScreen()
 {
     m_gl.Disable(GL_SCISSOR_TEST);
     m_gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    // Its rows go from top to bottom, the screen's from bottom to top.
+    // Frame rows run from top to bottom, those of the screen from bottom to top.
     m_gl.BlitFramebuffer(0, 0, m_width, m_height, 0, m_height, m_width, 0, GL_COLOR_BUFFER_BIT,
                          GL_NEAREST);
     m_gl.BindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);

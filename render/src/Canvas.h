@@ -13,9 +13,9 @@
 #include <memory>
 #include <optional>
 
-/// The GL side of a Renderer: the picture it draws into, its programs and buffers. Owned by
-/// Renderer, which makes the context current before every call, destruction included. Programs are
-/// made when first needed, since each costs some milliseconds.
+/// The GL side of a Renderer: its framebuffer, programs and buffers. Owned by Renderer, which makes
+/// the context current before every call, including the destructor. Programs are compiled on first
+/// use, because each takes a few milliseconds.
 namespace boxreel
 {
 
@@ -32,24 +32,25 @@ public:
     void Clear(const std::array<float, 4>& background);
     Result<void> Draw(std::span<const Batch> batches);
 
-    /// What of it lies in the rectangles, which share no pixel.
+    /// Draws the parts of the overlay in the rectangles, which do not overlap.
     Result<void> Draw(const Overlay& overlay, std::span<const PixelBounds> rectangles);
     void Flush() { m_gl.Flush(); }
 
-    /// The pixels of the rectangles, each to its place in a frame of the canvas's size.
+    /// Reads the pixels of the rectangles into a frame of the canvas's size.
     Result<void> Read(std::span<const PixelBounds> rectangles, Frame& frame);
 
-    /// Copies the picture to the default framebuffer, the window's.
+    /// Copies the picture to the default framebuffer of the window.
     void CopyToScreen();
 
-    /// Who draws, e.g. "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6".
+    /// Returns the GL renderer, e.g. "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa
+    /// 22.3.6".
     std::string Description() const;
 
 private:
     struct Program
     {
         GLuint program = 0;
-        GLint first = -1; // where the number of its first vector goes
+        GLint first = -1; // uniform location of the first vector's index
         std::size_t vectors = 0;
     };
 
@@ -72,21 +73,21 @@ private:
     GlFunctions m_gl;
     int m_width;
     int m_height;
-    double m_scale; // of letters
+    double m_scale; // of the text
     GLuint m_framebuffer = 0;
     GLuint m_renderbuffer = 0;
-    GLuint m_instances = 0;        // a buffer of vectors of four floats …
-    GLuint m_instancesTexture = 0; // … as the shaders see it
-    std::size_t m_mostVectors = 0; // in it
+    GLuint m_instances = 0;        // a buffer of vectors of four floats
+    GLuint m_instancesTexture = 0; // the same buffer as a texture
+    std::size_t m_mostVectors = 0; // capacity of the buffer
     GLuint m_quadArray = 0;
     GLuint m_quadIndices = 0;
-    std::size_t m_quads = 0; // that the indices suffice for
+    std::size_t m_quads = 0; // capacity of the index buffer
     GLuint m_meshArray = 0;
     GLuint m_meshCorners = 0;
     GLuint m_font = 0;
     std::array<std::array<std::optional<Program>, kForms>, kProgramKinds> m_programs;
     std::optional<Program> m_meshProgram;
-    OverlayMesh m_mesh; // of the last call that drew one; keeps its memory
+    OverlayMesh m_mesh; // mesh of the last overlay; keeps its memory
 };
 
 } // namespace boxreel

@@ -22,11 +22,11 @@ constexpr std::pair<const char*, Backend> kNames[] = {{"auto", Backend::Auto},
 
 constexpr const char* kVariable = "BOXREEL_BACKEND";
 
-// OSMesa first: the script `boxreel` installs it, so that all who use that draw with the same.
+// OSMesa first: the script `boxreel` installs it, so its users all draw with the same library.
 constexpr Backend kAutomatic[] = {Backend::OSMesa, Backend::Egl};
 
-// Mesa's libraries share one record of what is current in a thread, but EGL keeps another of its
-// own beside it, which then goes wrong; so the last context is left before the next is entered.
+// Mesa's libraries share one record of the thread's current context, but EGL has another of its
+// own. To keep both consistent, the last context is released before the next becomes current.
 thread_local Context* t_current = nullptr;
 
 std::string NameOf(Backend backend)
@@ -58,7 +58,7 @@ Result<std::unique_ptr<Context>> CreateOne(Backend backend, const ContextLibrari
     case Backend::EglGpu:
         return CreateEglContext(libraries.egl, true);
     case Backend::Auto:
-        break; // is one of kAutomatic by now
+        break; // replaced by one of kAutomatic above
     }
     return Error{ErrorKind::Absent, NameOf(backend), "no such back end"};
 }

@@ -8,10 +8,10 @@
 #include <mutex>
 #include <string>
 
-/// A GL 3.3 core context behind the one interface that the renderer sees. Each back end is one
-/// Context*.cpp, a window's is in WindowGlfw.cpp; they load their libraries at run time: nothing of
-/// GL is linked. A context is current in one thread at a time, and destroyed there; to the default
-/// framebuffer only finished pictures are copied, in a window.
+/// A GL 3.3 core context behind one interface. Each back end is one Context*.cpp; a window's
+/// context is in WindowGlfw.cpp. They load their libraries at run time: GL is never linked.
+/// A context is current in one thread at a time, and destroyed there. In a window, only finished
+/// pictures are copied to the default framebuffer.
 namespace boxreel
 {
 
@@ -23,35 +23,36 @@ public:
     Context& operator=(const Context&) = delete;
     virtual ~Context() = default;
 
-    /// Directs the GL calls of this thread to this context; cheap when it is current already.
+    /// Makes this context current in this thread; cheap when it already is.
     Result<void> MakeCurrent();
 
-    /// The address of a GL function, null when the library has none of that name.
+    /// Returns the address of a GL function; null if the library does not have it.
     virtual void* ProcAddress(const char* name) const = 0;
 
-    /// The back end's name for people, e.g. "OSMesa".
+    /// Returns the display name of the back end, e.g. "OSMesa".
     virtual const char* BackEnd() const = 0;
 
-    /// Shows what was drawn to the default framebuffer, where there is one.
+    /// Shows the default framebuffer, if there is one.
     virtual void SwapBuffers() {}
 
 protected:
-    /// What its library says; another back end's library may have had the last word.
+    /// True if the library reports this context as current; another back end's library may have
+    /// changed that.
     virtual bool IsCurrent() const = 0;
     virtual Result<void> Bind() = 0;
     virtual void Unbind() = 0;
 
-    /// What every destructor does first: a library keeps what is current.
+    /// Releases the context in the library. Every destructor calls it first.
     void Leave();
 };
 
-/// Held while contexts are made, called and ended: one thread of the process at a time. The
-/// contexts of a library share a screen, and llvmpipe looks through what the scenes of all of them
-/// refer to (whether a buffer is in use) while other threads change that, which crashes it now and
-/// then. Its raster threads go on meanwhile.
+/// Held while contexts are created, used and destroyed: by one thread of the process at a time. The
+/// contexts of a library share a screen. llvmpipe inspects the scenes of all contexts (to see if a
+/// buffer is in use) while other threads change them, which can crash. Its raster threads keep
+/// running.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> LockGl();
 
-/// What the loader is asked for; other names in tests.
+/// Names of the libraries to load; tests use other names.
 struct ContextLibraries
 {
     std::string osMesa = "libOSMesa.so.8";
@@ -64,11 +65,11 @@ struct ContextLibraries
 Result<std::unique_ptr<Context>> CreateContext(Backend backend,
                                                const ContextLibraries& libraries = {});
 
-/// Mesa's off-screen library.
+/// Creates a context of Mesa's off-screen library.
 Result<std::unique_ptr<Context>> CreateOSMesaContext(const std::string& library);
 
-/// EGL without a surface. With `onGpu` false what would draw on anything but a software rasteriser
-/// is refused, with `onGpu` true the opposite.
+/// Creates an EGL context without a surface. With `onGpu` false, only software rasterizers are
+/// accepted; with `onGpu` true, only others.
 Result<std::unique_ptr<Context>> CreateEglContext(const std::string& library, bool onGpu);
 
 } // namespace boxreel

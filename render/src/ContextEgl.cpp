@@ -13,8 +13,8 @@ namespace boxreel
 namespace
 {
 
-// Of EGL 1.5 and its extensions. They are part of the library's binary interface; naming them here
-// lets the toolkit build where its headers are not installed.
+// Constants of EGL 1.5 and its extensions. They are part of the library's binary interface;
+// defining them here allows a build without its headers.
 constexpr int kExtensions = 0x3055;               // EGL_EXTENSIONS
 constexpr int kNone = 0x3038;                     // EGL_NONE
 constexpr int kMajorVersion = 0x3098;             // EGL_CONTEXT_MAJOR_VERSION
@@ -26,11 +26,11 @@ constexpr unsigned kDevicePlatform = 0x313F;      // EGL_PLATFORM_DEVICE_EXT
 constexpr unsigned kSurfacelessPlatform = 0x31DD; // EGL_PLATFORM_SURFACELESS_MESA
 constexpr unsigned kRenderer = 0x1F01;            // GL_RENDERER
 
-constexpr int kMostDevices = 32; // more GPUs than a machine has
+constexpr int kMostDevices = 32; // more than the GPUs of a machine
 
 constexpr const char* kPackages = "libegl1 libegl-mesa0 libgl1-mesa-dri";
 
-/// The library's functions; displays, devices, configurations and contexts are pointers.
+/// Functions of the library; displays, devices, configurations and contexts are pointers.
 struct Egl
 {
     void* (*getProcAddress)(const char*) = nullptr;
@@ -43,7 +43,7 @@ struct Egl
     unsigned (*makeCurrent)(void*, void*, void*, void*) = nullptr;
     void* (*getCurrentContext)() = nullptr;
     void* (*getPlatformDisplay)(unsigned, void*, const int*) = nullptr;
-    // Extensions of which a library may have none.
+    // Functions of optional extensions.
     unsigned (*queryDevices)(int, void**, int*) = nullptr;
     const char* (*queryDeviceString)(void*, int) = nullptr;
 
@@ -68,7 +68,7 @@ struct Egl
     }
 };
 
-/// Whether a list of words, with spaces between, has the word. The list may be null.
+/// True if a space-separated list contains the word. The list may be null.
 bool HasWord(const char* list, std::string_view word)
 {
     std::string_view rest = list ? list : "";
@@ -84,15 +84,15 @@ bool HasWord(const char* list, std::string_view word)
     return false;
 }
 
-/// Where a context may come from.
+/// A platform and device that may provide a context.
 struct Place
 {
-    std::string name; ///< for people
+    std::string name; ///< display name
     void* display = nullptr;
 };
 
-/// The devices that draw as asked. Last, on every library that can: no device in particular, where
-/// Mesa chooses, and only the context will tell who draws.
+/// Returns the devices of the requested type. The last entry, if supported, has no device: Mesa
+/// chooses, and only the created context shows which renderer it is.
 std::vector<Place> PlacesOf(Egl& egl, bool onGpu)
 {
     std::vector<Place> places;
@@ -144,13 +144,13 @@ public:
     {
         Leave();
         m_egl.destroyContext(m_display, m_context);
-        // The display is the library's, one for all who ask: nobody may end it.
+        // The display is shared by all users of the library, so it is never terminated.
     }
 
     void* ProcAddress(const char* name) const override { return m_egl.getProcAddress(name); }
     const char* BackEnd() const override { return "EGL"; }
 
-    /// Of the current context: who draws.
+    /// Returns the renderer of the current context.
     std::string RendererName() const
     {
         using GetString = const unsigned char* (*)(unsigned);
@@ -194,7 +194,7 @@ Result<std::unique_ptr<Context>> CreateAt(const Egl& egl, const Place& place, bo
     {
         return Error{ErrorKind::Absent, place.name, WithCode("does not start", egl)};
     }
-    egl.bindApi(kOpenGl); // of this thread
+    egl.bindApi(kOpenGl); // for this thread
     const int attributes[] = {kMajorVersion, 3,    kMinorVersion, 3, kProfileMask,
                               kCoreProfile,  kNone};
     void* const made = egl.createContext(display, nullptr, nullptr, attributes);

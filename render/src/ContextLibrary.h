@@ -5,7 +5,7 @@
 
 #include <string>
 
-/// Opening the shared library of a back end. For Context*.cpp and WindowGlfw.cpp only.
+/// Loads the shared library of a back end. For Context*.cpp and WindowGlfw.cpp only.
 namespace boxreel
 {
 

@@ -11,9 +11,8 @@ namespace boxreel
 namespace
 {
 
-// The attributes of OSMesaCreateContextAttribs and the types of glMakeCurrent's buffer. They are
-// part of the library's binary interface; naming them here lets the toolkit build where its header
-// is not installed.
+// Attributes of OSMesaCreateContextAttribs and types of glMakeCurrent's buffer. They are part of
+// the library's binary interface; defining them here allows a build without its header.
 constexpr int kFormat = 0x22;
 constexpr int kDepthBits = 0x30;
 constexpr int kStencilBits = 0x31;
@@ -27,7 +26,7 @@ constexpr unsigned kUnsignedByte = 0x1401;
 
 constexpr const char* kPackages = "libosmesa6 (Mesa 25.1 and later have none)";
 
-/// The library's functions, by the names it exports.
+/// Functions of the library, by their exported names.
 struct OSMesa
 {
     void* (*createContextAttribs)(const int*, void*) = nullptr;
@@ -76,7 +75,7 @@ protected:
 private:
     OSMesa m_mesa;
     void* m_context;
-    // OSMesa insists on a buffer of its own; one pixel keeps its copy at every flush free.
+    // OSMesa requires a client buffer; with one pixel its copy at every flush costs nothing.
     std::array<unsigned char, 4> m_pixel{};
 };
 

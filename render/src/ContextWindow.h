@@ -8,7 +8,7 @@
 namespace boxreel
 {
 
-/// The GL context of a window, which must outlive it.
+/// Creates the GL context of a window; the window must outlive it.
 std::unique_ptr<Context> CreateWindowContext(Window& window);
 
 } // namespace boxreel

@@ -10,11 +10,11 @@ namespace boxreel
 namespace
 {
 
-// Corners nearer than this [px] are one; far below what a pixel shows, far above the rounding of
+// Corners closer than this [px] are merged: far below what a pixel shows, far above the rounding of
 // doubles.
 constexpr double kSameCorner = 1e-6;
 
-/// The outward normal of the edge that leaves corner i.
+/// Returns the outward normal of the edge that starts at corner i.
 Point EdgeNormal(const Convex& polygon, std::size_t i)
 {
     const Point edge = polygon.corners[(i + 1) % polygon.count] - polygon.corners[i];
@@ -22,7 +22,7 @@ Point EdgeNormal(const Convex& polygon, std::size_t i)
     return {edge.y / length, -edge.x / length};
 }
 
-/// Keeps what satisfies Dot(normal, p) <= offset.
+/// Keeps the part with Dot(normal, p) <= offset.
 Convex Cut(const Convex& polygon, Point normal, double offset)
 {
     Convex kept;
@@ -106,8 +106,8 @@ Convex Grow(const Convex& polygon, double distance)
         const Point before = EdgeNormal(polygon, (i + polygon.count - 1) % polygon.count);
         const Point after = EdgeNormal(polygon, i);
         const Point corner = polygon.corners[i];
-        // The offset lines meet on the bisector of the normals, 1 / cos(half the turn) distances
-        // away.
+        // The offset lines meet on the bisector of the normals, at 1 / cos(half the turn)
+        // distances.
         const Point sum = before + after;
         const double cosHalf = 0.5 * Length(sum);
         if (cosHalf * kMitreLimit >= 1.0)
@@ -115,8 +115,8 @@ Convex Grow(const Convex& polygon, double distance)
             grown.Add(corner + (distance / (2.0 * cosHalf * cosHalf)) * sum);
             continue;
         }
-        // Too far: cut squarely across the bisector. At a turn of 180 degrees the sum vanishes, and
-        // the bisector is the direction in which the first edge runs.
+        // Too far: cut perpendicular to the bisector. At a turn of 180 degrees the sum vanishes,
+        // and the bisector is the direction of the first edge.
         const Point bisector = cosHalf > 1e-9 ? (0.5 / cosHalf) * sum : Point{-before.y, before.x};
         const Point across{-bisector.y, bisector.x};
         const double reach = kMitreLimit * distance;
@@ -127,7 +127,7 @@ Convex Grow(const Convex& polygon, double distance)
             grown.Add(corner + reach * bisector - side * across);
             grown.Add(corner + reach * bisector + side * across);
         }
-        else // a clipped giant: its sharp corners lie outside the frame
+        else // a large clipped polygon: its sharp corners are outside the frame
         {
             grown.Add(corner + reach * bisector);
         }

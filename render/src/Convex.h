@@ -6,10 +6,9 @@
 #include <optional>
 #include <utility>
 
-/// Plane geometry in pixels, in double: convex polygons made wider and narrower by half an
-/// outline's width, clipped to the neighbourhood of the frame, and boxed. Used by ShapeBuilder
-/// and by figures.
-/// Never allocates.
+/// Plane geometry in pixels, in double. Convex polygons are grown and shrunk by half an outline's
+/// width, and clipped to the surroundings of the frame. Used by ShapeBuilder and by figures. Never
+/// allocates.
 namespace boxreel
 {
 
@@ -31,13 +30,11 @@ inline double Cross(Point a, Point b)
 }
 double Length(Point a);
 
-/// Most corners that are drawn as one polygon: 8 of a shape and the 4 of the frame that may clip
-/// it.
+/// Maximum corners of a polygon: 8 of a shape and 4 from clipping to the frame.
 inline constexpr std::size_t kMaxCorners = 12;
 
-/// A sharp corner's outline reaches at most this many half widths from the corner, then is cut off
-/// squarely. Only corners below 60 degrees are concerned; a convex polygon has two of them at the
-/// most (or three at 60).
+/// Miter limit in half widths; longer corners are cut off. It affects corners below 60 degrees; a
+/// convex polygon has at most two of them (or three at 60).
 inline constexpr double kMitreLimit = 2.0;
 
 struct Convex
@@ -49,24 +46,23 @@ struct Convex
     double Area() const;
 };
 
-/// The corners as a polygon of positive area without repeated corners; fewer than 3 when it has no
-/// inside. `count` at most kMaxCorners.
+/// Returns the corners as a polygon of positive area without repeated corners; fewer than 3 if it
+/// is degenerate. `count` is at most kMaxCorners.
 Convex MakeConvex(const Point* corners, std::size_t count);
 
-/// Each edge moved outwards by `distance` > 0, corners mitred up to kMitreLimit.
+/// Moves each edge outwards by `distance` > 0, with corners mitred up to kMitreLimit.
 Convex Grow(const Convex& polygon, double distance);
 
-/// Each edge moved inwards; empty when nothing is left.
+/// Moves each edge inwards; the result may be empty.
 Convex Shrink(const Convex& polygon, double distance);
 
-/// What lies within [lower, upper].
+/// Returns the part within [lower, upper].
 Convex Clip(const Convex& polygon, Point lower, Point upper);
 
-/// The part of a segment within a rectangle, as a range of its parameter; empty when it lies
-/// outside.
+/// Returns the part of a segment within a rectangle, as a parameter range; empty if it is outside.
 std::optional<std::pair<double, double>> ClipSegment(Point a, Point b, Point lower, Point upper);
 
-/// A rectangle of any direction; half extents along `axis` and across it.
+/// A rotated rectangle; half extents along `axis` and perpendicular to it.
 struct OrientedBox
 {
     Point center;
@@ -74,11 +70,10 @@ struct OrientedBox
     Point half;
 };
 
-/// The smallest rectangle around the polygon that has one of its edges' directions, or lies
-/// straight.
+/// Returns the smallest enclosing rectangle that is axis-aligned or parallel to an edge.
 OrientedBox BoxAround(const Convex& polygon);
 
-/// The distance from a point inside to the nearest edge; negative outside.
+/// Returns the distance from a point inside to the nearest edge; negative outside.
 double InsideDistance(const Convex& polygon, Point point);
 
 } // namespace boxreel

@@ -9,8 +9,8 @@ namespace boxreel
 namespace
 {
 
-// Beyond this many rectangles, the whole picture is said to be dirty: drawing it is not slower
-// then, and finding them takes time that grows with their square.
+// Above this number of rectangles the whole picture is dirty. Drawing it is not slower then, and
+// finding the rectangles takes quadratic time.
 constexpr std::size_t kMostRectangles = 1024;
 
 /// Calls `see(begin, end)` for every run of dirty tiles in a row.
@@ -82,7 +82,7 @@ bool DirtyTiles::Touches(const PixelBounds& bounds) const
     return false;
 }
 
-/// Clean tiles between two runs of a row.
+/// Marks short runs of clean tiles between two dirty runs of a row.
 void DirtyTiles::CloseGaps(int row, int gap)
 {
     Tile* const tiles = Row(row);
@@ -96,8 +96,8 @@ void DirtyTiles::CloseGaps(int row, int gap)
     });
 }
 
-/// Where a run of the neighbour is almost dirty in this row too, it becomes so: two runs of the
-/// same width are one rectangle.
+/// Marks tiles so that runs match those of the neighbouring row: two runs of the same width form
+/// one rectangle.
 void DirtyTiles::Widen(int row, int neighbour, int gap)
 {
     Tile* const tiles = Row(row);
@@ -130,7 +130,7 @@ void DirtyTiles::Gather(int gap, std::vector<PixelBounds>& rectangles)
     {
         Widen(row, row + 1, gap);
     }
-    std::size_t open = 0; // the first rectangle that may go on in this row
+    std::size_t open = 0; // the first rectangle that may continue in this row
     for (int row = m_firstRow; row < m_lastRow; ++row)
     {
         const int y0 = row * kSize;

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-/// Gathers what has changed in a picture, and says it in a few rectangles that do not overlap. Used
-/// by Renderer for what to draw anew, and for what to read.
+/// Collects the changed areas of a picture and returns them as a few rectangles without overlap.
+/// Renderer uses it for what to redraw and what to read.
 namespace boxreel
 {
 
@@ -23,16 +23,16 @@ public:
     void Clear();
     bool IsEmpty() const { return m_firstRow >= m_lastRow; }
 
-    /// Whether a rectangle inside the picture, not empty, lies on something dirty.
+    /// True if a rectangle, not empty and inside the picture, touches a dirty tile.
     bool Touches(const PixelBounds& bounds) const;
 
-    /// Replaces `rectangles` by what holds all that was added, sorted by y0. They are inside the
-    /// picture and share no pixel. To have fewer, up to about `gap` clean tiles of kSize pixels
-    /// beside dirty ones are made dirty too.
+    /// Replaces `rectangles` by a cover of all added bounds, sorted by y0, inside the picture and
+    /// without overlap. To reduce their number, up to about `gap` clean tiles of kSize pixels
+    /// beside dirty ones are included.
     void Gather(int gap, std::vector<PixelBounds>& rectangles);
 
-    /// Finer tiles hold less that has not changed, coarser ones make fewer rectangles. Even, so
-    /// that rectangles are whole cells of a film's coarser colours too.
+    /// Smaller tiles include fewer unchanged pixels, larger ones give fewer rectangles. Even, so
+    /// that rectangles match the cells of subsampled chroma.
     static constexpr int kSize = 4;
 
 private:
@@ -51,7 +51,7 @@ private:
     int m_rows;
     int m_firstRow = 0;        // all dirty tiles are in these rows
     int m_lastRow = 0;         // excluded
-    bool m_isAll = false;      // added in one piece
+    bool m_isAll = false;      // added by one call for the whole picture
     std::vector<Tile> m_tiles; // 0 or 1
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PDF through Cairo, with the renderer's own font by its file, so that the bytes do not depend on
-// what else is installed. Both libraries are opened when a PDF is asked for.
+// PDF through Cairo, with the renderer's font loaded from its file, so that the bytes do not depend
+// on installed fonts. Both libraries are loaded on first use.
 #include "FigureCairo.h"
 #include "FigureCanvas.h"
 #include "FigureLetters.h"
@@ -26,7 +26,7 @@ namespace
 
 constexpr double kPointsPerPixel = 0.75; // 1/96 inch each, as in SVG
 
-// Any fixed date will do: the same figure is the same file tomorrow.
+// A constant date, so that the same figure gives the same file.
 constexpr const char* kDate = "2000-01-01T00:00:00Z";
 
 #define BOXREEL_CAIRO_FUNCTIONS(X)                                                                 \
@@ -124,7 +124,7 @@ struct Font
     cairo_font_face_t* face;
 };
 
-/// The renderer's font. Kept for good, since Cairo keeps scaled copies that refer to it.
+/// The renderer's font. Never freed, because Cairo keeps scaled copies that refer to it.
 Result<Font> LoadFont()
 {
     FT_Library library = nullptr;
@@ -144,8 +144,8 @@ Result<Font> NeedFont()
     return font;
 }
 
-/// Of scripts that are written from the right to the left, such as Arabic: Unicode 15, blocks
-/// Hebrew to Arabic Extended-A, and their presentation forms.
+/// True for characters of right-to-left scripts such as Arabic. Unicode 15, blocks Hebrew to Arabic
+/// Extended-A, and their presentation forms.
 bool IsFromTheRight(char32_t code)
 {
     return (code >= 0x590 && code <= 0x8FF) || (code >= 0xFB1D && code <= 0xFDFF) ||
@@ -179,12 +179,12 @@ bool HasText(const Figure& figure)
 class CairoCanvas final : public FigureCanvas
 {
 public:
-    /// `unit`: of the surface, a pixel of the figure. `font`: null where there is no text.
+    /// `unit`: surface units per pixel of the figure. `font`: null without text.
     CairoCanvas(cairo_t* context, const Figure& figure, double unit, cairo_font_face_t* font)
         : m_context(context)
     {
         g_cairo.cairo_scale(m_context, unit, unit);
-        g_cairo.cairo_set_tolerance(m_context, 0.02); // [px], of curves
+        g_cairo.cairo_set_tolerance(m_context, 0.02); // [px], for curves
         g_cairo.cairo_set_line_width(m_context, double(figure.theme.outlineWidth));
         g_cairo.cairo_set_line_cap(m_context, CAIRO_LINE_CAP_ROUND);
         g_cairo.cairo_set_miter_limit(m_context, kFigureMitreLimit);
@@ -221,7 +221,7 @@ public:
 
     void Polygon(std::span<const Point> corners, bool sharp, const FigurePaint& paint) override
     {
-        for (const Point p : corners) // the first of a path moves there
+        for (const Point p : corners) // the first line of a path acts as a move
         {
             g_cairo.cairo_line_to(m_context, p.x, p.y);
         }
@@ -256,7 +256,7 @@ public:
 private:
     void SetFont(cairo_font_face_t* font)
     {
-        // Letters keep their shapes and distances at every size.
+        // No hinting: glyph shapes and advances are the same at every size.
         const std::unique_ptr<cairo_font_options_t, CairoDelete> options(
             g_cairo.cairo_font_options_create());
         g_cairo.cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
@@ -273,7 +273,7 @@ private:
                                       ink.color.b / 255.0, ink.opacity);
     }
 
-    /// Uses up the path.
+    /// Fills or strokes the current path and clears it.
     void Draw(const FigurePaint& paint)
     {
         if (paint.fill)
@@ -299,7 +299,7 @@ cairo_status_t Collect(void* bytes, const unsigned char* data, unsigned int leng
     return CAIRO_STATUS_SUCCESS;
 }
 
-/// Paints on the surface, an existing one of `unit` a pixel, and finishes the drawing.
+/// Paints on an existing surface of `unit` units per pixel, and finishes the drawing.
 Result<void> PaintOn(cairo_surface_t* surface, const Figure& figure, double unit)
 {
     cairo_font_face_t* font = nullptr;
@@ -310,7 +310,8 @@ Result<void> PaintOn(cairo_surface_t* surface, const Figure& figure, double unit
     }
     const Context context(g_cairo.cairo_create(surface));
     CairoCanvas canvas(context.get(), figure, unit, font);
-    g_cairo.cairo_tag_begin(context.get(), "Document", ""); // the one root of a PDF's structure
+    g_cairo.cairo_tag_begin(context.get(), "Document", ""); // the required root of a PDF's
+                                                            // structure
     PaintFigure(figure, canvas);
     g_cairo.cairo_tag_end(context.get(), "Document");
     const cairo_status_t status = g_cairo.cairo_status(context.get());
@@ -322,14 +323,14 @@ Result<void> PaintOn(cairo_surface_t* surface, const Figure& figure, double unit
     return {};
 }
 
-/// Sizes and libraries.
+/// Checks sizes and libraries.
 Result<void> CheckAll(const Figure& figure)
 {
     const Result<void> usable = CheckFigure(figure);
     return usable ? Prepare() : usable;
 }
 
-// One face for all: its tables are read while a page is drawn and while it is finished.
+// One font face for all threads: its tables are read while a page is drawn and finished.
 std::mutex g_access;
 
 } // namespace
@@ -399,7 +400,7 @@ Result<Frame> RasterizeFigure(const Figure& figure)
         for (int x = 0; x < frame.width; ++x)
         {
             std::uint8_t* const pixel = frame.Pixel(x, y);
-            for (int channel = 0; channel < 4; ++channel) // of 0xAARRGGBB
+            for (int channel = 0; channel < 4; ++channel) // bytes of 0xAARRGGBB
             {
                 const int shift = channel == 3 ? 24 : 16 - 8 * channel;
                 pixel[channel] = static_cast<std::uint8_t>(row[x] >> shift & 0xffu);

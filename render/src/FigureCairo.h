@@ -4,8 +4,8 @@
 #include <render/Figure.h>
 #include <render/Frame.h>
 
-/// A figure as Cairo itself turns it into pixels: the same code that writes the PDF. For tests,
-/// which compare it with the Renderer's picture.
+/// Renders a figure to pixels with Cairo, by the code that writes the PDF. For tests that compare
+/// it with the Renderer's picture.
 namespace boxreel
 {
 

@@ -15,21 +15,22 @@ namespace boxreel
 namespace
 {
 
-// Beyond the picture by more than this [px] shapes are cut: neither format holds endless numbers.
+// Shapes are clipped at this distance outside the picture [px]: both formats limit the size of
+// numbers.
 constexpr double kGuard = 4096.0;
 
-// A circle that reaches farther than this from the corner [px] is left out: larger times the
-// largest scale, PDF's numbers (Cairo's, of 24 bits before the point) would not hold it.
+// Circles that reach further than this from the corner [px] are skipped: scaled by the maximum,
+// they would exceed PDF's numbers (Cairo's have 24 bits before the point).
 constexpr double kFarthest = 5e5;
 
-// Points that are closer than this [px] are the same to a reader of SVG, whose numbers have three
-// decimals.
+// Points closer than this [px] are equal in SVG, whose numbers have three decimals.
 constexpr double kOnePoint = 1e-3;
 
-// A letter is at most this much wider than it is high; only to see which texts are in the picture.
+// Maximum width of a character relative to its height, to find texts in the picture.
 constexpr double kWidestLetter = 1.5;
 
-/// Draws one panel. Its methods mirror those of ShapeBuilder, which does the same for the shaders.
+/// Draws one panel. Its methods correspond to those of ShapeBuilder, which does the same for the
+/// shaders.
 class PanelPainter
 {
 public:
@@ -99,7 +100,7 @@ private:
     const DrawList& m_list;
     const Camera& m_camera;
     const Theme& m_theme;
-    std::set<std::string>& m_ids; // of the whole figure
+    std::set<std::string>& m_ids; // ids of the whole figure
     FigureCanvas& m_canvas;
     struct DrawnLine
     {
@@ -109,8 +110,8 @@ private:
     };
     bool IsEndOfLastLine(Point at, const FigureInk& ink) const;
 
-    std::optional<DrawnLine> m_lastLine; // of the group; nothing else lies above it
-    bool m_open = false;                 // a group, of
+    std::optional<DrawnLine> m_lastLine; // of the group, if nothing was drawn above it
+    bool m_open = false;                 // a group is open
     std::uint32_t m_owner = kNoOwner;
     DrawLayer m_layer = DrawLayer::Shapes;
 };
@@ -123,9 +124,9 @@ bool PanelPainter::IsShown(const DrawItem& item) const
         return false;
     }
     const double meters = m_camera.pixelsPerMeter;
-    // How far it reaches beyond its points [px].
+    // Extent beyond the points [px].
     double reach = kMitreLimit * m_theme.outlineWidth;
-    std::size_t places = item.count; // of the rest of the points
+    std::size_t places = item.count; // number of remaining points
     switch (item.kind)
     {
     case DrawKind::Circle:
@@ -253,13 +254,13 @@ void PanelPainter::AddSolidPolygon(const Vec2* points, const DrawItem& item)
     std::array<Point, kMaxCorners> corners;
     std::transform(points, points + count, corners.begin(), [this](Vec2 p) { return ToPixel(p); });
     Convex polygon = MakeConvex(corners.data(), count);
-    if (polygon.count < 3) // no inside
+    if (polygon.count < 3) // no area
     {
         return AddOutline(points, count, paint);
     }
     polygon =
         Clip(polygon, {-kGuard, -kGuard}, {m_camera.width + kGuard, m_camera.height + kGuard});
-    if (polygon.count < 3) // only its box reaches into the picture
+    if (polygon.count < 3) // only its bounding box touches the picture
     {
         return;
     }
@@ -268,7 +269,7 @@ void PanelPainter::AddSolidPolygon(const Vec2* points, const DrawItem& item)
     {
         return m_canvas.Polygon(all(polygon), true, {Fill(item), Stroke(paint)});
     }
-    // What is seen through an outline is what lies below the shape, not its own fill.
+    // An outline covers what is below the shape, not the shape's own fill.
     const Convex inside = Shrink(polygon, 0.5 * double(m_theme.outlineWidth));
     if (inside.count >= 3)
     {
@@ -331,8 +332,8 @@ void PanelPainter::AddLine(Point a, Point b, const FigureInk& ink)
     {
         const Point from = range->first > 0.0 ? a + range->first * (b - a) : a;
         const Point to = range->second < 1.0 ? a + range->second * (b - a) : b;
-        // The dot that a line without a length is, is the round end of the one before it: the
-        // anchors of a hinge are one point.
+        // A line of zero length is a dot equal to the round end of the line before it: the two
+        // anchors of a hinge coincide.
         if (Length(to - from) >= kOnePoint || !IsEndOfLastLine(from, ink))
         {
             m_canvas.Line(from, to, ink);
@@ -346,7 +347,7 @@ void PanelPainter::AddTransform(const Vec2* points, double length)
     const Point origin = ToPixel(points[0]);
     const double scale = length * m_camera.pixelsPerMeter;
     const Point x{scale * points[1].x, -scale * points[1].y};
-    const Point y{x.y, -x.x}; // a quarter turn to the left, with y down
+    const Point y{x.y, -x.x}; // rotated by 90 degrees to the left, with y down
     AddLine(origin, origin + x, {m_theme.xAxis, 1.0});
     AddLine(origin, origin + y, {m_theme.yAxis, 1.0});
 }

@@ -18,20 +18,19 @@ namespace boxreel
 namespace
 {
 
-constexpr int kMostPixels = 8192; // each way, as of a Renderer
+constexpr int kMostPixels = 8192; // per side, as in Renderer
 
-/// Where a panel lies in the figure's frame, and as much of it as that holds [px]; upper bounds
-/// excluded.
+/// The position of a panel in the figure's frame, and its visible part [px]; upper bounds excluded.
 struct Placed
 {
-    int x, y; ///< of the panel's corner, which may lie outside
+    int x, y; ///< corner of the panel, may lie outside
     int left, top, right, bottom;
 };
 
 Placed PlaceOf(const FigurePanel& panel, const Camera& camera, const Figure& figure,
                const Frame& frame)
 {
-    // Limited before they become integers, so that nothing overflows.
+    // Clamped before the conversion to integers, to avoid overflow.
     const auto pixel = [&figure](double place) {
         return static_cast<int>(std::floor(std::clamp(place * figure.scale, -1e6, 1e6) + 0.5));
     };
@@ -83,7 +82,7 @@ void CopyInto(Frame& frame, const Frame& panel, const Placed& at)
     }
 }
 
-/// "Over", of premultiplied pixels (Porter and Duff, 1984).
+/// "Over" for premultiplied pixels (Porter and Duff, 1984).
 void BlendInto(Frame& frame, const Frame& panel, const Placed& at)
 {
     for (int y = at.top; y < at.bottom; ++y)
@@ -101,7 +100,8 @@ void BlendInto(Frame& frame, const Frame& panel, const Placed& at)
     }
 }
 
-/// Renderers of the sizes that panels have, each made once: on the theme's ground, or on none.
+/// Renderers for each size of panel, created once, with the theme's background or a transparent
+/// one.
 class Renderers
 {
 public:

@@ -9,7 +9,7 @@ namespace boxreel
 namespace
 {
 
-/// Of valid UTF-8.
+/// Returns the characters of valid UTF-8.
 std::vector<std::string> LettersOf(std::string_view text)
 {
     std::vector<std::string> letters;
@@ -24,7 +24,7 @@ std::vector<std::string> LettersOf(std::string_view text)
     return letters;
 }
 
-/// Of one letter in valid UTF-8.
+/// Returns the code point of one character in valid UTF-8.
 char32_t CodeOf(const std::string& letter)
 {
     const unsigned lead = static_cast<unsigned char>(letter.front());
@@ -42,7 +42,7 @@ struct LetterRange
     char32_t last;
 };
 
-/// NameChar of XML 1.0, fifth edition, section 2.3, without the colon, which parts namespaces.
+/// NameChar of XML 1.0, fifth edition, section 2.3, without the colon, which separates namespaces.
 constexpr std::array<LetterRange, 18> kNameLetters{{{'-', '.'},
                                                     {'0', '9'},
                                                     {'A', 'Z'},

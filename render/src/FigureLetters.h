@@ -8,19 +8,20 @@
 #include <string_view>
 #include <vector>
 
-/// The letters of texts that others wrote: what of them figures show, and what goes into names.
+/// Handles text of unknown content for figures: which characters can be shown, and names derived
+/// from it.
 namespace boxreel
 {
 
-/// UTF-8 without control characters; a tab or a line feed is a space. What is no UTF-8 becomes the
-/// sign for that, U+FFFD.
+/// Returns UTF-8 without control characters; a tab or a line feed becomes a space. Invalid UTF-8
+/// becomes U+FFFD.
 std::string Readable(std::string_view text);
 
-/// What may follow in an identifier of XML (an NCName) as it is, anything else as '-', a letter
-/// each. No beginning of one: a digit stays a digit.
+/// Replaces each character that is not allowed in an identifier of XML (an NCName) by '-'. The
+/// result may not start an identifier: a leading digit is kept.
 std::string AsIdPart(std::string_view text);
 
-/// The letters of the figure's texts that are not had: each once, as they come.
+/// Returns the characters of the figure's texts for which `has` is false, each once, in order.
 std::vector<std::string> LettersWithout(const Figure& figure,
                                         const std::function<bool(char32_t)>& has);
 

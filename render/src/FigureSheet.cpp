@@ -13,16 +13,16 @@ namespace boxreel
 namespace
 {
 
-// All in pixels.
-constexpr int kBorder = 12;      // around all of it
+// All lengths in pixels.
+constexpr int kBorder = 12;      // around the sheet
 constexpr int kGap = 16;         // between pictures
-constexpr int kTitleHeight = 24; // of a line above a picture
-constexpr int kLine = 20;        // from one line of the caption to the next
+constexpr int kTitleHeight = 24; // of a title above a picture
+constexpr int kLine = 20;        // line spacing of the caption
 constexpr int kCaptionGap = 14;  // above the caption
-constexpr int kAxisEnd = 6;      // beside numbers, to the next picture
+constexpr int kAxisEnd = 6;      // space for the last number of an axis
 static_assert(kBorder >= kAxisOver);
 
-/// What there is around each picture.
+/// Margins around each picture.
 struct Margins
 {
     int left = 0;
@@ -45,7 +45,7 @@ struct Grid
 int ColumnsFor(int count)
 {
     int columns = std::min(count, 3);
-    columns = count == 4 ? 2 : columns; // two and two rather than three and one
+    columns = count == 4 ? 2 : columns; // 2 x 2 instead of 3 + 1
     while (columns * columns < count)
     {
         ++columns;
@@ -59,7 +59,7 @@ bool IsPlain(const std::vector<SheetPicture>& pictures, const SheetSettings& set
            settings.caption.empty() && pictures.front().title.empty();
 }
 
-/// Then one bar says it for all.
+/// True if all pictures have the same scale, so that one scale bar suffices.
 bool HaveOneScale(const std::vector<SheetPicture>& pictures)
 {
     return std::all_of(pictures.begin(), pictures.end(), [&](const SheetPicture& picture) {
@@ -105,7 +105,7 @@ Grid GridOf(const std::vector<SheetPicture>& pictures, const Margins& margins,
     return grid;
 }
 
-/// The frame of a picture that has no axes, just outside of it, so that one sees where it ends.
+/// Outlines a picture without axes, just outside of it, to show its edges.
 void AddFrame(const Paper& paper, const Camera& view, PixelPoint corner)
 {
     constexpr Paint kFrame = ColorRole::AsleepBody; // a grey in most themes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cairo's SVG turns letters into outlines and knows no groups, so this is written by hand: text
-// that a person can read, edit and compare.
+// Cairo's SVG converts text to outlines and has no groups, so this writes SVG directly: text that
+// can be read, edited and compared.
 #include "FigureCanvas.h"
 #include "FigureLetters.h"
 
@@ -20,7 +20,8 @@ namespace boxreel
 namespace
 {
 
-/// At most three decimals, none that say nothing, no sign before a zero; whatever the locale.
+/// Formats with at most three decimals, no trailing zeros, no negative zero, independent of the
+/// locale.
 std::string Number(double value)
 {
     std::array<char, 64> digits;
@@ -82,7 +83,7 @@ public:
                            panel.camera.width == m_figure.width &&
                            panel.camera.height == m_figure.height;
         m_nested.push_back(!fills);
-        if (!fills) // cuts off what lies outside
+        if (!fills) // clips what lies outside
         {
             Line("<svg" + Attribute("x", panel.x) + Attribute("y", panel.y) +
                  Attribute("width", panel.camera.width) + Attribute("height", panel.camera.height) +
@@ -143,7 +144,8 @@ public:
 
     void Text(Point at, const std::string& line, const FigureInk& ink) override
     {
-        // However wide the viewer's letters are that pictures lack, a label stays where it is.
+        // Centre labels with missing characters, so that they keep their position with the viewer's
+        // font.
         const bool centered = m_inLabels && !HasLettersOf(line);
         Line("<text" + Attribute("x", at.x + (centered ? 0.5 * TextWidth(line) : 0.0)) +
              Attribute("y", at.y) + (centered ? Attribute("text-anchor", "middle") : "") +

@@ -16,24 +16,24 @@ namespace boxreel
 namespace
 {
 
-constexpr float kBuiltInPixels = 13.0f; // what Dear ImGui's own font is drawn for
+constexpr float kBuiltInPixels = 13.0f; // native size of Dear ImGui's built-in font
 
-// Western, Greek and Cyrillic letters, dashes and quotes, arrows, the common signs of mathematics.
+// Western, Greek and Cyrillic letters, dashes and quotes, arrows, common mathematical symbols.
 constexpr ImWchar kRanges[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x0400, 0x045F, 0x2010,
                                0x2027, 0x2030, 0x203A, 0x2070, 0x209C, 0x2190, 0x2199,
                                0x2202, 0x2265, 0x22C5, 0x22C5, 0};
 
 constexpr std::uintmax_t kLargestFont = 64u << 20; // [bytes]
-constexpr char kFallback = '?';                    // stands for letters that the font lacks
+constexpr char kFallback = '?';                    // replaces missing characters
 
-/// Whether the bytes begin as a TrueType or OpenType font; Dear ImGui stops the program at others.
+/// True if the bytes start like a TrueType or OpenType font; Dear ImGui aborts on others.
 bool LooksLikeFont(const std::string& bytes)
 {
     const std::string_view start = std::string_view(bytes).substr(0, 4);
     return start == std::string_view("\0\1\0\0", 4) || start == "true" || start == "OTTO";
 }
 
-// A font of Dear ImGui's had one size until version 1.92; letters are those of one size since.
+// Until Dear ImGui 1.92 a font had one size; since then glyphs belong to a baked size.
 #if IMGUI_VERSION_NUM >= 19200
 using Letters = ImFontBaked;
 
@@ -55,14 +55,14 @@ void ApplyAdvances(Letters& letters)
     }
 }
 
-/// Rasterises the letters, and keeps the atlas at that: ready for contexts that share it, and for
-/// one byte a pixel, which another format would be thrown away for.
+/// Rasterizes the glyphs and fixes the atlas, ready for contexts that share it. One byte per pixel;
+/// another format would discard it.
 void Build(ImFontAtlas& atlas)
 {
     constexpr ImWchar kNoLetter = 0xFFFF;
     atlas.TexDesiredFormat = ImTextureFormat_Alpha8;
     atlas.Build();
-    LettersOf(*atlas.Fonts[0]).FindGlyph(kNoLetter); // makes the fallback
+    LettersOf(*atlas.Fonts[0]).FindGlyph(kNoLetter); // creates the fallback
     atlas.Fonts[0]->Flags |= ImFontFlags_NoLoadGlyphs | ImFontFlags_LockBakedSizes;
     ImFontAtlasUpdateNewFrame(&atlas, 0, false);
 }
@@ -101,7 +101,7 @@ const FontAtlas& FontAtlas::Get(double scale)
         return atlas;
     }
     static std::mutex access;
-    static std::map<double, FontAtlas> others; // whose entries never move
+    static std::map<double, FontAtlas> others; // a map, because its entries never move
     const std::lock_guard lock(access);
     return others.try_emplace(scale, kFontFile, scale).first->second;
 }
@@ -109,8 +109,7 @@ const FontAtlas& FontAtlas::Get(double scale)
 FontAtlas::FontAtlas(const char* fontFile, double scale) : m_atlas(IM_NEW(ImFontAtlas)())
 {
     ImFontConfig config;
-    // Letters stand on whole pixels, so each is rasterised once, exactly there: no blur from
-    // filtering.
+    // Glyphs are placed on whole pixels, so each is rasterized once without subpixel positions.
     config.OversampleH = 1;
     config.OversampleV = 1;
     config.PixelSnapH = true;
@@ -118,7 +117,7 @@ FontAtlas::FontAtlas(const char* fontFile, double scale) : m_atlas(IM_NEW(ImFont
     const Result<std::string> file = ReadWhole(fontFile, kLargestFont);
     if (file && LooksLikeFont(*file))
     {
-        void* const bytes = IM_ALLOC(file->size()); // the atlas frees it
+        void* const bytes = IM_ALLOC(file->size()); // freed by the atlas
         std::memcpy(bytes, file->data(), file->size());
         m_atlas->AddFontFromMemoryTTF(bytes, int(file->size()), float(kFontPixels * scale), &config,
                                       kRanges);
@@ -145,8 +144,7 @@ FontAtlas::~FontAtlas()
     IM_DELETE(m_atlas);
 }
 
-/// Gives letters the distances they have in `model`, times the scale: a larger picture is the same
-/// picture, not one with its text set again.
+/// Gives glyphs the advances of `model` times the scale: a larger picture has the same text layout.
 void FontAtlas::SpaceAs(const FontAtlas& model, float scale)
 {
     Letters& letters = LettersOf(*m_atlas->Fonts[0]);
@@ -157,7 +155,7 @@ void FontAtlas::SpaceAs(const FontAtlas& model, float scale)
     ApplyAdvances(letters);
 }
 
-/// Copies what is drawn of each letter. Dear ImGui may look letters up only under its lock.
+/// Copies the drawing data of each glyph. Dear ImGui allows lookups only under its lock.
 void FontAtlas::KeepLetters()
 {
     Letters& letters = LettersOf(*m_atlas->Fonts[0]);
@@ -166,12 +164,12 @@ void FontAtlas::KeepLetters()
     {
         if (glyph.Codepoint == IM_UNICODE_CODEPOINT_INVALID)
         {
-            continue; // Dear ImGui 1.92 adds its sign for letters that are missing; ours is '?'
+            continue; // Dear ImGui 1.92 adds its own replacement character; ours is '?'
         }
         m_letters[glyph.Codepoint] = {glyph.AdvanceX, glyph.Visible != 0, glyph.X0, glyph.Y0,
                                       glyph.X1,       glyph.Y1,           glyph.U0, glyph.V0};
     }
-    m_letters.try_emplace(kFallback); // a font may lack even that
+    m_letters.try_emplace(kFallback); // even that may be missing in a font
 }
 
 const FontAtlas::Letter& FontAtlas::LetterOf(char32_t letter) const
@@ -187,7 +185,7 @@ bool FontAtlas::Has(char32_t letter) const
 
 GlyphQuad FontAtlas::QuadOf(const Letter& letter, float x, float y) const
 {
-    // Pixels whose middle it holds: at odd scales lines stand between two rows.
+    // Pixels whose centre is inside: at fractional scales lines lie between two rows.
     const auto pixel = [](float at) { return int(std::ceil(at - 0.5f)); };
     const auto texel = [](float at, int size) { return int(std::floor(at * float(size) + 0.5f)); };
     const float left = std::floor(x + 0.5f);

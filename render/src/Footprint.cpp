@@ -11,10 +11,10 @@ namespace boxreel
 namespace
 {
 
-// A direction closer to an axis than this bounds nothing that the bounds do not.
+// A direction closer to an axis than this does not improve on the bounds.
 constexpr double kSteep = 1e-4;
 
-// Of larger discs [px] the bounds are taken: squares of larger numbers are not exact to a pixel.
+// For larger discs [px] the bounds are used: squares of such numbers are not exact to a pixel.
 constexpr double kVastRadius = 16384.0;
 
 } // namespace
@@ -79,7 +79,7 @@ Footprint::Span Footprint::Between(int y0, int y1) const
         lower = std::max(lower, m_centerX - half);
         upper = std::min(upper, m_centerX + half);
     }
-    // Both lie within the bounds, or there is nothing between them.
+    // Both are within the bounds, or the span is empty.
     return lower < upper ? Span{int(lower), int(std::ceil(upper))} : Span{};
 }
 

@@ -8,26 +8,26 @@
 #include <array>
 #include <span>
 
-/// Where in its bounds an instance lies, so that neighbours at a slant, whose bounds overlap but
-/// who do not, are told apart. Used by Batches.
+/// The area of an instance within its bounds, to separate diagonal neighbours with overlapping
+/// bounds. Used by Batches.
 namespace boxreel
 {
 
 class Footprint
 {
 public:
-    /// `attributes` as ShapeBuilder writes them; of what is no shape, or of too few of them, all of
-    /// `bounds` is taken.
+    /// `attributes` as written by ShapeBuilder. For other kinds, or too few attributes, the
+    /// footprint is all of `bounds`.
     Footprint(ProgramKind kind, const PixelBounds& bounds, std::span<const float> attributes);
 
     struct Span
     {
         int x0 = 0;
-        int x1 = 0; ///< excluded; not above x0: nothing
+        int x1 = 0; ///< excluded; <= x0: empty
     };
 
-    /// Holds every pixel that the instance touches between the rows y0 and y1 (excluded), within
-    /// its bounds.
+    /// Returns a span that contains every pixel the instance touches between the rows y0 and y1
+    /// (excluded), within its bounds.
     Span Between(int y0, int y1) const;
 
 private:
@@ -42,7 +42,7 @@ private:
     PixelBounds m_bounds;
     double m_centerX = 0.0;
     double m_centerY = 0.0;
-    double m_radius = 0.0; // of a disc, or 0
+    double m_radius = 0.0; // radius of a disc, or 0
     std::array<Slab, 2> m_slabs;
     int m_slabCount = 0;
 };

@@ -7,8 +7,8 @@
 
 #include <string>
 
-/// The GL functions that the renderer calls, found at run time. A table a context, so that two back
-/// ends can live in one process and no GL library is ever linked.
+/// The GL functions of the renderer, loaded at run time. One table per context, so that two back
+/// ends work in one process and GL is never linked.
 namespace boxreel
 {
 
@@ -78,7 +78,7 @@ struct GlFunctions
     BOXREEL_GL_FUNCTIONS(BOXREEL_GL_MEMBER)
 #undef BOXREEL_GL_MEMBER
 
-    /// Fills the table; returns the name of the first function that is missing, empty when none is.
+    /// Fills the table; returns the name of the first missing function, or an empty string.
     std::string Load(const Context& context)
     {
 #define BOXREEL_GL_LOAD(type, name)                                                                \

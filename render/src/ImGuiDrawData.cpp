@@ -14,8 +14,8 @@ namespace boxreel
 namespace
 {
 
-// A stroke passes through Dear ImGui's lists as a fan of its points with this first texture
-// coordinate, which no letter has, and its width as the second.
+// A stroke passes through Dear ImGui's lists as a fan of its points. Its first texture coordinate
+// is this value, which no glyph has; the second is its width.
 constexpr float kOpenStroke = -1.0f;
 constexpr float kClosedStroke = -2.0f;
 
@@ -31,11 +31,11 @@ Vec2 ToVec2(ImVec2 v)
     return {v.x, v.y};
 }
 
-/// Triangles around their first corner, one after another: all that Dear ImGui draws is made of
-/// these. Its corners stand in their order around it.
+/// Consecutive triangles around their first vertex, the only primitive of Dear ImGui. The vertices
+/// are in order.
 using Fan = std::vector<ImDrawVert>;
 
-/// The fan that begins with this triangle, and the index after it.
+/// Returns the fan that starts with this triangle, and the index after it.
 std::size_t ReadFan(const ImDrawList& list, const ImDrawCmd& command, std::size_t begin, Fan& fan)
 {
     const auto index = [&](std::size_t i) {
@@ -79,7 +79,7 @@ bool IsUprightRectangle(const Fan& fan)
             (isBeside(0, 1) && isLevel(1, 2) && isBeside(2, 3) && isLevel(3, 0)));
 }
 
-/// A line that Dear ImGui has drawn itself; filled shapes of four corners are upright.
+/// True for a line drawn by Dear ImGui itself; filled quads are axis-aligned.
 [[maybe_unused]] bool IsSlantedLine(const Fan& fan)
 {
     return fan.size() == 4 && !IsStroke(fan) && !IsUprightRectangle(fan);
@@ -171,7 +171,7 @@ void AddStroke(ImDrawList& list, std::span<const Vec2> points, bool closed, doub
     }
     const ImVec2 mark{closed ? kClosedStroke : kOpenStroke, float(width)};
     const ImU32 packed = IM_COL32(color.r, color.g, color.b, color.a);
-    const auto count = std::max<std::size_t>(points.size(), 3); // a triangle at least
+    const auto count = std::max<std::size_t>(points.size(), 3); // at least a triangle
     list.PrimReserve(int(3 * (count - 2)), int(count));
     const unsigned int first = list._VtxCurrentIdx;
     for (std::size_t i = 0; i < count; ++i)

@@ -5,13 +5,13 @@
 
 struct ImDrawData;
 
-/// What Dear ImGui draws, as an Overlay that is the same on every processor. For ImGui*.cpp alone.
-/// Dear ImGui must draw without anti-aliasing: its own soft edges are placed by an estimate of a
-/// square root that differs between processors.
+/// Converts Dear ImGui's draw data to an Overlay that is the same on every processor. For
+/// ImGui*.cpp only. Dear ImGui must draw without anti-aliasing: it places soft edges with an
+/// estimate of a square root that differs between processors.
 namespace boxreel
 {
 
-/// Replaces `overlay`: letters and upright rectangles as they are, polygons and strokes with soft
+/// Replaces `overlay`: glyphs and axis-aligned rectangles unchanged, polygons and strokes with soft
 /// edges. `width`, `height`: of the picture [px].
 void CopyDrawData(const ImDrawData& data, int width, int height, Overlay& overlay);
 

@@ -15,19 +15,19 @@ namespace boxreel
 namespace
 {
 
-// Dear ImGui keeps its current context in one variable of the process.
+// Dear ImGui has one current context per process.
 std::mutex g_imgui;
 
-// Sines and cosines come from the C library, which has several versions of them for one processor
-// or another; none of the table's lies near the middle between two of these steps.
+// Sines and cosines differ between versions of the C library. Rounded to these steps they are
+// equal, because no value of the table is near the middle between two steps.
 constexpr float kArcSteps = 65536.0f;
 
-/// Makes what is drawn the same on every processor; see ImGuiDrawData.h.
+/// Makes the draw data the same on every processor; see ImGuiDrawData.h.
 void DrawPlainly(ImGuiStyle& style, ImDrawListSharedData& shared)
 {
     style.AntiAliasedLines = false;
     style.AntiAliasedFill = false;
-    // Borders with round corners would be slanted lines: AddBorder draws them.
+    // Rounded borders would contain slanted lines; AddBorder draws them instead.
     style.WindowBorderSize = 0.0f;
     style.PopupBorderSize = 0.0f;
     for (ImVec2& point : shared.ArcFastVtx)
@@ -42,7 +42,7 @@ void DrawPlainly(ImGuiStyle& style, ImDrawListSharedData& shared)
 ImGuiFrame::ImGuiFrame(int width, int height, double scale) : m_width(width), m_height(height)
 {
     const std::lock_guard lock(g_imgui);
-    // The atlas is shared; Dear ImGui only marks it as in use while a frame is built, under the
+    // The atlas is shared; Dear ImGui only marks it as in use while a frame is built under the
     // lock.
     m_context = ImGui::CreateContext(FontAtlas::Get(scale).ImGuiAtlas());
     ImGui::SetCurrentContext(m_context);
@@ -51,7 +51,7 @@ ImGuiFrame::ImGuiFrame(int width, int height, double scale) : m_width(width), m_
     io.LogFilename = nullptr;
     io.DisplaySize = {float(width), float(height)};
     io.DeltaTime = 1.0f / 60.0f;
-    // What is shown hangs on the input alone, not on how many frames there were.
+    // The picture must depend on the input only, not on the number of frames.
     io.ConfigInputTextCursorBlink = false;
     DrawPlainly(ImGui::GetStyle(), *ImGui::GetDrawListSharedData());
     ImGui::SetCurrentContext(nullptr);

@@ -7,27 +7,28 @@
 
 #include <functional>
 
-/// A context of Dear ImGui's with the toolkit's font, and its draw data as an Overlay. For
-/// ImGui*.cpp alone.
+/// A Dear ImGui context with the toolkit's font, and its draw data as an Overlay. For ImGui*.cpp
+/// only.
 namespace boxreel
 {
 
 class ImGuiFrame
 {
 public:
-    /// `width`, `height`: of the picture [px]; `scale`: of the letters.
+    /// `width`, `height`: of the picture [px]; `scale`: of the text.
     ImGuiFrame(int width, int height, double scale);
     ~ImGuiFrame();
     ImGuiFrame(const ImGuiFrame&) = delete;
     ImGuiFrame& operator=(const ImGuiFrame&) = delete;
 
-    /// Does something to the context, which belongs to this thread meanwhile.
+    /// Calls `act` with the context current in this thread.
     void With(const std::function<void()>& act);
 
-    /// A frame of what `draw` asks of Dear ImGui. The overlay stays valid until the next one.
+    /// Builds a frame from the Dear ImGui calls in `draw`. The overlay is valid until the next
+    /// call.
     const Overlay& Build(const std::function<void()>& draw);
 
-    /// The size must be one that CheckPanelSize has nothing against.
+    /// The size must pass CheckPanelSize.
     void Resize(int width, int height);
 
 private:
@@ -37,7 +38,7 @@ private:
     Overlay m_overlay;
 };
 
-/// Unusable for a picture of no such size or scale.
+/// Returns an Error (Unusable) for a size or scale out of range.
 Result<void> CheckPanelSize(int width, int height, double scale);
 
 } // namespace boxreel

@@ -18,8 +18,8 @@ constexpr float kFrameMargin = 10.0f; // between the panel and the frame's edges
 constexpr float kPadding = 10.0f;     // between the panel's edge and its text
 constexpr float kColumnGap = 16.0f;
 constexpr float kLineGap = 3.0f;
-constexpr float kUnderTitle = 9.0f; // room for the line below the title
-// The panel's width grows in steps of this, so that it does not jump with every digit of a number.
+constexpr float kUnderTitle = 9.0f; // space for the line below the title
+// The panel's width is a multiple of this, so that it does not change with every digit of a number.
 constexpr float kWidthStep = 24.0f;
 constexpr float kMinWidth = 168.0f;
 constexpr float kRounding = 6.0f; // of the panel's corners
@@ -35,7 +35,7 @@ float Width(std::string_view text)
     return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
-/// The text, or as much of its beginning as leaves room for three dots.
+/// Returns the text, or its start followed by three dots, to fit the width.
 std::string Fitted(const std::string& text, float room)
 {
     if (Width(text) <= room)
@@ -51,7 +51,7 @@ std::string Fitted(const std::string& text, float room)
         do
         {
             --length;
-        } while (length > 0 && isInside(length)); // never cut a UTF-8 character in two
+        } while (length > 0 && isInside(length)); // never split a UTF-8 character
         const std::string shorter = text.substr(0, length) + "…";
         if (Width(shorter) <= room)
         {
@@ -69,7 +69,7 @@ void Text(ImVec2 at, ImU32 ink, const std::string& text)
     ImGui::PopStyleColor();
 }
 
-/// Where things go in the panel [px].
+/// Layout of the panel [px].
 struct Layout
 {
     float unit = 1.0f; ///< the scale
@@ -102,7 +102,7 @@ Layout Arrange(const HudContent& content, ImVec2 frame, float unit)
                     unit * kLineGap + padding;
     layout.height = std::clamp(std::floor(layout.height), 1.0f,
                                std::max(1.0f, frame.y - 2.0f * unit * kFrameMargin));
-    // In a narrow frame names give way before values, down to half of the width.
+    // In a narrow frame names are shortened before values, down to half of the width.
     const float inner = layout.width - 2.0f * padding;
     layout.valueColumn =
         padding + std::floor(std::min(names + gap, std::max(0.5f * inner, inner - values)));

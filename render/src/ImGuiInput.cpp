@@ -31,11 +31,11 @@ constexpr std::pair<decltype(ImGuiKey_Tab), Key> kKeys[] = {{ImGuiKey_Tab, Key::
                                                             {ImGuiKey_Y, KeyOf('y')},
                                                             {ImGuiKey_Z, KeyOf('z')}};
 
-#if IMGUI_VERSION_NUM >= 18700 // keys are events
+#if IMGUI_VERSION_NUM >= 18700 // keys as events
 
 void PrepareKeys(ImGuiIO& io)
 {
-    // Dear ImGui would spread events of one frame over the next ones.
+    // Otherwise Dear ImGui distributes the events of one frame over several.
     io.ConfigInputTrickleEventQueue = false;
 }
 
@@ -55,7 +55,7 @@ bool IsPressed(decltype(ImGuiKey_Tab) key)
     return ImGui::IsKeyPressed(key);
 }
 
-#else // keys are an array, indexed by numbers of the caller's
+#else // keys as an array, with indices of the caller's choice
 
 static_assert(kKeyCount <= 512, "Dear ImGui has room for so many keys");
 

@@ -5,18 +5,18 @@
 
 #include <imgui.h>
 
-/// Passes mouse and keyboard to Dear ImGui. Its interface for keys changed with version 1.87: only
-/// ImGuiInput.cpp knows both. For ImGuiPanels.cpp alone.
+/// Passes mouse and keyboard input to Dear ImGui. Its key interface changed with version 1.87: only
+/// ImGuiInput.cpp handles both. For ImGuiPanels.cpp only.
 namespace boxreel
 {
 
 /// Sets up a new context. Call it before the first frame.
 void PrepareInput(ImGuiIO& io);
 
-/// Passes what is down in the next frame. All of it reaches that frame.
+/// Passes the state of buttons and keys to the next frame, all of it in that frame.
 void PassInput(const PanelInput& input, ImGuiIO& io);
 
-/// True if the key went down in this frame of the current context, or repeats.
+/// True if the key was pressed in this frame of the current context, or repeats.
 bool IsKeyPressed(Key key);
 
 } // namespace boxreel

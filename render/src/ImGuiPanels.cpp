@@ -16,13 +16,13 @@ ImVec4 Ink(int red, int green, int blue, float alpha)
     return {float(red) / 255.0f, float(green) / 255.0f, float(blue) / 255.0f, alpha};
 }
 
-/// Dark and quiet, so that the picture beside it stands out.
+/// Dark and muted colours, so that the picture stands out.
 void SetColors(ImGuiStyle& style)
 {
     const auto set = [&](ImGuiCol color, const ImVec4& ink) { style.Colors[color] = ink; };
     const ImVec4 accent = Ink(64, 132, 198, 1.0f);
     set(ImGuiCol_Text, Ink(232, 235, 240, 1.0f));
-#if IMGUI_VERSION_NUM >= 19200 // has a colour of its own, which was the text's before
+#if IMGUI_VERSION_NUM >= 19200 // had the colour of the text before
     set(ImGuiCol_InputTextCursor, Ink(232, 235, 240, 1.0f));
 #endif
     set(ImGuiCol_TextDisabled, Ink(142, 150, 162, 1.0f));

@@ -7,33 +7,33 @@
 #include <span>
 #include <vector>
 
-/// What the items of a draw list are to the shaders, kept from one frame to the next so that an
-/// item that has not changed is copied instead of built. Written by ShapeBuilder and Renderer.
+/// The shader instances of a draw list's items. Kept from one frame to the next, so that unchanged
+/// items are copied instead of built. Written by ShapeBuilder and Renderer.
 namespace boxreel
 {
 
 /// One quad for the shaders.
 struct Instance
 {
-    PixelBounds bounds; ///< holds every pixel that it touches; not empty, inside the picture
+    PixelBounds bounds; ///< contains every touched pixel; not empty, inside the picture
     ProgramKind kind = ProgramKind::Box;
-    std::uint32_t first = 0; ///< of its attributes
+    std::uint32_t first = 0; ///< index of its first attribute
     std::uint32_t count = 0;
 };
 
 class Instances
 {
 public:
-    /// Keeps the memory.
+    /// Clears all items; keeps the memory.
     void Clear();
 
-    /// Adds to the item in hand.
+    /// Adds an instance to the current item.
     void Add(ProgramKind kind, const PixelBounds& bounds, std::span<const float> attributes);
 
-    /// The item in hand is complete, with as many instances as have been added, or none.
+    /// Ends the current item, which may have no instances.
     void EndItem() { m_ends.push_back(std::uint32_t(m_instances.size())); }
 
-    /// A whole item, equal to one of another list's.
+    /// Copies all instances of an item of another list.
     void CopyItem(const Instances& from, std::size_t item);
 
     std::size_t Items() const { return m_ends.size(); }

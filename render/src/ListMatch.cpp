@@ -10,8 +10,8 @@ namespace boxreel
 namespace
 {
 
-// How many items that came or went at one place are seen through; more take longer where everything
-// moves, fewer take what follows a larger change for changed.
+// Maximum number of inserted or removed items to look ahead. More is slower where everything moves;
+// less treats items after a larger change as changed.
 constexpr std::size_t kLookAhead = 24;
 
 class Matcher
@@ -55,7 +55,7 @@ private:
                (a.kind != DrawKind::Text || m_last.texts[a.text] == m_next.texts[b.text]);
     }
 
-    /// One changed, or some came or went: whatever meets again first.
+    /// Returns the smallest step to the next match: one changed item, or some inserted or removed.
     Step AfterDifference(std::size_t i, std::size_t k) const
     {
         const DrawItem& a = m_last.items[i];
@@ -63,7 +63,7 @@ private:
         const bool isOwned = a.owner != kNoOwner && a.owner == b.owner;
         if (isOwned && a.kind == b.kind && a.layer == b.layer)
         {
-            return {1, 1}; // the same shape, elsewhere
+            return {1, 1}; // the same shape at another position
         }
         const std::size_t lastLeft = m_last.items.size() - i;
         const std::size_t nextLeft = m_next.items.size() - k;

@@ -9,7 +9,7 @@ namespace boxreel
 namespace
 {
 
-/// The pixels that a triangle can touch, within `clip`.
+/// Returns the pixels that a triangle can touch, within `clip`.
 PixelBounds BoundsOf(const Overlay& overlay, std::size_t firstIndex, const PixelBounds& clip)
 {
     Vec2 lower{float(clip.x1), float(clip.y1)};
@@ -27,7 +27,7 @@ PixelBounds BoundsOf(const Overlay& overlay, std::size_t firstIndex, const Pixel
     const auto whole = [](float value, int least, int most) {
         return int(std::clamp(value, float(least), float(most)));
     };
-    // Places are rounded to parts of a pixel on their way: a pixel more on every side.
+    // Positions are rounded to subpixels in the pipeline: one pixel of margin on every side.
     return {whole(std::floor(lower.x) - 1.0f, clip.x0, clip.x1),
             whole(std::floor(lower.y) - 1.0f, clip.y0, clip.y1),
             whole(std::ceil(upper.x) + 1.0f, clip.x0, clip.x1),

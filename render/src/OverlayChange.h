@@ -5,11 +5,11 @@
 
 #include <render/Overlay.h>
 
-/// Which pixels differ between two overlays. Called by Renderer.
+/// Finds the pixels that differ between two overlays. Called by Renderer.
 namespace boxreel
 {
 
-/// Adds to `dirty` whatever may look different. `width`, `height`: of the picture [px].
+/// Adds to `dirty` all pixels that may differ. `width`, `height`: of the picture [px].
 void AddDifference(const Overlay& last, const Overlay& next, int width, int height,
                    DirtyTiles& dirty);
 

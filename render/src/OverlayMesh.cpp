@@ -11,15 +11,14 @@ namespace boxreel
 namespace
 {
 
-// What lies farther out than this is moved there [px]; the largest picture has 8192.
+// Vertices are clamped to this distance [px]; the largest picture has 8192.
 constexpr float kFarthest = 16384.0f;
 
-// A colour or a texture that changes faster than this, per pixel, does so across a triangle that is
-// thinner than the grid its corners lie on. Coefficients below it cannot overflow a product.
+// Colours or texture coordinates that change faster than this per pixel occur only in triangles
+// thinner than the vertex grid. Smaller coefficients cannot overflow a product.
 constexpr double kSteepest = 1048576.0;
 
-// Places in the texture are multiples of this many parts of a texel: what rounding has left of a
-// letter's whole texels is put right.
+// Texture coordinates are rounded to this fraction of a texel, to restore exact texels of glyphs.
 constexpr double kTexelSteps = 256.0;
 
 constexpr std::size_t kPlanes = 6; // red, green, blue, opacity, column, row
@@ -53,14 +52,14 @@ struct Plane
     std::int32_t alongY = 0;
 };
 
-/// The lowest 32 bits: sums of these are right where the sum itself has no more than 32.
+/// Returns the lowest 32 bits: sums modulo 2^32 are exact if the result fits.
 std::int32_t Wrapped(std::int64_t value)
 {
     return std::int32_t(std::uint32_t(std::uint64_t(value)));
 }
 
-/// Finds the plane through three values, with a fraction of `bits`, plus `offset`. False when it is
-/// steeper than anything that can be seen.
+/// Finds the plane through three values with `bits` fractional bits, plus `offset`. False if it is
+/// too steep to be visible.
 bool FindPlane(const std::array<Corner, 3>& c, std::size_t which, int bits, double offset,
                Plane& plane)
 {
@@ -87,13 +86,13 @@ bool FindPlane(const std::array<Corner, 3>& c, std::size_t which, int bits, doub
     return true;
 }
 
-/// False for a triangle of which nothing can be seen.
+/// False for a triangle that is not visible.
 bool FindPlanes(const std::array<Corner, 3>& corners, MeshCorner& shared)
 {
     for (std::size_t i = 0; i < 4; ++i)
     {
         Plane plane;
-        if (!FindPlane(corners, i, kInkBits, 0.5, plane)) // so that the shader's floor rounds
+        if (!FindPlane(corners, i, kInkBits, 0.5, plane)) // so that floor in the shader rounds
         {
             return false;
         }
@@ -115,7 +114,7 @@ bool FindPlanes(const std::array<Corner, 3>& corners, MeshCorner& shared)
     return true;
 }
 
-/// Whether it has a pixel's middle in common with the rectangle, as far as its extent tells.
+/// True if it may contain a pixel centre of the rectangle, judged by its bounds.
 bool MayTouch(const std::array<Corner, 3>& c, const PixelBounds& rectangle)
 {
     const auto [left, right] = std::minmax({c[0].x, c[1].x, c[2].x});

@@ -12,23 +12,21 @@ namespace boxreel
 namespace
 {
 
-// A part of up to this many pixels is drawn as it is. Cutting it would cost more: a quad takes as
-// long as some thousand pixels.
+// Parts of up to this many pixels are not cut: a quad costs as much as a few thousand pixels.
 constexpr double kSmallPart = 2000.0;
 
-// Of a small part, only these many rows at a time are looked at to find what an instance touches
-// [px].
+// Number of rows of a small part that are tested together [px].
 constexpr int kBand = 4;
 
-// Each cut halves a part, so there are at most 2^kMostCuts of them.
+// Each cut halves a part, so there are at most 2^kMostCuts parts.
 constexpr int kMostCuts = 5;
 
-// Squares of larger sides [px] are two triangles: every GL has points of this size, and what is
-// saved gets less.
+// Larger squares [px] are drawn as two triangles: every GL supports points of this size, and the
+// gain decreases.
 constexpr int kMostSquare = 63;
 
-// Of discs larger than this [px] the quad around is not drawn exactly any more: they are drawn as
-// the rectangle that shows. Other shapes have been clipped to the neighbourhood of the picture.
+// Discs with a larger radius [px] are drawn as their visible rectangle, because the quad around
+// them is not exact. Other shapes have been clipped near the picture.
 constexpr float kVastRadius = 16384.0f;
 
 bool IsDrawnAsRectangle(ProgramKind kind, std::span<const float> attributes)
@@ -42,15 +40,16 @@ Batches::Part PartOf(const PixelBounds& b)
     return {float(b.x0), float(b.y0), float(b.x1), float(b.y1)};
 }
 
-/// A square around a disc is no larger than the quad around it. Polygons and boxes gain nothing.
+/// True if a square around the shape is not larger than its quad: discs. Polygons and boxes do not
+/// gain from it.
 bool IsDrawnAsSquare(const Instance& instance)
 {
     const PixelBounds& b = instance.bounds;
     return instance.kind == ProgramKind::Disc && std::max(b.x1 - b.x0, b.y1 - b.y0) <= kMostSquare;
 }
 
-/// The quad that the shaders draw around a shape, as a polygon. The first attributes of all kinds
-/// that are shapes are centre, axis, and half extents or what they follow from.
+/// Returns the quad of the shaders around a shape, as a polygon. The first attributes of all shapes
+/// are centre, axis, and half extents or their source.
 Convex QuadAround(ProgramKind kind, std::span<const float> a)
 {
     const Point center{a[0], a[1]};
@@ -67,7 +66,7 @@ Convex QuadAround(ProgramKind kind, std::span<const float> a)
     return quad;
 }
 
-/// The whole pixels around a polygon, as far as they lie in `within`.
+/// Returns the whole pixels around a polygon, within `within`.
 PixelBounds PixelsAround(const Convex& polygon, const PixelBounds& within)
 {
     Point lower = polygon.corners[0];
@@ -77,7 +76,7 @@ PixelBounds PixelsAround(const Convex& polygon, const PixelBounds& within)
         lower = {std::min(lower.x, polygon.corners[i].x), std::min(lower.y, polygon.corners[i].y)};
         upper = {std::max(upper.x, polygon.corners[i].x), std::max(upper.y, polygon.corners[i].y)};
     }
-    // The polygon has been clipped to `within`, so nothing overflows.
+    // The polygon is clipped to `within`, so there is no overflow.
     return Intersection({int(std::floor(lower.x)), int(std::floor(lower.y)),
                          int(std::ceil(upper.x)), int(std::ceil(upper.y))},
                         within);
@@ -119,7 +118,7 @@ bool AddCut(const Instance& instance, std::span<const float> attributes, const C
 namespace
 {
 
-/// What of a rectangle within its bounds an instance can touch; may be empty.
+/// Returns the part of a rectangle within its bounds that an instance can touch; may be empty.
 PixelBounds Tightened(const Instance& instance, std::span<const float> attributes,
                       const PixelBounds& part)
 {

@@ -4,17 +4,16 @@
 #include "Batches.h"
 #include "Instances.h"
 
-/// Puts instances into batches, whole or only what lies in a rectangle. The pixels that are drawn
-/// are the same bits either way (Shaders.cpp).
+/// Adds instances to batches, completely or in a rectangle. The pixels have the same bits in both
+/// cases (Shaders.cpp).
 namespace boxreel
 {
 
-/// All of it.
+/// Adds the whole instance.
 void AddWhole(const Instances& all, const Instance& instance, Batches& batches);
 
-/// What lies within `rectangle`; at least all pixels that the instance touches there. False when
-/// that is nothing. A long thing that runs through at a slant is cut, so that little is drawn in
-/// vain.
+/// Adds the part within `rectangle`: at least all pixels the instance touches there. False if it is
+/// empty. A long diagonal part is cut into pieces, to draw fewer empty pixels.
 bool AddPart(const Instances& all, const Instance& instance, const PixelBounds& rectangle,
              Batches& batches);
 

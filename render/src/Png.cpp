@@ -24,16 +24,16 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr png_uint_32 kMaxSide = 16384;          // twice what the renderer draws; 1 GiB when square
-constexpr std::uint64_t kMaxDeflateRatio = 1032; // zlib cannot shrink anything further
+constexpr png_uint_32 kMaxSide = 16384;          // twice the renderer's limit; 1 GiB if square
+constexpr std::uint64_t kMaxDeflateRatio = 1032; // maximum compression ratio of zlib
 constexpr std::size_t kMaxMessage = 160;
 
-// libpng reports errors by jumping out of its call. What it says is kept here, since nothing that
-// has a destructor may be alive between the jump and its landing.
+// The error of a libpng call. libpng reports errors by longjmp, so no object with a destructor may
+// be alive in between.
 struct Trouble
 {
     char message[kMaxMessage] = "";
-    bool isDevice = false; // reading failed, the bytes are not to blame
+    bool isDevice = false; // a read error, not invalid data
 };
 
 [[noreturn]] void OnError(png_structp png, png_const_charp message)
@@ -45,7 +45,7 @@ struct Trouble
 
 void OnWarning(png_structp, png_const_charp) {}
 
-// Runs `body`, which may call libpng but must not own anything; false when libpng gave up.
+// Runs `body`, which may call libpng but must not own objects; false after a libpng error.
 template <class Body>
 bool Guarded(png_structp png, const Body& body)
 {
@@ -57,14 +57,14 @@ bool Guarded(png_structp png, const Body& body)
     return true;
 }
 
-// c * a / 255 to the nearest; 255 is odd, so there are no ties.
+// Returns c * a / 255, rounded; 255 is odd, so there are no ties.
 std::uint8_t Premultiply(unsigned c, unsigned a)
 {
     return static_cast<std::uint8_t>((c * a + 127) / 255);
 }
 
-// The nearest straight value. Its product is off by less than a / 510 < 1/2, so Premultiply gives c
-// back.
+// Returns the nearest straight value. Its product is off by less than a / 510 < 1/2, so Premultiply
+// restores c.
 std::uint8_t Unpremultiply(unsigned c, unsigned a)
 {
     return a == 0 ? std::uint8_t{0}
@@ -98,7 +98,7 @@ struct Reader
     png_infop info = nullptr;
     png_uint_32 width = 0;
     png_uint_32 height = 0;
-    std::size_t rowBytes = 0; // of a row as stored, before compression
+    std::size_t rowBytes = 0; // size of a stored row before compression
 
     Reader() = default;
     Reader(const Reader&) = delete;
@@ -117,17 +117,18 @@ void OnRead(png_structp png, png_bytep bytes, std::size_t count)
     }
 }
 
-// Reads what stands before the pixels. Nothing here grows with the size that the file claims.
+// Reads the chunks before the pixels. Memory use does not depend on the declared size.
 void ReadHeader(Reader& reader, bool readsTexts)
 {
     const png_structp png = reader.png;
     png_set_read_fn(png, reader.file.get(), OnRead);
-    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); // ours are checked by the caller
-    // A damaged transparency chunk would change the picture unnoticed; everything else that pixels
-    // do not need (profiles, texts unless asked for) is skipped.
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); // our limits are checked by the
+                                                                // caller
+    // A damaged transparency chunk would change the picture unnoticed. All other optional chunks
+    // are skipped, except texts on request.
     png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
-    static const png_byte kRead[] = "tRNS\0tEXt"; // a name is 4 letters and a zero
+    static const png_byte kRead[] = "tRNS\0tEXt"; // a name has 4 letters and a zero
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_AS_DEFAULT, kRead, readsTexts ? 2 : 1);
     png_read_info(png, reader.info);
 
@@ -136,7 +137,7 @@ void ReadHeader(Reader& reader, bool readsTexts)
     reader.rowBytes = png_get_rowbytes(png, reader.info);
 }
 
-// As 8-bit RGBA, whatever the file holds.
+// Reads as 8-bit RGBA from any format.
 void ReadPixels(Reader& reader, png_bytep* rows)
 {
     const png_structp png = reader.png;
@@ -185,7 +186,7 @@ Result<void> OpenFile(Reader& reader, const fs::path& path)
     return {};
 }
 
-// Whether the file promises no more pixels than we take and than its length can hold.
+// Checks that the declared pixel count is within the limit and plausible for the file's length.
 Result<void> CheckSize(const Reader& reader, const fs::path& path)
 {
     const std::string promise = std::to_string(reader.width) + "x" + std::to_string(reader.height);
@@ -208,7 +209,7 @@ Result<void> CheckSize(const Reader& reader, const fs::path& path)
     return {};
 }
 
-// Opaque frames as RGB without filters: smaller and faster for flat pictures than libpng's
+// Writes opaque frames as RGB without filters: smaller and faster for flat pictures than libpng's
 // defaults.
 struct Writer
 {
@@ -234,7 +235,7 @@ void OnWrite(png_structp png, png_bytep bytes, std::size_t count)
     }
     catch (const std::bad_alloc&)
     {
-        isStored = false; // libpng's jump must not leave from inside the handler
+        isStored = false; // longjmp must not leave the handler's scope
     }
     if (!isStored)
     {
@@ -314,7 +315,7 @@ void WriteAll(Writer& writer, const Frame& frame, bool isOpaque, int compression
     png_write_end(png, nullptr);
 }
 
-/// Opens the file and reads what stands before the pixels.
+/// Opens the file and reads the chunks before the pixels.
 Result<void> Begin(Reader& reader, const fs::path& path, bool readsTexts)
 {
     RETURN_IF_ERROR(OpenFile(reader, path));
@@ -401,7 +402,7 @@ Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionL
 Result<void> WritePng(const std::filesystem::path& path, const Frame& frame,
                       const PngSettings& settings)
 {
-    // Opened before the work: what is in the way is said at once.
+    // Opened before encoding, so that an Error of the file is reported early.
     ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(path, settings.overwrite));
     ASSIGN_OR_RETURN(const std::vector<std::uint8_t> bytes,
                      EncodePng(frame, settings.compressionLevel));

@@ -18,14 +18,14 @@ namespace
 constexpr int kStripes = 64;
 constexpr float kStripe = float(kProbeSide) / kStripes; // width [px]
 
-/// The channels run through all of 0 to 255 at different speeds.
+/// The channels pass through 0 to 255 at different rates.
 Color ProbeColor(int i, int alpha)
 {
     const auto channel = [i](int factor) { return std::uint8_t(i * factor & 255); };
     return {channel(4), channel(37), channel(91), std::uint8_t(alpha)};
 }
 
-/// Each colour below each opacity. The lines' soft ends and sides add more opacities.
+/// Each colour under each opacity. The soft edges of lines add more opacities.
 void AddBlending(DrawList& list)
 {
     for (int i = 0; i < kStripes; ++i)
@@ -46,7 +46,7 @@ void AddEdges(DrawList& list)
     {
         const float x = 24.0f + 64.0f * float(i % 4) + 0.1f * float(i);
         const float y = 24.0f + 64.0f * float(i / 4) + 0.2f * float(i);
-        // Directions from products: a library's sine has other bits elsewhere.
+        // Directions from products, because the sine of the C library differs between machines.
         const float slope = 0.07f * float(i);
         const float length = std::sqrt(1.0f + slope * slope);
         const Vec2 axis{1.0f / length, slope / length};
@@ -67,7 +67,7 @@ void AddLetters(DrawList& list)
     }
 }
 
-/// FNV-1a of 64 bits (Fowler, Noll, Vo; RFC 9923), as StateHash has it.
+/// 64-bit FNV-1a (Fowler, Noll, Vo; RFC 9923), as in StateHash.
 std::string HashText(const Frame& frame)
 {
     std::uint64_t hash = 0xcbf29ce484222325u;
@@ -109,7 +109,7 @@ Result<Frame> DrawProbe(Backend backend)
 Result<std::string> ProbeFingerprint(Backend backend, const std::string& description)
 {
     static std::mutex mutex;
-    static std::map<std::string, std::string> known; // by description
+    static std::map<std::string, std::string> known; // key: description
     const std::lock_guard lock(mutex);
     std::string& fingerprint = known[description];
     if (fingerprint.empty())

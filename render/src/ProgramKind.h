@@ -7,13 +7,14 @@
 namespace boxreel
 {
 
-/// What a batch is drawn with. Pixels pay for whatever a program can do, so each does little.
+/// The shader program of a batch. Every pixel pays for all features of its program, so there are
+/// many small programs.
 enum class ProgramKind : std::uint8_t
 {
-    Ground,       ///< wipes out what is below it
-    Box,          ///< whose inside is wider than a pixel
-    ThinBox,      ///< or not, or that has none: lines too
-    Disc,         ///< and rings
+    Ground,       ///< overwrites what is below it
+    Box,          ///< interior wider than a pixel
+    ThinBox,      ///< any or no interior, including lines
+    Disc,         ///< including rings
     Capsule,      ///< thick lines
     SmallPolygon, ///< by the number of corners (SlotsOf)
     Hexagon,
@@ -23,11 +24,11 @@ enum class ProgramKind : std::uint8_t
 };
 inline constexpr std::size_t kProgramKinds = 10;
 
-/// What an instance is to GL.
+/// The GL primitive of an instance.
 enum class Form : std::uint8_t
 {
     Quad,  ///< two triangles
-    Square ///< a point, which lies straight: half the work, and none of it twice along a diagonal
+    Square ///< an axis-aligned point: half the work, and no pixel twice along a diagonal
 };
 inline constexpr std::size_t kForms = 2;
 

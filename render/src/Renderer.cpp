@@ -23,19 +23,18 @@ namespace
 {
 
 constexpr int kMaxSize = 8192;
-constexpr double kMinScale = 0.1; // letters of 1.5 px
+constexpr double kMinScale = 0.1; // text of 1.5 px
 constexpr double kMaxScale = 16.0;
 
-// Redrawn as a whole, a picture costs each of its instances once; in rectangles, each as often as
-// it has parts, and cutting them. Beyond this share of the picture the whole is not slower.
+// A full redraw draws each instance once; a partial one as often as it has parts, plus cutting.
+// Above this fraction of the picture the full redraw is not slower.
 constexpr double kMostShare = 0.6;
 
-// So many quads more than as a whole are worth it, for they cost less than to clear and to read the
-// whole picture.
+// This many extra quads are acceptable: they cost less than clearing and reading the whole picture.
 constexpr std::size_t kQuadsToSpare = 256;
 
-// Clean tiles that are taken in to have fewer rectangles: a quad costs as much as some tiles of
-// pixels, a call to read as much as a hundred of them.
+// Clean tiles included to reduce the number of rectangles. A quad costs as much as a few tiles of
+// pixels, a read call as much as a hundred.
 constexpr int kDrawGap = 2;
 constexpr int kReadGap = 12;
 
@@ -102,8 +101,8 @@ Result<void> CheckOverlay(const Overlay& overlay)
     return {};
 }
 
-/// Premultiplied, 0 to 1. A product of two bytes never lies halfway between two steps of 1 / 255,
-/// so whoever writes it, clearing or drawing, rounds it to the same bits.
+/// Premultiplied, 0 to 1. A product of two bytes is never halfway between two steps of 1 / 255, so
+/// clearing and drawing round it to the same bits.
 std::array<float, 4> Premultiplied(Color color)
 {
     const auto channel = [&](int value) { return float(value * color.a) / (255.0f * 255.0f); };
@@ -112,13 +111,13 @@ std::array<float, 4> Premultiplied(Color color)
 
 } // namespace
 
-/// What the last Submit drew, to tell what the next one changes.
+/// Data of the last Submit, to find the changes of the next one.
 struct Submitted
 {
     DrawList list;
     Camera camera;
     Overlay overlay;
-    Instances instances; // an item's are those of the list's
+    Instances instances; // per item of the list
 
     bool Equals(const DrawList& otherList, const Camera& otherCamera,
                 const Overlay& otherOverlay) const
@@ -172,21 +171,21 @@ struct Renderer::Impl
     Submitted last;
     bool hasLast = false;
 
-    // Of the Submit in hand.
+    // Data of the current Submit.
     Instances instances;
-    std::vector<std::size_t> matches; // per item: the same one in the last list
+    std::vector<std::size_t> matches; // per item: the identical one in the last list
     DirtyTiles dirty;
-    std::vector<PixelBounds> rectangles; // to draw
+    std::vector<PixelBounds> rectangles; // to redraw
     Batches batches;
     RenderStatistics statistics;
     RenderTotals totals;
 
-    Frame frame;       // as it was read last …
-    DirtyTiles unread; // … and what has been drawn since
+    Frame frame;       // as last read
+    DirtyTiles unread; // redrawn since then
     std::vector<PixelBounds> changes;
 };
 
-/// The list becomes instances; what the last list had too is copied.
+/// Converts the list to instances; copies those of items in the last list.
 void Renderer::Impl::Build(const DrawList& list)
 {
     instances.Clear();
@@ -206,8 +205,8 @@ void Renderer::Impl::Build(const DrawList& list)
     }
 }
 
-/// Where something is that was not there before, or was and is no more. Everywhere else the same
-/// instances lie over each other in the same order.
+/// Marks the areas of inserted and removed items. Everywhere else the same instances are drawn in
+/// the same order.
 void Renderer::Impl::FindDirty(const Overlay& overlay)
 {
     const auto add = [this](std::span<const Instance> item) {
@@ -216,7 +215,7 @@ void Renderer::Impl::FindDirty(const Overlay& overlay)
             dirty.Add(instance.bounds);
         }
     };
-    std::size_t old = 0; // the first item of the last list that is not accounted for
+    std::size_t old = 0; // first item of the last list without a decision
     for (std::size_t i = 0; i < matches.size(); ++i)
     {
         if (matches[i] == kNoMatch)
@@ -237,7 +236,7 @@ void Renderer::Impl::FindDirty(const Overlay& overlay)
     AddDifference(last.overlay, overlay, settings.width, settings.height, dirty);
 }
 
-/// What to draw: the rectangles, and the batches that fill them.
+/// Plans the redraw: the rectangles and their batches.
 void Renderer::Impl::Plan()
 {
     dirty.Gather(kDrawGap, rectangles);
@@ -256,7 +255,7 @@ void Renderer::Impl::Plan()
     statistics.drawCalls = batches.All().size();
 }
 
-/// False when it would be more work than the whole picture.
+/// False if it costs more than a full redraw.
 bool Renderer::Impl::PlanParts()
 {
     const std::size_t most = instances.All().size() + kQuadsToSpare;
@@ -278,7 +277,7 @@ bool Renderer::Impl::PlanParts()
                 {
                     if (rectangle.y0 >= instance.bounds.y1)
                     {
-                        break; // as do all others, sorted by y0
+                        break; // as are all others, because they are sorted by y0
                     }
                     isDrawn |= AddPart(instances, instance, rectangle, batches);
                 }
@@ -359,7 +358,7 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-/// Draws in this context from now on.
+/// Starts drawing in this context.
 Result<void> Renderer::Impl::Begin(std::unique_ptr<Context> drawn)
 {
     context = std::move(drawn);
@@ -411,7 +410,7 @@ Result<void> Renderer::Submit(const DrawList& list, const Camera& camera, const 
     const auto lock = LockGl();
     RETURN_IF_ERROR(impl.context->MakeCurrent());
     const bool isWhole = !impl.hasLast || impl.last.camera != camera || impl.settings.redrawsWhole;
-    impl.hasLast = false; // until all of it is drawn
+    impl.hasLast = false; // until the frame is complete
     impl.builder.SetCamera(camera);
     impl.dirty.Clear();
     if (isWhole)

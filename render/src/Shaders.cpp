@@ -8,13 +8,12 @@ namespace boxreel
 namespace
 {
 
-// How much of a pixel lies within t of a straight edge's inner side, less one half. The pixel, a
-// unit square, seen along the edge's normal n, is as wide as a trapezoid: a = the larger and b =
-// the smaller of |n.x|, |n.y| give its base a + b and its top a - b; coverage is the integral of
-// that trapezoid, exactly.
+// The coverage of a pixel within t of a straight edge's inner side, minus one half. Projected on
+// the edge's normal n, the pixel (a unit square) is a trapezoid. With a = max and b = min of |n.x|,
+// |n.y|, its base is a + b and its top a - b. Coverage is the exact integral of that trapezoid.
 //   k = (base / 2, top / 2, 1 / a, 1 / (2 b))
-// Two parallel edges h from a middle line cover G(h - x) + G(h + x), exactly too, however near they
-// are.
+// Two parallel edges at distance h from a centre line cover G(h - x) + G(h + x), which is exact at
+// any distance.
 constexpr const char* kCoverage = R"(
 vec4 Trapezoid(vec2 n)
 {
@@ -43,9 +42,8 @@ float Slab(float x, float h, vec4 k)
 }
 )";
 
-// Corners of the part that is to be drawn: a rectangle of whole pixels. Every pixel's colour
-// depends on its place alone, never on the quad, so a shape may be drawn in any parts with the same
-// bits.
+// Corners of the part to draw: a rectangle of whole pixels. Every pixel's colour depends on its
+// position only, not on the quad. A shape may be drawn in parts with the same bits.
 constexpr const char* kPart = R"(
 uniform samplerBuffer instances; // VECTORS for each VERTICES vertices
 uniform int first;               // vector of the draw call
@@ -72,8 +70,7 @@ void PlacePart(vec4 part)
 }
 )";
 
-// Or, where no part is asked for, of a quad around an oriented box, a little larger (kQuadMargin)
-// than what its coverage reaches.
+// Without a part: a quad around an oriented box, larger by kQuadMargin than its coverage.
 constexpr const char* kQuad = R"(
 void PlaceQuad(vec2 center, vec2 axis, vec2 reach)
 {
@@ -132,8 +129,8 @@ flat in vec4 k;      // of the axis, and of the direction across it, which has t
 layout(location = 0) out vec4 color;
 )";
 
-// size: outer half extents, inner half extents (0, 0 when there is no inside). Exact along edges;
-// at corners of turned boxes the product of two slabs is a little off. SIDES: Edge or Slab.
+// size: outer half extents, inner half extents (0, 0 without interior). Exact along edges; at
+// corners of rotated boxes the product of two slabs is an approximation. SIDES: Edge or Slab.
 constexpr const char* kBoxFragment = R"(
 void main()
 {
@@ -146,9 +143,9 @@ void main()
 }
 )";
 
-// size: 0, outer radius, inner radius (negative when there is no inside), half width of the axis
-// line (0 for none). A pixel sees the edge as its tangent; a circle bends away from that by 1/(24
-// d) on the average over a pixel, which is what 1/12 under the root adds.
+// size: 0, outer radius, inner radius (negative without interior), half width of the axis line (0
+// for none). A pixel uses the tangent of the edge. A circle curves away from it by 1/(24 d) on
+// average over a pixel; the 1/12 under the root corrects that.
 constexpr const char* kDiscFragment = R"(
 void main()
 {
@@ -166,7 +163,7 @@ void main()
 }
 )";
 
-// size: half length of the spine, radius. Round ends as those of a disc.
+// size: half length of the spine, radius. Round ends as in discs.
 constexpr const char* kCapsuleFragment = R"(
 void main()
 {
@@ -182,11 +179,10 @@ void main()
 }
 )";
 
-// The area of a polygon within a pixel, exactly: the sum over its edges of the area between the
-// edge and the pixel's lower side, as far as the edge lies above the pixel. With the edge's ends
-// clamped to the pixel's width, that is the width times the mean of a linear function clamped to
-// [0, 1], whose integral Q(y) = c^2/2 + c r is written with the clamped value c and the rest r = y
-// - c, so that nothing large cancels.
+// The exact area of a polygon within a pixel: the sum over its edges of the area between the edge
+// and the pixel's lower side. With the edge's ends clamped to the pixel's width, this is the width
+// times the mean of a linear function clamped to [0, 1]. Its integral Q(y) = c^2/2 + c r uses the
+// clamped value c and the rest r = y - c, to avoid cancellation.
 constexpr const char* kPolygonArea = R"(
 float UnderEdge(vec2 a, vec2 b, float slope)
 {
@@ -235,8 +231,8 @@ void main()
 }
 )";
 
-// Everything is computed for all pixels, those of the core too: a loop that runs for some of them
-// only costs a software rasteriser more than it skips.
+// Evaluated for all pixels, including those of the core: on a software rasterizer a loop for some
+// pixels costs more than it saves.
 constexpr const char* kPolygonFragment = R"(
 flat in vec4 stroke; // premultiplied
 flat in vec4 fill;   // premultiplied
@@ -269,8 +265,8 @@ void main()
 }
 )";
 
-// A letter's texels lie on whole pixels: each is fetched as the integer that it is, for what a
-// filter makes of it depends on the processor.
+// Texels of a glyph are on whole pixels. They are fetched as integers, because filtering depends on
+// the processor.
 constexpr const char* kGlyphVertex = R"(
 flat out ivec2 offset; // from pixel to texel
 flat out vec4 ink;
@@ -319,8 +315,8 @@ void main()
 }
 )";
 
-// The quotient is within 1e-7 of a multiple of 1 / 65025, none of which lies halfway between two
-// steps of 1 / 255: however it is computed, it is rounded to the same byte.
+// The quotient is within 1e-7 of a multiple of 1 / 65025, and none of these is halfway between two
+// steps of 1 / 255. It therefore rounds to the same byte on every machine.
 constexpr const char* kMeshFragment = R"(
 uniform usampler2D font;
 flat in ivec4 ink;
@@ -347,7 +343,7 @@ std::string Define(const char* name, const std::string& value)
     return std::string("#define ") + name + " " + value + "\n";
 }
 
-/// Of quads that are placed by their number, with so many vectors each.
+/// Quads placed by their index, with `vectors` vectors each.
 ShaderSource QuadShader(int vectors, const std::string& vertex, const std::string& fragment)
 {
     return {Define("VECTORS", std::to_string(vectors)) + kPart + vertex, kVersion + fragment,
@@ -376,7 +372,7 @@ CornerSlots SlotsOf(ProgramKind polygon)
 {
     switch (polygon)
     {
-    case ProgramKind::SmallPolygon: // up to four corners, and two mitres cut off
+    case ProgramKind::SmallPolygon: // up to four corners, and two cut mitres
         return {6, 4};
     case ProgramKind::Hexagon:
         return {6, 6};
@@ -390,7 +386,7 @@ CornerSlots SlotsOf(ProgramKind polygon)
 namespace
 {
 
-/// Its vertex shader lacks the first lines.
+/// The source of its vertex shader, without the first lines.
 ShaderSource ShaderOf(ProgramKind kind)
 {
     switch (kind)

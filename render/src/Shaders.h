@@ -6,9 +6,9 @@
 
 #include <string>
 
-/// The GLSL of every program, and how many floats an instance of each kind has. Texts only:
-/// Renderer compiles them. Pixel coordinates run right and down from the top left corner; drawn so
-/// that GL's first row is the picture's top row, which needs no flip when it is read.
+/// The GLSL source of every program, and the number of floats per instance of each kind. Renderer
+/// compiles them. Pixel coordinates run right and down from the top left corner. GL's first row is
+/// the picture's top row, so reading needs no flip.
 namespace boxreel
 {
 
@@ -16,10 +16,10 @@ struct ShaderSource
 {
     std::string vertex;
     std::string fragment;
-    int vectors; ///< of four floats an instance
+    int vectors; ///< of four floats per instance
 };
 
-/// Room for the corners of a polygon's outline, outside and inside. Pixels pay for all of it, so
+/// Number of corners of a polygon's outer and inner outline. Every pixel pays for all of them, so
 /// there are four sizes.
 struct CornerSlots
 {
@@ -28,16 +28,16 @@ struct CornerSlots
 };
 CornerSlots SlotsOf(ProgramKind polygon);
 
-/// How far beyond a shape's outline the quad around it reaches [px]: more than a pixel's half
-/// diagonal, so that it holds every pixel that the shape touches.
+/// Margin of the quad around a shape's outline [px]: more than half a pixel's diagonal, so that it
+/// contains every touched pixel.
 inline constexpr double kQuadMargin = 0.75;
 
-/// A quad an instance, four vertices each, or a point: everything is read from a texture by
-/// gl_VertexID. Drawn as instances of GL's, each quad would go through Mesa's vertex pipeline by
-/// itself.
+/// Returns a shader that draws one quad of four vertices per instance, or a point, with all data
+/// from a texture by gl_VertexID. GL instancing would run each quad separately through Mesa's
+/// vertex pipeline.
 ShaderSource InstancedShader(ProgramKind kind, Form form);
 
-/// Plain triangles: position, texture coordinates, colour not premultiplied.
+/// Returns a shader for plain triangles: position, texture coordinates, colour not premultiplied.
 ShaderSource MeshShader();
 
 } // namespace boxreel

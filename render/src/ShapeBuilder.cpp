@@ -13,33 +13,32 @@ namespace boxreel
 namespace
 {
 
-// A pixel reaches this far from its centre: what is farther than that from a pixel's centre leaves
-// it alone.
+// Half a pixel's diagonal: geometry further from a pixel's centre does not affect it.
 constexpr double kPixelReach = 0.7072;
 
-// Beyond the frame by more than this [px], coordinates are clipped before they become floats, whose
-// steps would show.
+// Coordinates further outside the frame than this [px] are clipped before the conversion to float,
+// whose rounding would be visible.
 constexpr double kGuard = 4096.0;
 
-// Four corners closer than this to a rectangle [px] are drawn as one; it moves an edge by less than
-// one grey level in 255.
+// Four corners this close to a rectangle [px] are drawn as one; edges move by less than one grey
+// level in 255.
 constexpr double kBoxTolerance = 0.005;
 
-// The product of two slabs overstates a box that is small in both directions, and a tangent's half
-// plane a small disc; below these half extents, outline included [px], the exact area of a polygon
-// is taken.
+// For small shapes the approximations of coverage are too inexact. The product of two slabs is too
+// large, as is a tangent half plane for a disc. Below these half extents, outline included [px],
+// the exact area of a polygon is used.
 constexpr double kSmallBox = 2.0;
 constexpr double kSmallDisc = 2.1;
 
-// A round line end of half width h covers pi/2 h^2, as much as a square one that is this much
-// longer (times h).
+// A round line end of half width h covers pi/2 h^2, as a square end that is longer by this factor
+// of h.
 constexpr double kSquareCap = std::numbers::pi / 4.0;
 
-// Lines thicker than this [px] get ends that are really round; in thinner ones nobody can tell.
+// Lines thicker than this [px] have exact round ends; in thinner ones the difference is invisible.
 constexpr double kThinLine = 3.0;
 
-// Cosine and sine of the corners of a regular 12-gon, stretched to the area of the unit circle
-// (a 12-gon of radius R has the area 3 R^2).
+// Cosine and sine of the corners of a regular 12-gon, scaled to the area of the unit circle (a
+// 12-gon of radius R has the area 3 R^2).
 constexpr double kTwelveStretch = 1.0233267079464885; // sqrt(pi / 3)
 constexpr double kTwelveLong = 0.8660254037844386;    // cos 30 degrees
 constexpr std::array<Point, 12> kTwelve{{{1.0, 0.0},
@@ -81,7 +80,7 @@ Convex TwelveGon(Point center, double radius)
     return polygon;
 }
 
-/// The rectangle that four corners in order are, if they are one.
+/// Returns four corners in order as a rectangle, if they form one.
 std::optional<OrientedBox> AsBox(const Convex& p)
 {
     if (p.count != 4)
@@ -145,7 +144,7 @@ bool ShapeBuilder::AddItem(const DrawList& list, const DrawItem& item)
     case DrawKind::Transform:
         return AddTransform(points, item.size);
     case DrawKind::Point:
-        // A disc that is all outline.
+        // A disc that is only outline.
         return AddDisc(ToPixel(points[0]), 0.25 * m_scale * item.size, std::nullopt,
                        0.5 * m_scale * item.size, {stroke, {}});
     case DrawKind::Text:
@@ -162,7 +161,7 @@ Point ShapeBuilder::ToPixel(Vec2 world) const
 
 std::optional<PixelBounds> ShapeBuilder::InPicture(Point lower, Point upper) const
 {
-    // Limited before they become integers, so that nothing overflows.
+    // Clamped before the conversion to integers, to avoid overflow.
     const auto limit = [](double value, int most) {
         return int(std::clamp(value, 0.0, double(most)));
     };
@@ -191,12 +190,12 @@ bool ShapeBuilder::AddSolidPolygon(const Vec2* points, std::size_t count, const 
 {
     if (count > kMaxCorners - 4)
     {
-        return AddOutline(points, count, paint.stroke); // more corners than the interface allows
+        return AddOutline(points, count, paint.stroke); // more corners than b2Draw allows
     }
     std::array<Point, kMaxCorners> corners;
     std::transform(points, points + count, corners.begin(), [this](Vec2 p) { return ToPixel(p); });
     Convex polygon = MakeConvex(corners.data(), count);
-    if (polygon.count < 3) // no inside: what is left of it is a line between its farthest corners
+    if (polygon.count < 3) // degenerate: a line between its two furthest corners
     {
         return AddOutline(points, count, paint.stroke);
     }
@@ -231,7 +230,7 @@ bool ShapeBuilder::AddOutline(const Vec2* points, std::size_t count, const Rgba&
         const std::size_t next = (i + 1) % count;
         if (next == 0 && count == 2)
         {
-            break; // the way back is the same line
+            break; // the reverse direction is the same line
         }
         drawn |= AddLine(ToPixel(points[i]), ToPixel(points[next]), m_outlineWidth, stroke);
     }
@@ -290,7 +289,7 @@ bool ShapeBuilder::AddTransform(const Vec2* points, double length)
     const Point origin = ToPixel(points[0]);
     const double scale = length * m_camera.pixelsPerMeter;
     const Point x{scale * points[1].x, -scale * points[1].y};
-    const Point y{x.y, -x.x}; // a quarter turn to the left, with y down
+    const Point y{x.y, -x.x}; // rotated by 90 degrees to the left, with y down
     const bool drawnX = AddLine(origin, origin + x, m_outlineWidth, Opaque(m_theme.xAxis));
     const bool drawnY = AddLine(origin, origin + y, m_outlineWidth, Opaque(m_theme.yAxis));
     return drawnX || drawnY;
@@ -300,7 +299,8 @@ bool ShapeBuilder::AddText(Vec2 topLeft, const std::string& text, const Rgba& in
 {
     const Point corner = ToPixel(topLeft);
     const Point at{std::floor(corner.x + 0.5), std::floor(corner.y + 0.5)};
-    if (!IsFinite(at) || std::abs(at.x) > 1e6 || std::abs(at.y) > 1e6) // no text is that long
+    if (!IsFinite(at) || std::abs(at.x) > 1e6 || std::abs(at.y) > 1e6) // texts are shorter than
+                                                                       // that
     {
         return false;
     }
@@ -407,7 +407,7 @@ bool ShapeBuilder::EmitPolygon(const Convex& outer, const Convex& inner, const P
     {
         return false;
     }
-    // Pixels whose centre is this near the middle are all fill.
+    // Pixels with a centre this close to the middle are completely filled.
     const double core = InsideDistance(inner, quad.center) - kPixelReach;
     ProgramKind kind = ProgramKind::LargePolygon;
     for (const ProgramKind smaller :
@@ -432,7 +432,7 @@ bool ShapeBuilder::EmitPolygon(const Convex& outer, const Convex& inner, const P
     const auto putCorners = [&](const Convex& polygon, std::size_t room) {
         for (std::size_t i = 0; i < room; ++i)
         {
-            // Corners left over repeat the last: an edge of no length has no area below it.
+            // Unused corners repeat the last: an edge of zero length has no area below it.
             const Point corner =
                 polygon.count ? polygon.corners[std::min(i, polygon.count - 1)] : quad.center;
             put(corner.x);

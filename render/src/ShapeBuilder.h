@@ -13,25 +13,25 @@
 #include <optional>
 #include <vector>
 
-/// Turns the items of a DrawList into instances for the shaders, in pixels. Pure arithmetic in
-/// double, made float at the end, so that the same list gives the same bits on any machine. Called
-/// by Renderer; knows no GL.
+/// Converts the items of a DrawList into shader instances, in pixels. Pure arithmetic in double,
+/// converted to float at the end, so that the same list gives the same bits on any machine. Called
+/// by Renderer; independent of GL.
 ///
-/// What an instance's attributes mean is written beside the shaders, in Shaders.cpp.
+/// The meaning of the attributes is documented beside the shaders, in Shaders.cpp.
 namespace boxreel
 {
 
 class ShapeBuilder
 {
 public:
-    /// `scale` times as large are outlines, points and letters.
+    /// `scale`: factor of outlines, points and text.
     ShapeBuilder(const Theme& theme, double scale);
 
-    /// What is added from now on is seen by this camera, whose size is the picture's; its numbers
-    /// are finite and its scale is positive.
+    /// Sets the camera of the items that follow. Its size is that of the picture; its numbers are
+    /// finite and its scale is positive.
     void SetCamera(const Camera& camera) { m_camera = camera; }
 
-    /// Adds what the item shows in the picture: nothing when it is outside, or not finite.
+    /// Adds the visible part of the item: nothing if it is outside or not finite.
     void Add(const DrawList& list, const DrawItem& item, Instances& instances);
 
 private:
@@ -66,7 +66,7 @@ private:
     Theme m_theme;
     double m_scale;
     double m_outlineWidth;            // [px]
-    Instances* m_instances = nullptr; // of the item in hand
+    Instances* m_instances = nullptr; // of the current item
     std::vector<GlyphQuad> m_glyphs;
 };
 

@@ -11,10 +11,10 @@ namespace boxreel
 namespace
 {
 
-constexpr double kGridSteps = 256.0; // in a pixel
-constexpr double kHalfFade = 0.5;    // [px]; coverage changes from 0 to 1 over a pixel
+constexpr double kGridSteps = 256.0; // per pixel
+constexpr double kHalfFade = 0.5;    // [px]; coverage changes from 0 to 1 over one pixel
 
-/// Without repeated points; those of a closed line do not end where they begin.
+/// Returns the points without duplicates; the last point of a closed line differs from the first.
 std::vector<Point> Distinct(std::span<const Vec2> given, bool closed)
 {
     std::vector<Point> points;
@@ -36,7 +36,7 @@ std::vector<Point> Distinct(std::span<const Vec2> given, bool closed)
     return points;
 }
 
-/// The unit normal of a line from a to b, on the left when y points down.
+/// Returns the unit normal of a line from a to b, on the left when y points down.
 Point Normal(Point a, Point b)
 {
     const Point d = b - a;
@@ -44,8 +44,8 @@ Point Normal(Point a, Point b)
     return {d.y / length, -d.x / length};
 }
 
-/// For each point, how far it moves for both its edges to move along their normals by 1, at most by
-/// kMitreLimit.
+/// Returns for each point the displacement that moves both its edges along their normals by 1,
+/// limited by kMitreLimit.
 std::vector<Point> Mitres(const std::vector<Point>& points, bool closed)
 {
     const std::size_t count = points.size();
@@ -80,7 +80,7 @@ public:
     {
         m_overlay.indices.insert(m_overlay.indices.end(), {a, b, c});
     }
-    /// Between a, b and c, d, where b follows a and d follows c.
+    /// Adds the strip between a, b and c, d, where b follows a and d follows c.
     void Strip(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
     {
         Triangle(a, b, d);
@@ -150,7 +150,7 @@ void AppendLine(std::span<const Vec2> given, bool closed, double width, Color co
     const std::vector<Point> mitres = Mitres(points, closed && points.size() > 2);
     const double half = 0.5 * std::max(width, 1.0);
     Shape shape(color, uv, overlay);
-    std::vector<std::array<std::uint32_t, 4>> sections; // across it
+    std::vector<std::array<std::uint32_t, 4>> sections; // across the line
     for (std::size_t i = 0; i < points.size(); ++i)
     {
         const Point full = (half - kHalfFade) * mitres[i];

@@ -5,19 +5,19 @@
 
 #include <span>
 
-/// Polygons and lines with soft edges as the triangles of an Overlay. Called by ImGuiDrawData. Uses
-/// sums, products, quotients and square roots alone, which every processor rounds alike.
+/// Converts polygons and lines with soft edges to triangles of an Overlay. Called by ImGuiDrawData.
+/// Uses only sums, products, quotients and square roots, which every processor rounds equally.
 namespace boxreel
 {
 
-/// The nearest point whose coordinates are multiples of 1 / 256 px, the grid on which GL places
-/// corners: nothing that is added later rounds it to another one.
+/// Rounds to multiples of 1 / 256 px, the vertex grid of GL, so that later rounding does not change
+/// the point.
 Vec2 OnGrid(Vec2 pixel);
 
-/// Appends a convex polygon, filled, whose edges fade over a pixel. `uv`: a white texel.
+/// Appends a filled convex polygon whose edges fade over one pixel. `uv`: a white texel.
 void AppendPolygon(std::span<const Vec2> corners, Color color, Vec2 uv, Overlay& overlay);
 
-/// Appends a line of `width` [px], at least 1, whose sides fade over a pixel.
+/// Appends a line of `width` [px], at least 1, whose sides fade over one pixel.
 void AppendLine(std::span<const Vec2> points, bool closed, double width, Color color, Vec2 uv,
                 Overlay& overlay);
 

@@ -21,7 +21,7 @@ namespace
 constexpr const char* kLibrary = "libglfw.so.3";
 constexpr const char* kPackages = "libglfw3";
 
-// Every function of GLFW's that is called here, as glfw3.h declares it.
+// All GLFW functions in use, as declared in glfw3.h.
 #define BOXREEL_GLFW_FUNCTIONS(F)                                                                  \
     F(InitHint)                                                                                    \
     F(Init)                                                                                        \
@@ -77,7 +77,7 @@ struct Glfw
     }
 };
 
-/// GLFW 3.4 speaks to Wayland, too, and tries that first, with complaints where there is none.
+/// GLFW 3.4 also supports Wayland and tries it first, with error messages if it is missing.
 void PreferX11([[maybe_unused]] const Glfw& glfw)
 {
 #ifdef GLFW_PLATFORM
@@ -92,7 +92,7 @@ void PreferX11([[maybe_unused]] const Glfw& glfw)
 #endif
 }
 
-/// The library, started. `Terminate` ends it again.
+/// Loads and initializes the library. `Terminate` ends it.
 Result<Glfw> Start()
 {
     ASSIGN_OR_RETURN(const SharedLibrary library, OpenContextLibrary(kLibrary, kPackages));
@@ -131,7 +131,7 @@ Key KeyOfName(const Glfw& glfw, int key, int scancode)
             return named;
         }
     }
-    // As it is printed on the keyboard in use, not where it lies on an American one.
+    // The character in the user's keyboard layout, not its position on a US keyboard.
     const char* const name = glfw.GetKeyName(key, scancode);
     const bool isAscii = name != nullptr && name[0] != '\0' && name[1] == '\0' &&
                          static_cast<unsigned char>(name[0]) < 128;
@@ -144,8 +144,7 @@ struct Room
     int width, height;
 };
 
-/// Of the display, without docks and the like. A larger window has panels where nobody gets at
-/// them.
+/// Work area of the display, without docks. A larger window would have unreachable panels.
 Room RoomOn(const Glfw& glfw)
 {
     Room room{0, 0};
@@ -190,7 +189,7 @@ std::string Utf8(unsigned int letter)
 
 } // namespace
 
-/// The library, its one window, and the events that have not been asked for yet.
+/// The library, its one window, and the pending events.
 struct Window::Impl
 {
     explicit Impl(const Glfw& library) : glfw(library) {}
@@ -210,7 +209,7 @@ struct Window::Impl
         return *static_cast<Impl*>(s_glfw->GetWindowUserPointer(window));
     }
 
-    /// With the place of the mouse when it happened: GLFW would tell where it is now.
+    /// Creates an event with the mouse position at its time; GLFW only returns the current one.
     WindowEvent Event(WindowEvent::Kind kind) const
     {
         WindowEvent event;
@@ -241,9 +240,9 @@ struct Window::Impl
 
     Glfw glfw;
     GLFWwindow* window = nullptr;
-    Vec2 pointer{-1.0f, -1.0f}; // where the mouse was last
+    Vec2 pointer{-1.0f, -1.0f}; // last position of the mouse
     std::vector<WindowEvent> events;
-    static inline const Glfw* s_glfw = nullptr; // callbacks get nothing but the window
+    static inline const Glfw* s_glfw = nullptr; // callbacks receive only the window
 };
 
 void Window::Impl::Listen()

@@ -9,63 +9,62 @@
 #include <string_view>
 
 /// @file
-/// Files that appear under their name whole or not at all. What is written goes to NAME.part.EXT in
-/// the same folder and gets its name by Commit; what is not committed is removed. Used by
-/// everything that writes results: pictures, films, texts. Never asks, never prints.
+/// Files that appear under their name only when complete. Data is written to NAME.part.EXT in the
+/// same folder; Commit renames it, and the destructor removes it otherwise. All writers of results
+/// use it: pictures, films, texts. Never prompts or prints.
 namespace boxreel
 {
 
-/// How a file is made and what becomes of one that is there.
+/// How a file is created and how existing files are handled.
 struct AtomicFileSettings
 {
     bool overwrite = false;         ///< false: an existing file is an Error
-    std::string_view mark = "part"; ///< NAME.MARK.EXT is what it is called until Commit
-    bool replacesLeftover = true;   ///< false: a part file that somebody left is an Error, too
+    std::string_view mark = "part"; ///< the temporary name is NAME.MARK.EXT
+    bool replacesLeftover = true;   ///< false: a leftover part file is an Error too
 };
 
-/// A file that appears under its name only when it is whole.
+/// A file that appears under its name only when complete.
 class AtomicFile
 {
 public:
-    /// Opens the part file for writing, empty. An Error when `path` exists and `overwrite` is
-    /// false, is not a regular file, lies in a folder that cannot be written, or is being written
-    /// by someone else.
+    /// Opens an empty part file for writing. An Error when `path` exists and `overwrite` is false,
+    /// or is not a regular file. Also when its folder is not writable, or another process is
+    /// writing it.
     static Result<AtomicFile> Create(const std::filesystem::path& path, bool overwrite);
-    /// The same, with more to say, and the same Errors.
+    /// As above, with all settings and the same Errors.
     static Result<AtomicFile> Create(const std::filesystem::path& path,
                                      const AtomicFileSettings& settings);
 
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     AtomicFile(AtomicFile&& other) noexcept;
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     AtomicFile& operator=(AtomicFile&& other) noexcept;
     ~AtomicFile(); ///< removes the part file unless it was committed
 
-    /// Where the bytes are until then. A library that wants a name may open and write it itself.
+    /// Returns the path of the part file. A library that needs a file name may open and write it.
     const std::filesystem::path& PartPath() const { return m_part; }
 
-    /// Appends all of the bytes. An Error (Failed) when the disk takes less.
+    /// Appends all bytes. An Error (Failed) when the disk is full.
     Result<void> Write(std::span<const std::uint8_t> bytes);
 
-    /// For formats that go back to fill in what they know only at the end. Neither moves the place
-    /// where Write goes on. An Error (Failed) as of Write. `offset`: from the beginning, 0 or more
-    /// [bytes].
+    /// Writes at an offset [bytes], >= 0, for formats that complete earlier fields at the end.
+    /// ReadAt and WriteAt do not change the position of Write. An Error (Failed) as in Write.
     Result<void> WriteAt(std::int64_t offset, std::span<const std::uint8_t> bytes);
-    /// How many bytes were read, from `offset` on [bytes]: fewer than were asked for at the end of
-    /// the file. An Error (Failed) when the disk does not give them.
+    /// Reads from `offset` [bytes] and returns the number of bytes read. This is less than
+    /// requested only at the end of the file. An Error (Failed) when reading fails.
     Result<std::size_t> ReadAt(std::int64_t offset, std::span<std::uint8_t> bytes) const;
 
-    /// Flushes to the disk and renames. Nothing may follow. An Error when the disk takes less, or
-    /// when `overwrite` is false and a file of the name has come meanwhile; the name is then left
-    /// as it was.
+    /// Flushes to the disk and renames. The object cannot be used afterwards. An Error when the
+    /// disk is full, or when `overwrite` is false and the file was created meanwhile; that file is
+    /// unchanged.
     Result<void> Commit();
 
-    /// Flushes to the disk and leaves the part file as it is. Nothing may follow. An Error (Failed)
-    /// when the disk takes less.
+    /// Flushes to the disk and keeps the part file. The object cannot be used afterwards. An Error
+    /// (Failed) when the disk is full.
     Result<void> Leave();
 
-    /// Calls the part file NAME.`mark`.EXT from now on, in place of whatever had that name. An
-    /// Error when it cannot be renamed.
+    /// Renames the part file to NAME.`mark`.EXT, replacing an existing file. An Error when that
+    /// fails.
     Result<void> Mark(std::string_view mark);
 
 private:
@@ -78,16 +77,18 @@ private:
     int m_descriptor = -1; // -1: committed or moved from
 };
 
-/// dir/film.mp4 becomes dir/film.part.mp4: the extension stays, since libraries go by it.
+/// Returns the path of a part file: dir/film.mp4 becomes dir/film.part.mp4. The extension stays,
+/// because libraries choose the format by it.
 std::filesystem::path PartPath(const std::filesystem::path& path, std::string_view mark = "part");
 
-/// Whether some program has this part file open as an AtomicFile. False where there are no locks.
+/// True if a process has this part file open as an AtomicFile. False where file locks are not
+/// supported.
 bool IsBeingWritten(const std::filesystem::path& part);
 
-/// Create, Write and Commit in one, with their Errors.
+/// Creates, writes and commits a file, with the Errors of these functions.
 Result<void> WriteWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                         bool overwrite);
-/// The same for text.
+/// As above, for text.
 Result<void> WriteWhole(const std::filesystem::path& path, std::string_view text, bool overwrite);
 
 } // namespace boxreel

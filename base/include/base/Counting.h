@@ -5,11 +5,11 @@
 #include <string_view>
 
 /// @file
-/// Numbers with their nouns.
+/// Numbers with nouns in singular or plural.
 namespace boxreel
 {
 
-/// "1 frame", "2 frames".
+/// Returns the number with its noun: "1 frame", "2 frames".
 template <class Integer>
 std::string Counted(Integer count, std::string_view thing)
 {

@@ -6,8 +6,8 @@
 #include <utility>
 
 /// @file
-/// Pass an error on in one line. For our own sources: public headers must not include this file,
-/// since the macros have no prefix.
+/// Macros that pass an error on in one line. For our own sources: public headers must not include
+/// this file, because the macros have no prefix.
 
 #define BOXREEL_JOIN_NAMES(a, b) a##b
 #define BOXREEL_UNIQUE_NAME(a, b) BOXREEL_JOIN_NAMES(a, b)

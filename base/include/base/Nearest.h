@@ -12,11 +12,12 @@
 namespace boxreel
 {
 
-/// Letters to insert, delete, replace, or swap with their neighbour to turn `a` into `b`.
+/// Returns the number of letters to insert, delete, replace, or swap with their neighbour to turn
+/// `a` into `b`.
 int EditDistance(std::string_view a, std::string_view b);
 
-/// Index of the candidate nearest to `word`, or -1 when none is near enough to be meant. Capitals
-/// count as small letters, and a candidate that begins with the word as near.
+/// Returns the index of the candidate nearest to `word`, or -1 if none is near enough. Case is
+/// ignored. A candidate that starts with the word counts as near.
 int NearestWord(std::string_view word, const std::vector<std::string>& candidates);
 
 /// The remedy of an Error: "did you mean 'high'?" when a candidate is near, else `otherwise`.

@@ -8,13 +8,12 @@
 #include <string>
 
 /// @file
-/// Files, read at once.
+/// Reads whole files.
 namespace boxreel
 {
 
-/// The bytes of a regular file. An Error names the path: Unusable when there is no such file, it is
-/// not a regular file, is larger than `limit` [bytes] or cannot be opened, Failed when reading it
-/// fails.
+/// Returns the bytes of a regular file. An Error names the path. Unusable: the file does not exist,
+/// is not regular, is larger than `limit` [bytes] or cannot be opened. Failed: reading fails.
 Result<std::string> ReadWhole(const std::filesystem::path& path, std::uintmax_t limit);
 
 } // namespace boxreel

@@ -6,31 +6,30 @@
 #include <variant>
 
 /// @file
-/// How the toolkit reports errors of the environment (files, codecs, drivers, arguments).
-/// Libraries return them; they never print, exit or throw across a module. Programming errors of
-/// the caller are asserted instead.
+/// Errors of the environment (files, codecs, drivers, arguments). Libraries return them; they never
+/// print, exit or throw across a module. Programming errors of the caller are asserted instead.
 namespace boxreel
 {
 
 /// The value is the exit code of the `boxreel` command.
 enum class ErrorKind
 {
-    Unusable =
-        1, ///< what the caller named is unknown, missing, malformed, contradictory or in the way
-    Different = 2, ///< two things that should be equal are not
-    Absent = 3,    ///< a library, encoder or device is not on this machine
-    Failed = 4,    ///< reading or writing failed under way
+    Unusable = 1,  ///< what the caller named is unknown, missing, malformed, contradictory or
+                   ///< already exists
+    Different = 2, ///< two things that should be equal differ
+    Absent = 3,    ///< a library, encoder or device is not available on this machine
+    Failed = 4,    ///< reading or writing failed during the operation
 };
 
-/// What went wrong, as data. Text() is the only place that makes a sentence of it.
+/// An error as data. Only Text() forms a sentence.
 struct Error
 {
-    ErrorKind kind = ErrorKind::Failed; ///< whose fault it is
-    std::string culprit; ///< what is at fault, as the caller named it: an option, a file, a name
+    ErrorKind kind = ErrorKind::Failed; ///< category of the cause
+    std::string culprit;      ///< the option, file or name at fault, as the caller named it
     std::string problem = {}; ///< what is wrong with it: lower case, no full stop
-    std::string remedy = {};  ///< what to do about it: lower case, no full stop; may be empty
+    std::string remedy = {};  ///< how to fix it: lower case, no full stop; may be empty
 
-    /// "film.mp4: already exists; use --force to replace it"
+    /// Returns "film.mp4: already exists; use --force to replace it".
     std::string Text() const;
 };
 
@@ -39,26 +38,26 @@ template <class T>
 class [[nodiscard]] Result
 {
 public:
-    /// Success.
+    /// Creates a success.
     Result(T value) : m_content(std::in_place_index<0>, std::move(value)) {}
-    /// Failure.
+    /// Creates a failure.
     Result(Error error) : m_content(std::in_place_index<1>, std::move(error)) {}
 
-    /// Whether there is a value, and no error.
+    /// True if there is a value.
     explicit operator bool() const { return m_content.index() == 0; }
-    /// The value; only where there is one.
+    /// Returns the value; only if there is one.
     T& operator*() & { return std::get<0>(m_content); }
-    /// The value; only where there is one.
+    /// Returns the value; only if there is one.
     const T& operator*() const& { return std::get<0>(m_content); }
-    /// The value; only where there is one.
+    /// Returns the value; only if there is one.
     T&& operator*() && { return std::get<0>(std::move(m_content)); }
-    /// Into the value; only where there is one.
+    /// Accesses a member of the value; only if there is one.
     T* operator->() { return &std::get<0>(m_content); }
-    /// Into the value; only where there is one.
+    /// Accesses a member of the value; only if there is one.
     const T* operator->() const { return &std::get<0>(m_content); }
-    /// What went wrong; only where there is no value.
+    /// Returns the error; only if there is no value.
     const Error& GetError() const { return std::get<1>(m_content); }
-    /// Moves the error out; only where there is no value.
+    /// Moves the error out; only if there is no value.
     Error TakeError() && { return std::get<1>(std::move(m_content)); }
 
 private:
@@ -71,14 +70,14 @@ class [[nodiscard]] Result<void>
 {
 public:
     Result() = default;
-    /// Failure.
+    /// Creates a failure.
     Result(Error error) : m_error(std::move(error)), m_failed(true) {}
 
-    /// Whether all went well.
+    /// True on success.
     explicit operator bool() const { return !m_failed; }
-    /// What went wrong; empty where nothing did.
+    /// Returns the error; empty on success.
     const Error& GetError() const { return m_error; }
-    /// Moves the error out; empty where nothing went wrong.
+    /// Moves the error out; empty on success.
     Error TakeError() && { return std::move(m_error); }
 
 private:

@@ -6,27 +6,27 @@
 #include <string>
 
 /// @file
-/// Libraries that are loaded when they are needed.
+/// Libraries that are loaded on demand.
 namespace boxreel
 {
 
-/// A library that is loaded when it is needed, not when the program starts. Its symbols are its
-/// own, so that those of two GL libraries never meet in one process. It is never unloaded:
-/// libraries keep threads and thread-local data.
+/// A library that is loaded on demand instead of at program start. Its symbols are private, so that
+/// two GL libraries in one process do not conflict. It is never unloaded, because libraries keep
+/// threads and thread-local data.
 class SharedLibrary
 {
 public:
     enum class Symbols
     {
-        Lazy, ///< each is looked up at its first call
-        Now,  ///< a library that lacks one of its own does not open
+        Lazy, ///< resolve each symbol at its first call
+        Now,  ///< resolve all symbols; an unresolved symbol is an Error
     };
 
-    /// An Error (Absent) names the library and Debian's packages.
+    /// Loads a library. An Error (Absent) names the library and its Debian packages.
     static Result<SharedLibrary> Open(const std::string& name, const std::string& packages,
                                       Symbols symbols = Symbols::Lazy);
 
-    /// Whether the library has this function.
+    /// True if the library has this function.
     template <class Function>
     bool Bind(const char* symbol, Function& function) const
     {
@@ -34,7 +34,7 @@ public:
         return function != nullptr;
     }
 
-    /// The Error (Absent) when it lacks something, such as "the function avcodec_open2".
+    /// Returns the Error (Absent) for a missing part, such as "the function avcodec_open2".
     Error Lacks(const std::string& what) const;
 
 private:

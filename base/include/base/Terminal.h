@@ -8,26 +8,27 @@
 #include <string_view>
 
 /// @file
-/// What the program writes for people, and how wide and colourful it may be.
+/// Output of the program, with the width and colours of the terminal.
 namespace boxreel
 {
 
 bool IsTerminal(std::FILE* stream);
 
-/// On a terminal, unless NO_COLOR is set to something or TERM is "dumb".
+/// True for a terminal, unless NO_COLOR is set and not empty or TERM is "dumb".
 bool UsesColor(std::FILE* stream);
 
-/// Characters in a line of the terminal, 80 when it does not say.
+/// Returns the number of columns of the terminal; 80 if unknown.
 int TerminalColumns(std::FILE* stream);
 
-/// The text in bold or in red where colours are used, as it is elsewhere.
+/// Returns the text in bold or red where colours are used, otherwise unchanged.
 std::string Bold(std::string_view text, std::FILE* stream);
 std::string Red(std::string_view text, std::FILE* stream);
 
-/// Standard output, flushed: a full disk behind it is an Error (Failed), not silence.
+/// Writes to standard output and flushes. An Error (Failed) when that fails, for example on a full
+/// disk.
 Result<void> WriteOutput(std::string_view text);
 
-/// Standard error.
+/// Writes to standard error.
 void WriteMessage(std::string_view line);
 
 } // namespace boxreel

@@ -9,11 +9,11 @@
 #include <utility>
 
 /// @file
-/// Where a command puts what it makes for itself, below TMPDIR.
+/// Temporary folders of a command, below TMPDIR.
 namespace boxreel
 {
 
-/// A folder of its own, removed with what is in it.
+/// A temporary folder, removed with its content.
 class WorkFolder
 {
 public:

@@ -5,17 +5,17 @@
 #include <debugdraw/DrawList.h>
 
 /// @file
-/// Arrows whose shaft is measured in metres and whose head in pixels, so that a head is as large
-/// in every view.
+/// Arrows with a shaft in metres and a head in pixels, so that heads have the same size in every
+/// view.
 namespace boxreel
 {
 
-/// How large an arrow's head is.
+/// The size and style of an arrow's head.
 struct ArrowHead
 {
     double length = 9.0;    ///< along the shaft [px]
-    double halfWidth = 3.0; ///< across it [px]
-    bool open = false;      ///< two strokes from the point, and a shaft that reaches it
+    double halfWidth = 3.0; ///< perpendicular to the shaft [px]
+    bool open = false;      ///< two strokes instead of a triangle; the shaft reaches the tip
 };
 
 /// A shaft from `tail` to `tip` [m] with a head, filled or open, whose point lies at `tip`; stamped

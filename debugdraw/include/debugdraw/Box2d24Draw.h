@@ -11,22 +11,23 @@
 #include <vector>
 
 /// @file
-/// The debug drawing of Box2D 2.4, such as Debian's libbox2d-dev, as a DrawList, for programs that
-/// simulate with that library and draw, film or compare with this toolkit. All of it is in this
-/// header, so the toolkit never links that library. Its classes are called as those of our engine
-/// are: a program includes and links one of the two, never both.
+/// The debug drawing of Box2D 2.4, such as Debian's libbox2d-dev, as a DrawList. For programs that
+/// simulate with that library and draw, record or compare with this toolkit. Header only, so the
+/// toolkit never links that library. Its classes have the names of our engine's classes: a program
+/// includes and links one of the two, never both.
 namespace boxreel::box2d24
 {
 
-/// Register it with b2World::SetDebugDraw, call DebugDraw, read the list. That library does not say
-/// which layer or body it draws: what is added has the list's `layer` and `owner`.
+/// Register it with b2World::SetDebugDraw, call DebugDraw, read the list. That library does not
+/// announce layers and bodies: items get the list's `layer` and `owner`.
 class DrawCollector : public b2Draw
 {
 public:
     /// The list must outlive it.
     explicit DrawCollector(DrawList& list) : m_list(list) {}
 
-    /// Closed, of world points [m]; of fewer than three points a line, of none nothing.
+    /// Adds a closed outline of world points [m]; fewer than three points give a line, none
+    /// nothing.
     void DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override
     {
         if (vertexCount >= 3)
@@ -39,7 +40,7 @@ public:
             DrawSegment(vertices[0], vertices[vertexCount - 1], color);
         }
     }
-    /// With more corners than a DrawList fills (8): the outline alone.
+    /// Adds a filled polygon; only its outline if it has more than 8 vertices.
     void DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount, const b2Color& color) override
     {
         if (vertexCount < 3)
@@ -50,29 +51,29 @@ public:
         Convert(vertices, vertexCount);
         m_list.AddSolidPolygon(m_points.data(), m_points.size(), PaintOf(color));
     }
-    /// An outline; centre and radius [m].
+    /// Adds an outline; centre and radius [m].
     void DrawCircle(const b2Vec2& center, float radius, const b2Color& color) override
     {
         m_list.AddCircle(From(center), radius, PaintOf(color));
     }
-    /// Filled, with a line from the centre [m] along `axis`, of length 1.
+    /// Adds a filled circle [m], with a line from the centre along the unit vector `axis`.
     void DrawSolidCircle(const b2Vec2& center, float radius, const b2Vec2& axis,
                          const b2Color& color) override
     {
         m_list.AddSolidCircle(From(center), radius, From(axis), PaintOf(color));
     }
-    /// A line between world points [m].
+    /// Adds a line between world points [m].
     void DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color) override
     {
         m_list.AddSegment(From(p1), From(p2), PaintOf(color));
     }
-    /// Its axes, 0.4 m each, red x and green y.
+    /// Adds its axes, 0.4 m each, red x and green y.
     void DrawTransform(const b2Transform& xf) override
     {
-        constexpr float axisLength = 0.4f; // [m], as of our engine's frames
+        constexpr float axisLength = 0.4f; // [m], as in our engine
         m_list.AddTransform(From(xf.p), From(xf.q.GetXAxis()), axisLength);
     }
-    /// At a world point [m]; its diameter [px].
+    /// Adds a point [m]; `size` is its diameter [px].
     void DrawPoint(const b2Vec2& p, float size, const b2Color& color) override
     {
         m_list.AddPoint(From(p), size, PaintOf(color));
@@ -80,7 +81,7 @@ public:
 
 private:
     static Vec2 From(const b2Vec2& v) { return {v.x, v.y}; }
-    // To the nearest of 256 steps; what is out of range, or no number, is cut to it.
+    // Rounds to 256 steps and clamps; NaN is clamped too.
     static std::uint8_t ChannelFrom(float channel)
     {
         return channel > 0.0f
@@ -108,11 +109,11 @@ private:
     }
 
     DrawList& m_list;
-    std::vector<Vec2> m_points; // scratch, kept so that drawing a frame allocates nothing
+    std::vector<Vec2> m_points; // scratch, kept to avoid allocations per frame
 };
 
-/// All that a world shows, of the layers that b2Draw's bits name; no item has an owner. The world's
-/// debug drawing is borrowed for it and none is registered afterwards.
+/// Returns the debug drawing of a world, for the layers in b2Draw's bits; items have no owner.
+/// Replaces the world's debug drawing; none is registered afterwards.
 inline DrawList DrawListOf(b2World& world, uint32 flags = b2Draw::e_shapeBit | b2Draw::e_jointBit)
 {
     struct Layer
@@ -120,7 +121,7 @@ inline DrawList DrawListOf(b2World& world, uint32 flags = b2Draw::e_shapeBit | b
         uint32 flag;
         DrawLayer layer;
     };
-    // In the order in which DebugDraw draws them, so that the same covers the same.
+    // In the order of DebugDraw, so that items overlap in the same way.
     constexpr std::array<Layer, 5> layers{{{b2Draw::e_shapeBit, DrawLayer::Shapes},
                                            {b2Draw::e_jointBit, DrawLayer::Joints},
                                            {b2Draw::e_pairBit, DrawLayer::Pairs},

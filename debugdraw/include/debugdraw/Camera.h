@@ -6,75 +6,73 @@
 #include <functional>
 
 /// @file
-/// Where a frame looks: metres to pixels and back. A Camera is one frame's view; FitCamera moves it
-/// over time. World y points up, pixel y down from the top left corner; pixel centres lie at .5.
+/// Converts between metres and pixels. A Camera is the view of one frame; FitCamera moves it over
+/// time. World y points up, pixel y down from the top left corner; pixel centres are at .5.
 namespace boxreel
 {
 
-/// Which part of the world is seen, and how large; nothing turns it.
+/// The visible part of the world, without rotation.
 struct Camera
 {
-    int width = 1280;             ///< of the picture, at least 1 [px]
-    int height = 720;             ///< of the picture, at least 1 [px]
-    double centerX = 0.0;         ///< world point in the middle of the frame [m]
-    double centerY = 20.0;        ///< its height in the world [m]
-    double pixelsPerMeter = 14.4; ///< above 0; the testbed's default is 50 m in a height of 720 px
+    int width = 1280;             ///< width of the picture, at least 1 [px]
+    int height = 720;             ///< height of the picture, at least 1 [px]
+    double centerX = 0.0;         ///< world point in the centre of the frame [m]
+    double centerY = 20.0;        ///< its y coordinate [m]
+    double pixelsPerMeter = 14.4; ///< > 0; the testbed's default shows 50 m in a height of 720 px
 
-    /// From the world [m] to the picture [px, y down].
+    /// Converts from the world [m] to the picture [px, y down].
     Vec2 ToPixel(Vec2 world) const;
-    /// From the picture [px, y down] to the world [m].
+    /// Converts from the picture [px, y down] to the world [m].
     Vec2 ToWorld(Vec2 pixel) const;
-    Rect VisibleArea() const; ///< what of the world the picture shows [m]
-    /// Whether all members are equal.
+    Rect VisibleArea() const; ///< visible part of the world [m]
+    /// True if all members are equal.
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// Whether pictures can be made of this view: its numbers are finite, its scale is above zero, and
-/// neither the scale nor the centre is more than 1e15 pixels, beyond which doubles do not tell one
-/// pixel from the next.
+/// True if the view can be drawn: its numbers are finite and its scale is above zero. Neither the
+/// scale nor the centre exceeds 1e15 pixels, beyond which doubles do not resolve pixels.
 bool CanBeDrawn(const Camera& camera);
 
-/// The view of `area` [m], in a picture of at least 1x1 [px], with `margin` (a share of the frame's
-/// smaller side, 0 to 0.45) left on every side. An area that is empty or not finite gives the
-/// default view, 50 m high around (0, 20); a smaller one than a metre is shown as a metre.
+/// Returns the view of `area` [m], in a picture of at least 1x1 [px]. `margin` is a fraction of the
+/// frame's smaller side, 0 to 0.45. An area that is empty or not finite gives the default view, 50
+/// m high around (0, 20). An area smaller than a metre is enlarged to a metre.
 Camera FitTo(const Rect& area, int width, int height, double margin = 0.06);
 
-/// The same view in a picture of `scale` (above 0) times as many pixels each way (rounded, at least
-/// 1).
+/// Returns the same view in a picture with `scale` (> 0) times as many pixels per side, rounded, at
+/// least 1.
 Camera Scaled(const Camera& camera, double scale);
 
-/// `share` of the way from one view of a picture to another of it, 0 to 1: centre and height in
-/// proportion.
+/// Interpolates between two views of the same picture size, `share` 0 to 1: centre and height
+/// linearly.
 Camera Between(const Camera& from, const Camera& to, double share);
 
-/// Is handed the numbers that a camera carries from step to step, one after the other: to keep
-/// them, or to replace them by what was kept.
+/// Receives each number of a camera's state, to save or to replace it.
 using NumberVisitor = std::function<void(double&)>;
 
-/// Keeps what moves in view, without shaking: the view only ever grows, smoothly, and lets go of a
-/// body that has left the neighbourhood (fallen off the world). Depends on the steps of the
-/// simulation alone, never on the frame rate, so that a film and a still show the same pixels.
+/// Keeps moving bodies in view without shaking. The view only grows, smoothly, and ignores a body
+/// that has left the neighbourhood (fallen off the world). It depends on simulation steps, not on
+/// frames, so that a film and a still show the same pixels.
 class FitCamera
 {
 public:
-    /// `scene`: what should be seen at the start (the moving bodies, and static ones near them)
-    /// [m]. `width`, `height`: of the picture, at least 1 [px].
+    /// `scene`: visible area at the start: dynamic bodies and nearby static ones [m]. `width`,
+    /// `height`: of the picture, at least 1 [px].
     FitCamera(int width, int height, const Rect& scene);
 
-    /// Once after every simulation step of `dt` seconds, 0 or more, with the boxes [m] of the
-    /// bodies that can move. Boxes that are empty or not finite are ignored.
+    /// Call after every simulation step of `dt` seconds, >= 0, with the boxes of moving bodies [m].
+    /// Boxes that are empty or not finite are ignored.
     void Update(const std::vector<Rect>& movers, double dt);
 
-    /// What it looks at now.
+    /// Returns the current view.
     const Camera& View() const { return m_view; }
 
-    /// All that Update changes. A camera that was made alike goes on from these numbers as this one
-    /// does.
+    /// Visits all state that Update changes. A camera with the same construction continues
+    /// identically from these numbers.
     void VisitState(const NumberVisitor& visit);
 
 private:
-    /// What a frame shows [m]. Always of the picture's shape, so half the height says it all, and a
-    /// blend of two that lie one in the other lies between them.
+    /// The area of a frame [m]. It has the picture's aspect ratio, so half the height defines its
+    /// size, and interpolation between nested areas stays between them.
     struct Area
     {
         double x = 0.0; ///< centre
@@ -96,11 +94,11 @@ private:
     static Area Blend(const Area& from, const Area& to, double share);
 
     double m_aspect;     // width / height of the picture
-    Box m_neighbourhood; // outside of it a body is let go
-    // Each lies in the one before:
-    Area m_target; // where the view is going; only ever grows
+    Box m_neighbourhood; // bodies outside are ignored
+    // Nested, each inside the previous one:
+    Area m_target; // target of the view; only grows
     Area m_guide;  // follows the target smoothly
-    Area m_shown;  // follows the guide, so that it starts softly too
+    Area m_shown;  // follows the guide, so that it starts smoothly too
     Camera m_view;
 };
 

@@ -7,36 +7,36 @@
 #include <vector>
 
 /// @file
-/// A camera that goes from one view to the next at given times. A function of the time alone: no
-/// frame rate and no step is in it. Plain arithmetic, so that every machine sees the same view.
+/// A camera that moves between views at given times. A function of time only, independent of frames
+/// and steps. Plain arithmetic, so that every machine computes the same view.
 namespace boxreel
 {
 
-/// Where a camera is to be at a moment.
+/// A view at a time.
 struct CameraKey
 {
     double time = 0.0;    ///< simulated [s]
-    double centerX = 0.0; ///< world point in the middle of the frame [m]
-    double centerY = 0.0; ///< its height in the world [m]
-    double height = 50.0; ///< of the visible area [m], above 0
-    /// Whether all members are equal.
+    double centerX = 0.0; ///< world point in the centre of the frame [m]
+    double centerY = 0.0; ///< its y coordinate [m]
+    double height = 50.0; ///< height of the visible area [m], > 0
+    /// True if all members are equal.
     friend bool operator==(const CameraKey&, const CameraKey&) = default;
 };
 
-/// Why these keys are no path, as the end of a sentence ("…: its times must grow"); empty if they
-/// are one. Two keys or more, all numbers finite, times growing, heights above 0.
+/// Returns why these keys do not form a path, as the end of a sentence ("…: its times must grow");
+/// empty if they do. At least two keys, all numbers finite, increasing times, heights > 0.
 std::string WhyNotPath(const std::vector<CameraKey>& keys);
 
-/// Rests at each key and leaves it softly; before the first and after the last key it stands still.
-/// Between two keys it zooms evenly, each moment by the same factor, about one point of the world
-/// that keeps its place in the frame; where both show the same height it pans.
+/// Rests at each key and starts smoothly; constant before the first and after the last key. Between
+/// keys of different heights it zooms at a constant rate about a fixed point of the world. Between
+/// equal heights it pans.
 class CameraPath
 {
 public:
-    /// Expects what WhyNotPath has nothing against.
+    /// `keys` must pass WhyNotPath.
     CameraPath(int width, int height, std::vector<CameraKey> keys);
 
-    Camera At(double time) const; ///< what is seen at this simulated time [s]
+    Camera At(double time) const; ///< view at this simulated time [s]
 
 private:
     Camera ViewOf(const CameraKey& key) const;

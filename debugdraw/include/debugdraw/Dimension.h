@@ -7,26 +7,25 @@
 #include <string>
 
 /// @file
-/// Measures in a picture, as technical drawings have them: two extension lines, a line with arrows
-/// between them, and the distance.
+/// Dimensions as in technical drawings: two extension lines, a line with arrows between them, and
+/// the distance.
 namespace boxreel
 {
 
-/// How a dimension is drawn, and what it says.
+/// Style and label of a dimension.
 struct DimensionSettings
 {
-    double offset = 30.0; ///< of the measured points from the line with the arrows, on the side
-                          ///< where there is room: above, else below; left, else right; the
-                          ///< other way round when it is negative [px]
+    double offset = 30.0; ///< from the measured points to the line with the arrows [px]. Positive:
+                          ///< above or left if there is space; negative: the opposite side
     std::string label;    ///< empty: the distance, such as "1.25 m"
     Paint color = ColorRole::Ink; ///< of lines and label
 };
 
-/// The distance between `a` and `b` [m], for a list that `view` looks at. Where the arrows do not
-/// fit between the extension lines they point at them from outside. The text stays in the picture
-/// when the arrows do; where the list has an outline, a sign or a text there, it moves along the
-/// line, or to its other side, if it is clear of them there. In the layer Annotations. Nothing is
-/// added when the points are one, or not finite.
+/// Adds the distance between `a` and `b` [m] to a list with the camera `view`, in the layer
+/// Annotations. If the arrows do not fit between the extension lines, they point from outside. The
+/// text stays in the picture if the arrows do. It moves along the line, or to the other side, if
+/// that avoids outlines, glyphs and texts of the list. Adds nothing when the points are equal or
+/// not finite.
 void AddDimension(DrawList& list, const Camera& view, Vec2 a, Vec2 b,
                   const DimensionSettings& settings = {});
 

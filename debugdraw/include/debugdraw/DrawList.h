@@ -10,33 +10,33 @@
 #include <vector>
 
 /// @file
-/// What a world asked to draw: plain arrays in metres, in painter's order (later covers earlier).
+/// The items that a world draws: plain arrays in metres, in painter's order (later covers earlier).
 /// Filled by a collector (ours or an adapter for another engine), read by renderers, figures and
-/// golden tests. Can be built by hand, hashed, printed. Knows no pixels but the sizes of points and
-/// text.
+/// golden tests. Can be built by hand, hashed and printed. Only the sizes of points and text are in
+/// pixels.
 namespace boxreel
 {
 
-/// A point or a direction; in a list [m], world frame, y up.
+/// A point or a direction; in a list in metres, world frame, y up.
 struct Vec2
 {
     float x = 0.0f; ///< to the right
     float y = 0.0f; ///< upwards
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const Vec2&, const Vec2&) = default;
 };
 
-/// Axis-aligned, in metres; empty when upper < lower.
+/// An axis-aligned rectangle in metres; empty when upper < lower.
 struct Rect
 {
-    Vec2 lower{1.0f, 1.0f};   ///< left and below
-    Vec2 upper{-1.0f, -1.0f}; ///< right and above
-    /// Whether it holds no point.
+    Vec2 lower{1.0f, 1.0f};   ///< lower left corner
+    Vec2 upper{-1.0f, -1.0f}; ///< upper right corner
+    /// True if it contains no point.
     bool IsEmpty() const { return upper.x < lower.x || upper.y < lower.y; }
-    /// Grows as far as it must to hold the point.
+    /// Grows to contain the point.
     void Include(Vec2 point);
-    void Include(const Rect& other); ///< an empty rect adds nothing
-    /// Whether all members are equal.
+    void Include(const Rect& other); ///< an empty rectangle adds nothing
+    /// True if all members are equal.
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 
@@ -44,24 +44,24 @@ struct Rect
 enum class DrawKind : std::uint8_t
 {
     Polygon,      ///< count points, outline only
-    SolidPolygon, ///< count points (3..8, convex, counter-clockwise): fill of half the colour, and
-                  ///< outline
+    SolidPolygon, ///< count points (3..8, convex, counter-clockwise): outline, and fill of half the
+                  ///< colour
     Circle,       ///< point: centre; size: radius [m]; outline only
     SolidCircle,  ///< points: centre, unit axis; size: radius [m]; fill, outline and axis line
     Segment,      ///< two points
     Transform,    ///< points: origin, unit x axis; drawn as a red and a green axis of `size` metres
     Point,        ///< point: centre; size: diameter [px]
-    Text,         ///< point: where the text's top left corner lies; `text`: index into texts
+    Text,         ///< point: top left corner of the text; `text`: index into texts
 };
 
 /// Whom an item belongs to: the body's number in its world, in order of creation.
 inline constexpr std::uint32_t kNoOwner = 0xffffffffu;
 
-/// One thing to be drawn, its points and text in the list.
+/// One item; its points and text are in the list.
 struct DrawItem
 {
-    DrawKind kind = DrawKind::Segment;   ///< what it is
-    DrawLayer layer = DrawLayer::Shapes; ///< which layer it belongs to
+    DrawKind kind = DrawKind::Segment;   ///< kind of the item
+    DrawLayer layer = DrawLayer::Shapes; ///< layer of the item
     std::uint16_t count = 0;             ///< number of points
     std::uint32_t first = 0;             ///< index of the first in DrawList::points
     std::uint32_t owner = kNoOwner;      ///< the body it belongs to; kNoOwner: none
@@ -74,17 +74,17 @@ struct DrawItem
     friend bool operator==(const DrawItem&, const DrawItem&) = default;
 };
 
-/// What was asked to be drawn, in the order of asking.
+/// A list of items in drawing order.
 class DrawList
 {
 public:
     std::vector<DrawItem> items;    ///< painter's order
-    std::vector<Vec2> points;       ///< of all items, one after the other [m], world frame, y up
-    std::vector<std::string> texts; ///< UTF-8; items of the kind Text name them by index
+    std::vector<Vec2> points;       ///< of all items, in order [m], world frame, y up
+    std::vector<std::string> texts; ///< UTF-8; Text items refer to them by index
 
-    /// What the Add functions stamp on the items that follow.
+    /// Layer of the items added next.
     DrawLayer layer = DrawLayer::Shapes;
-    std::uint32_t owner = kNoOwner; ///< the body that is being drawn; kNoOwner: none
+    std::uint32_t owner = kNoOwner; ///< owner of the items added next; kNoOwner: none
 
     /// An outline; corners [m] in either order.
     void AddPolygon(const Vec2* vertices, std::size_t count, const Paint& paint);
@@ -104,10 +104,10 @@ public:
     /// Letters, UTF-8, below and right of a point of the world [m].
     void AddText(Vec2 topLeft, std::string_view text, const Paint& paint);
 
-    /// Empties the list and keeps the memory.
+    /// Clears the list and keeps the memory.
     void Clear();
 
-    /// Whether both draw the same, item by item; not what is stamped next.
+    /// True if both contain equal items; the layer and owner of further items are ignored.
     friend bool operator==(const DrawList& a, const DrawList& b)
     {
         return a.items == b.items && a.points == b.points && a.texts == b.texts;

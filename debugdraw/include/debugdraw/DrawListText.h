@@ -14,7 +14,7 @@
 namespace boxreel
 {
 
-/// Each item in a line, numbers exact.
+/// Returns one line per item, with exact numbers.
 std::string ToText(const DrawList& list);
 
 } // namespace boxreel

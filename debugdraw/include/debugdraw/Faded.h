@@ -7,25 +7,23 @@
 #include <functional>
 
 /// @file
-/// Lists over lists: several moments in one picture, earlier ones fainter. Stroboscopes and onion
-/// skins are made of it.
+/// Combines lists: several moments in one picture, earlier ones fainter. Used for stroboscopic
+/// pictures and onion skins.
 namespace boxreel
 {
 
-/// Says which items are meant.
+/// Selects items.
 using ItemFilter = std::function<bool(const DrawItem&)>;
 
-/// Adds the items that `filter` lets pass (all, when it is empty), as they are, on top of what is
-/// there.
+/// Appends the items selected by `filter`, by default all.
 void Append(DrawList& to, const DrawList& from, const ItemFilter& filter = {});
 
-/// Adds the items that `filter` lets pass (all, when it is empty) with `opacity` times their own,
-/// 0 to 1, in the layer Poses. Frames of reference, which have no opacity, are left out.
+/// Appends the items selected by `filter`, by default all, in the layer Poses. Their opacity is
+/// multiplied by `opacity`, 0 to 1. Frames of reference are skipped, because they have no opacity.
 void AddFaded(DrawList& to, const DrawList& from, double opacity, const ItemFilter& filter = {});
 
-/// Whether everything that `owner` has in both lists lies within `distance` [m] of the same place:
-/// then the one, drawn over the other, would only blur it. False when one has what the other has
-/// not.
+/// True if all items of `owner` in both lists are equal up to `distance` [m]; drawing both would
+/// only blur them. False if the items do not correspond.
 bool StandsStill(const DrawList& before, const DrawList& after, std::uint32_t owner,
                  double distance);
 

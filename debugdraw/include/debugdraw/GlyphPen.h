@@ -7,22 +7,22 @@
 #include <initializer_list>
 
 /// @file
-/// Draws small signs whose size is given in pixels, at a place and in a direction of the world, so
-/// that they read at any zoom. Points are in pixels along the sign's own axes, x along the given
-/// direction, y a quarter turn to the left of it. Angles are counted in steps of 15 degrees, whose
-/// sines are written down: every machine draws the same.
+/// Draws glyphs at a position and in a direction of the world. Their size is in pixels, so that
+/// they are legible at any zoom. Points are in pixels along the glyph's axes: x along the given
+/// direction, y rotated 90 degrees to the left. Angles are in steps of 15 degrees with constant
+/// sines, so that every machine draws the same.
 namespace boxreel
 {
 
-/// Draws small signs whose size is in pixels into a list.
+/// Draws glyphs with a size in pixels into a list.
 class GlyphPen
 {
 public:
-    /// A place in the picture [px].
+    /// A point of the glyph [px].
     struct Point
     {
-        double x = 0.0; ///< from the left [px]
-        double y = 0.0; ///< from above [px]
+        double x = 0.0; ///< along the x axis [px]
+        double y = 0.0; ///< along the y axis [px]
     };
     static constexpr int kFullTurn = 24; ///< steps
 
@@ -30,34 +30,34 @@ public:
     /// gets the layer and the owner that the list has at the time.
     GlyphPen(DrawList& list, const Camera& camera, Vec2 origin, Vec2 xAxis, const Paint& paint);
 
-    /// In the world [m].
+    /// Converts to the world [m].
     Vec2 At(Point p) const;
-    /// In pixels, along the sign's axes.
+    /// Converts from the world to pixels along the glyph's axes.
     Point Of(Vec2 world) const;
 
-    /// A line from one to the other.
+    /// Adds a line.
     void Line(Point from, Point to);
-    /// From each to the next.
+    /// Adds lines between consecutive points.
     void Lines(std::initializer_list<Point> points);
-    /// Every other stretch of about 5 px.
+    /// Adds a dashed line with dashes of about 5 px.
     void Dashes(Point from, Point to);
-    /// An outline, radius [px].
+    /// Adds an outline; radius [px].
     void Circle(Point center, double radius);
-    /// A filled disc, diameter [px].
+    /// Adds a filled disc; diameter [px].
     void Dot(Point center, double diameter);
-    /// The outline of an upright box [px].
+    /// Adds the outline of a box along the axes [px].
     void Box(Point center, double halfWidth, double halfHeight);
-    /// Filled; corners counter-clockwise.
+    /// Adds a filled triangle; vertices counter-clockwise.
     void Triangle(Point a, Point b, Point c);
-    /// A filled quarter of a disc around the origin, from 90 degrees times `quarter` on.
+    /// Adds a filled quarter of a disc around the origin, starting at 90 degrees times `quarter`.
     void Quarter(double radius, int quarter);
-    /// Around the origin, from step to step, the shorter number first; an arrow head at the end, or
-    /// at the beginning when `clockwise`.
+    /// Adds an arc around the origin from the smaller step to the larger. The arrow head is at the
+    /// end, or at the start if `clockwise`.
     void ArcArrow(double radius, int from, int to, bool clockwise);
-    /// A spring: a straight lead, eight turns, a straight lead.
+    /// Adds a spring: a straight end, eight turns, a straight end.
     void Zigzag(Point from, Point to, double halfWidth);
 
-    /// The unit vector of so many steps.
+    /// Returns the unit vector at this step.
     static Point Direction(int step);
 
 private:

@@ -7,19 +7,19 @@
 #include <string_view>
 
 /// @file
-/// Drawing by pixels into a list of metres: what stands at a place of the picture and not of the
-/// world, and text that is centred on something. Annotations are drawn with it.
+/// Draws in pixels into a list in metres: items at a position of the picture instead of the world,
+/// and centred text. Used for annotations.
 namespace boxreel
 {
 
-/// y down from the top left corner [px].
+/// A point of the picture, y down from the top left corner [px].
 struct PixelPoint
 {
     double x = 0.0; ///< from the left
     double y = 0.0; ///< from above
 };
 
-/// Which point of a text's box lies at the given place: 0 the left or upper end, 1 the other.
+/// The point of a text's box that is at the given position: 0 the left or upper end, 1 the other.
 struct TextAnchor
 {
     double x = 0.0; ///< 0 at the left end of the text, 1 at its right
@@ -33,12 +33,12 @@ inline constexpr Paint kNoteInk = ColorRole::ContactNormal; ///< a little less
 class Paper
 {
 public:
-    /// Adds to `list`, in the layer Annotations and without an owner, where `camera` sees pixels.
+    /// Adds to `list`, in the layer Annotations and without an owner, at pixels of `camera`.
     Paper(DrawList& list, const Camera& camera);
 
-    /// From the world [m] to the picture.
+    /// Converts from the world [m] to the picture.
     PixelPoint ToPixel(Vec2 world) const;
-    /// From the picture to the world [m].
+    /// Converts from the picture to the world [m].
     Vec2 ToWorld(PixelPoint pixel) const;
 
     /// A line from one to the other.
@@ -58,7 +58,7 @@ private:
     Camera m_camera;
 };
 
-/// A camera whose metres are pixels: (x, y) in pixels is (x, -y) in its world.
+/// Returns a camera with one metre per pixel: (x, y) in pixels is (x, -y) in its world.
 Camera PaperCamera(int width, int height);
 
 } // namespace boxreel

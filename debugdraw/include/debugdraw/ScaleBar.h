@@ -5,17 +5,17 @@
 #include <debugdraw/DrawList.h>
 
 /// @file
-/// How long a metre is in a picture: a bar of a nice length, with that length.
+/// A scale bar: a bar of a round length, labelled with it.
 namespace boxreel
 {
 
-/// What the bar needs from its upper end [px].
+/// Height of the bar and its text [px].
 inline constexpr int kScaleBarHeight = 26;
 
-/// A bar with its length beside it, drawn into a list that `paper` looks at, for a picture of
-/// `pixelsPerMeter`. Its left end is at `left` [px of paper], the middle of its height too; bar and
-/// text together are at most `room` wide [px], the bar a fifth to a half of that. In the layer
-/// Annotations. Nothing where the scale is not finite or not above zero.
+/// Adds a bar with its length beside it to a list with the camera `paper`, for a picture of
+/// `pixelsPerMeter`. `left` is the centre of its left end [px of paper]. Bar and text are at most
+/// `room` wide [px], the bar a fifth to a half of that. In the layer Annotations. Adds nothing if
+/// the scale is not finite or not above zero.
 void AddScaleBar(DrawList& list, const Camera& paper, double pixelsPerMeter, Vec2 left,
                  double room);
 

@@ -17,15 +17,15 @@ namespace boxreel
 /// Colours and widths of a picture.
 struct Theme
 {
-    Color background{26, 26, 26, 255}; ///< where nothing is drawn
-    Color text{230, 230, 230, 255};    ///< of captions; a label has its own colour, usually Ink
+    Color background{26, 26, 26, 255}; ///< colour of empty areas
+    Color text{230, 230, 230, 255};    ///< of captions; labels have their own colour, usually Ink
     Color xAxis{255, 64, 64, 255};     ///< of a drawn frame of reference
     Color yAxis{64, 220, 64, 255};     ///< of a drawn frame of reference
     float outlineWidth = 1.25f;        ///< of shapes and segments [px]
-    float fillShade = 0.5f; ///< a solid shape is filled with this share of its colour …
-    float fillAlpha = 0.5f; ///< … at this opacity
+    float fillShade = 0.5f;            ///< factor of a solid shape's colour
+    float fillAlpha = 0.5f;            ///< and opacity of its fill
 
-    /// False: every colour is drawn as it was asked for, and `palette` is not looked at.
+    /// False: every colour is drawn unchanged, and `palette` is not used.
     bool recolors = false;
     Palette palette = kClassicPalette; ///< the colour of each ColorRole
 
@@ -37,22 +37,23 @@ struct Theme
     /// What a shape is filled with, before shade and opacity. The user's own colours are kept.
     Color Fill(const Paint& asked) const;
 
-    /// As it has always looked.
+    /// Returns the default theme, with unchanged colours.
     static Theme Classic();
-    /// The classic ground with the eight colours of Okabe and Ito ("Color Universal Design", 2008;
-    /// white in the place of black) and seven more for lines, arrows and points that lie over them.
-    /// People of any colour vision tell all of them apart.
+    /// Returns the eight colours of Okabe and Ito ("Color Universal Design", 2008; white instead of
+    /// black) on the classic background. Seven more are for lines, arrows and points above them.
+    /// All are distinct with any colour vision.
     static Theme OkabeIto();
-    /// A white ground, dark outlines, light fills: for paper and for light pages.
+    /// Returns a theme with a white background, dark outlines and light fills, for paper and light
+    /// pages.
     static Theme Print();
-    /// For dark pages: the twin of Print.
+    /// Returns the counterpart of Print for dark pages.
     static Theme Dark();
 };
 
-/// classic, okabe-ito, print, dark.
+/// Returns the names: classic, okabe-ito, print, dark.
 const std::vector<std::string_view>& ThemeNames();
 
-/// The theme of that name, if there is one.
+/// Returns the theme of that name, if there is one.
 std::optional<Theme> FindTheme(std::string_view name);
 
 } // namespace boxreel

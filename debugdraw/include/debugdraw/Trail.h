@@ -7,22 +7,21 @@
 #include <span>
 
 /// @file
-/// The way that a point has gone, as a line: the caller samples it step by step, the centre of a
-/// body or any other point. Reads best beneath the shapes and above their earlier
-/// poses: add it to the list between them.
+/// The path of a point as a line: the caller samples the centre of a body, or any other point, in
+/// every step. Add it to the list below the shapes and above their earlier poses.
 namespace boxreel
 {
 
-/// How a trail looks.
+/// The style of a trail.
 struct TrailSettings
 {
     Paint color = ColorRole::Pair; ///< of the line
     double oldest = 0.35; ///< the opacity where it begins; 1 where it ends. 1: it does not fade
 };
 
-/// Adds the way, oldest point first [m], stamped with the list's owner, in the layer Trails. Of the
-/// points those are left out that change nothing in the camera's picture, and all of a way that
-/// stays within two pixels. Where a point is not finite the way is interrupted.
+/// Adds the path, oldest point first [m], with the list's owner, in the layer Trails. Points
+/// without a visible effect in the camera's picture are skipped, and so is a path that stays within
+/// two pixels. A point that is not finite interrupts the path.
 void AddTrail(DrawList& list, const Camera& camera, std::span<const Vec2> way,
               const TrailSettings& settings = {});
 

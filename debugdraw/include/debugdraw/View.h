@@ -6,31 +6,29 @@
 #include <optional>
 
 /// @file
-/// What a picture can show of a world, asked by whoever collects a DrawList, so that what is not
-/// seen is not collected. A test errs on one side only: it may let something through that the
-/// renderer then leaves out, never the reverse.
+/// Tests if items are visible, so that collectors of a DrawList skip the others. A test may accept
+/// an item that the renderer then skips, but never rejects a visible one.
 namespace boxreel
 {
 
-/// What a camera sees.
+/// The visible area of a camera.
 struct View
 {
-    Camera camera;            ///< whose pixels arrows, glyphs and letters are measured in
-    std::optional<Rect> area; ///< what is seen and a margin around it [m]; none: everything
+    Camera camera;            ///< defines the pixels of arrows, glyphs and text
+    std::optional<Rect> area; ///< visible area with a margin [m]; none: everything
 
-    /// May something be seen that lies in the box around these points [m], or at most so many
-    /// pixels beside it?
+    /// True if something inside the box [m], or up to `reachPixels` beside it, may be visible.
     bool Shows(const Rect& box, double reachPixels = 0.0) const;
-    /// The same for a line from a to b [m].
+    /// As above, for a line from a to b [m].
     bool Shows(Vec2 a, Vec2 b, double reachPixels = 0.0) const;
-    /// The same for a point [m].
+    /// As above, for a point [m].
     bool Shows(Vec2 point, double reachPixels = 0.0) const;
 };
 
-/// What a camera sees, and so many pixels around it: as much as lines are drawn thick.
+/// Returns the visible area of a camera with a margin [px], the thickness of lines.
 View ViewOf(const Camera& camera, double marginPixels);
 
-/// Everything, wherever the camera looks.
+/// Returns a view without a limit.
 View ViewOfEverything(const Camera& camera);
 
 } // namespace boxreel

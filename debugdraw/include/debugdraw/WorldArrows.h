@@ -6,27 +6,26 @@
 #include <debugdraw/View.h>
 
 /// @file
-/// What moves and what pulls, as arrows in a world. Only reads the world.
+/// Velocities and forces of a world as arrows. Only reads the world.
 namespace boxreel
 {
 
-/// From each centre of mass the way that the body would go in so many seconds, 0 or more. Bodies at
-/// rest have none, nor have those whose arrow would be shorter than one and a half pixels.
+/// Adds an arrow at each centre of mass: the displacement in `seconds`, >= 0. Bodies at rest, and
+/// arrows shorter than one and a half pixels, are skipped.
 void AddVelocities(const b2World& world, const View& view, double seconds, DrawList& list);
 
-/// From each joint's anchor on its second body the force that the joint exerts on that body, in the
-/// mean of the last step, so many metres (0 or more) long for each newton. Torques are not shown.
+/// Adds the mean force of each joint in the last step as an arrow, in metres (>= 0) per newton. It
+/// is the force on the second body, drawn at its anchor. Torques are not shown.
 void AddJointForces(const b2World& world, const View& view, double metersPerNewton, DrawList& list);
 
-/// How long a mean weight is, in mean sizes: joints of a bridge carry ten times the weight of its
-/// parts, of which a contact point in a pile carries about one.
+/// Length of a mean weight in mean body sizes. Joints of a bridge transmit ten times the weight of
+/// its parts, a contact point in a stack about one.
 inline constexpr double kForceShare = 1.0 / 8.0;
-/// The same for arrows of impulses.
+/// As above, for arrows of impulses.
 inline constexpr double kImpulseShare = 1.0 / 3.0;
 
-/// A scale for arrows of forces that suits a world: the mean weight of the bodies that can move,
-/// where there is no gravity their mean mass times 10 m/s^2, is `share` times as long as they are
-/// large in the mean. Above 0.
+/// Returns a scale for force arrows, > 0. The mean weight of moving bodies is `share` times as long
+/// as their mean size; without gravity their mean mass times 10 m/s^2.
 double MetersPerNewtonFor(const b2World& world, double share = kForceShare);
 
 } // namespace boxreel

@@ -7,27 +7,26 @@
 #include <vector>
 
 /// @file
-/// Where the things of a world are, for a camera that keeps them in view. Only reads the world.
+/// Bounding boxes of a world, for cameras. Only reads the world.
 namespace boxreel
 {
 
-/// What should be seen before the first step [m]: everything that can move and where its joints are
-/// anchored, and of the static surroundings as much as lies near it; and `extra`, what is drawn
-/// beside the world. Never empty.
+/// Returns the initial view [m]: all moving bodies, the anchors of their joints, nearby static
+/// bodies, and `extra` for additional items. Never empty.
 Rect BoundsAtStart(const b2World& world, const Rect& extra = {});
 
-/// All there is, the static surroundings and the anchors of joints too [m], and `extra`. Never
+/// Returns the bounds of all bodies and joint anchors, static ones included [m], and `extra`. Never
 /// empty.
 Rect BoundsOfEverything(const b2World& world, const Rect& extra = {});
 
-/// Of these bodies [m], null ones left out; empty if there are none. A body without shapes counts
-/// as a point.
+/// Returns the bounds of these bodies [m]; null pointers are skipped. Empty without bodies. A body
+/// without shapes counts as a point.
 Rect BoundsOfBodies(const std::vector<const b2Body*>& bodies);
 
-/// Of their centres of mass alone [m].
+/// Returns the bounds of their centres of mass [m].
 Rect BoundsOfCenters(const std::vector<const b2Body*>& bodies);
 
-/// The boxes of the bodies that are in motion [m], one a body.
+/// Returns the boxes of the moving bodies [m], one per body.
 std::vector<Rect> BoundsOfMovers(const b2World& world);
 
 } // namespace boxreel

@@ -8,37 +8,37 @@
 #include <vector>
 
 /// @file
-/// Where the bodies of a world touch, and what they do to each other there. Read from the contacts
-/// as the last step left them, without a listener; the world is never changed.
+/// Contact points of a world, with their normals and impulses. Read from the contacts after the
+/// last step, without a listener; the world is not changed.
 namespace boxreel
 {
 
-/// What is drawn of contacts, and how large.
+/// The selection and scale of contact items.
 struct ContactLook
 {
-    bool points = false;   ///< dots: those that were not there before the last step are larger
+    bool points = false;   ///< dots: points that are new since the last step are larger
     bool normals = false;  ///< lines of 12 pixels, from the first fixture towards the second
-    bool impulses = false; ///< arrows: what keeps the shapes apart, as the second body feels it
-    bool friction = false; ///< arrows with open heads: the same along the surface
-    /// An impulse is shown as the mean force of a step, so that arrows do not depend on its length.
-    /// Above 0.
+    bool impulses = false; ///< arrows: non-penetration impulses on the second body
+    bool friction = false; ///< arrows with open heads: friction impulses on the second body
+    /// Converts impulses to the mean force of a step, so that arrows do not depend on its length. >
+    /// 0.
     double stepsPerSecond = 60.0;
-    double metersPerNewton = 0.01; ///< length of an arrow, 0 or more
+    double metersPerNewton = 0.01; ///< length of an arrow, >= 0
 };
 
-/// Remembers which contact points there were, to tell the new ones from the old ones.
+/// Remembers the contact points of a step, to find the new ones of the next.
 class ContactCollector
 {
 public:
-    /// Call before each step. What there is now is old from then on.
+    /// Call before each step: the current points count as old from then on.
     void Remember(const b2World& world);
 
-    /// Adds what `look` asks for, a layer after the other, the points last and on top.
+    /// Adds the items selected by `look`, layer by layer, with the points on top.
     void Collect(const b2World& world, const View& view, const ContactLook& look,
                  DrawList& list) const;
 
 private:
-    /// What a contact was like. Memory is used again, so its address says little by itself.
+    /// Identifies a contact. Memory is reused, so its address alone does not.
     struct Memory
     {
         const b2Contact* contact;
@@ -52,7 +52,7 @@ private:
     static Memory MemoryOf(const b2Contact& contact);
     const b2Manifold* ManifoldBefore(const b2Contact& contact) const;
 
-    std::vector<Memory> m_before; // by address of the contact, to be found
+    std::vector<Memory> m_before; // sorted by address of the contact
 };
 
 } // namespace boxreel

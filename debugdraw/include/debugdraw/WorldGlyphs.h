@@ -6,26 +6,26 @@
 #include <debugdraw/View.h>
 
 /// @file
-/// The signs by which mechanisms are drawn in books, for the joints of a world: what kind each is,
-/// where it is, which way it gives. Their size is in pixels, so that they read at any zoom; what
-/// has a length in the world (springs, ropes, rails with limits) has it in the picture.
+/// Joints of a world as the glyphs of mechanism diagrams: type, position and degrees of freedom.
+/// Their size is in pixels, so that they are legible at any zoom. Lengths in the world (springs,
+/// ropes, rails with limits) are to scale.
 namespace boxreel
 {
 
-/// | kind      | sign                                                               |
+/// | type      | glyph                                                              |
 /// | --------- | ------------------------------------------------------------------ |
-/// | revolute  | a circle with a dot; an arrow around it that says how a motor turns |
-/// | prismatic | a rail along the axis, to its limits if it has them, and a carriage; |
-/// |           | an arrow beside it that says how a motor drives                    |
+/// | revolute  | a circle with a dot; an arrow around it shows a motor's direction  |
+/// | prismatic | a rail along the axis, up to its limits, and a carriage;           |
+/// |           | an arrow beside it shows a motor's direction                       |
 /// | distance  | a bar with two pins, or a spring when it is soft                   |
 /// | pulley    | two wheels and the rope                                            |
 /// | gear      | two toothed wheels, around the hinges or carriages, and a dashed   |
 /// |           | line between them                                                  |
-/// | wheel     | an axle, and the spring above it; an arrow as with revolute         |
+/// | wheel     | an axle, and the spring above it; an arrow as with revolute        |
 /// | weld      | a filled square with a cross                                       |
-/// | rope      | a dashed line that sags until it is taut, with its greatest length |
+/// | rope      | a dashed line that sags until it is taut, with its maximum length  |
 /// | friction  | a disc between two pads                                            |
-/// | mouse     | cross-hairs at the target, a dashed line from there                |
+/// | mouse     | cross-hairs at the target, and a dashed line from there            |
 /// | motor     | an arrow around the second body's origin, dashed to the first's    |
 ///
 /// Oldest joint first.

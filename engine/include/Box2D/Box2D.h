@@ -2,7 +2,7 @@
 #pragma once
 
 /// @file
-/// Everything a program that simulates needs.
+/// Includes the whole public interface of the engine.
 
 #include <Box2D/Common/b2Draw.h>
 #include <Box2D/Common/b2Settings.h>

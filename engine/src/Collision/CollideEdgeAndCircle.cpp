@@ -19,8 +19,8 @@ void TouchVertex(b2Manifold* manifold, const b2Vec2& vertex, uint8 index,
 }
 } // namespace
 
-// The plane around an edge has three parts: beyond vertex 1, beyond vertex 2, and beside the edge.
-// What is beyond a vertex but beside the neighbouring edge is the neighbour's to push.
+// The plane around an edge has three regions: beyond vertex 1, beyond vertex 2, and beside the
+// edge. A circle beyond a vertex and beside the neighbouring edge is handled by the neighbour.
 void CollideEdgeAndCircle(b2Manifold* manifold, const b2EdgeShape& edgeA,
                           const b2CircleShape& circleB, const b2Transform& bInA)
 {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// An edge is part of a curve, and the curve has an outside and an inside. The polygon is pushed
-// along a normal of the curve only, and each edge answers for its own share of the normals: its
-// face's, and at a convex vertex those up to half-way to the neighbour's face. Everything else is
-// the neighbour's to push, or would be a ghost: a push against the way of something that slides
-// along the curve (Catto, "Smooth Collision" / "Ghost Collisions", GDC 2020, for the idea of
-// looking at the contact's normal on the Gauss map of the curve).
+// An edge is part of a curve with an outside and an inside. Only normals of the curve may push the
+// polygon. Each edge is responsible for its share of the normals: that of its face, and at a convex
+// vertex those up to the bisector with the neighbour's face. All other normals belong to the
+// neighbour or are ghost collisions, which stop a body that slides along the curve. The idea of
+// testing normals on the Gauss map of the curve is Catto's ("Smooth Collision" / "Ghost
+// Collisions", GDC 2020).
 #include "FaceClip.h"
 #include "Manifolds.h"
 
@@ -13,8 +13,8 @@ namespace box2d
 {
 namespace
 {
-// The polygon's face must be better by this much [m] to be taken instead of the edge, so that the
-// normal of a polygon lying on the edge does not flicker.
+// The polygon's face must be better by this much [m] to be chosen instead of the edge. The normal
+// of a polygon that lies on the edge then does not flicker.
 constexpr float32 kPreferEdge = 0.1f * b2_linearSlop;
 
 // A vertex where the curve turns by less than this (sine of the angle) counts as flat. An edge of
@@ -27,8 +27,8 @@ constexpr float32 kFlatTurn = 1.0e-3f;
 // below a millionth. At a corner of 90 degrees the shared range is 0.7 mrad wide on either side.
 constexpr float32 kShared = 1.0e-3f;
 
-// A polygon's side may stick out of the edge by this much [m], so that a corner above the joint of
-// two edges is not lost between them. What sticks out further is above the neighbour, or nothing.
+// A polygon's side may extend beyond the edge by this much [m], so that a corner above a shared
+// vertex is not lost. Beyond that it belongs to the neighbour.
 constexpr float32 kSeam = 0.1f * b2_linearSlop;
 
 // A corner meets a vertex when it is nearer than this many radii (of both shapes: 8 cm for
@@ -36,18 +36,18 @@ constexpr float32 kSeam = 0.1f * b2_linearSlop;
 // be a jump.
 constexpr float32 kReach = 4.0f;
 
-// One end of the edge as the polygon sees it.
+// One end of the edge, seen from the polygon's side.
 struct End
 {
     b2Vec2 vertex;
     b2Vec2 beyond;          ///< the neighbour's other vertex
-    b2Vec2 neighbourNormal; ///< of the edge beyond, on the polygon's side
+    b2Vec2 neighbourNormal; ///< of the neighbouring edge, on the polygon's side
     uint8 index;            ///< 0 for vertex 1 of the shape, 1 for vertex 2
     bool hasNeighbour;
-    bool isConvex; ///< seen from the polygon
+    bool isConvex; ///< on the polygon's side
 };
 
-// The edge as the polygon sees it: with the polygon on the right of the way from start to end.
+// The edge, oriented with the polygon on its right.
 struct Oriented
 {
     End start;
@@ -57,9 +57,9 @@ struct Oriented
 
 enum class Share
 {
-    e_own,       ///< the normal is this edge's
-    e_snap,      ///< no normal of the curve; the edge's own takes its place
-    e_neighbours ///< the neighbour answers for it
+    e_own,       ///< the normal belongs to this edge
+    e_snap,      ///< not a normal of the curve; replaced by the edge's normal
+    e_neighbours ///< the normal belongs to the neighbour
 };
 
 b2Vec2 RightNormal(const b2Vec2& from, const b2Vec2& to)
@@ -75,7 +75,7 @@ Oriented LookFromRight(const b2EdgeShape& edge)
     o.start = {edge.m_vertex1, edge.m_vertex0, b2Vec2(), 0, edge.m_hasVertex0, false};
     o.end = {edge.m_vertex2, edge.m_vertex3, b2Vec2(), 1, edge.m_hasVertex3, false};
     o.normal = RightNormal(edge.m_vertex1, edge.m_vertex2);
-    // On the right, a curve that turns left is convex; the turn of directions is that of normals.
+    // Seen from the right, a curve that turns left is convex; normals turn as directions do.
     if (o.start.hasNeighbour)
     {
         o.start.neighbourNormal = RightNormal(edge.m_vertex0, edge.m_vertex1);
@@ -89,7 +89,7 @@ Oriented LookFromRight(const b2EdgeShape& edge)
     return o;
 }
 
-// Where a point lies as seen from a piece of the curve.
+// The position of a point relative to a segment of the curve.
 struct Side
 {
     float32 distanceSquared;
@@ -107,8 +107,9 @@ Side SideOf(const b2Vec2& from, const b2Vec2& to, const b2Vec2& rightNormal, con
     return {distanceSquared, height >= 0.0f};
 }
 
-// What is nearer knows better. A common vertex is as near for both, to the last bit: then the right
-// side is all that is right of either edge when the vertex is convex, and of both when not.
+// Returns the nearer segment. A common vertex has the same distance to both, with equal bits. The
+// right side of the curve is then the union of both right sides if the vertex is convex, and their
+// intersection otherwise.
 Side Nearer(const Side& a, const Side& b, bool isConvex)
 {
     if (a.distanceSquared != b.distanceSquared)
@@ -118,7 +119,7 @@ Side Nearer(const Side& a, const Side& b, bool isConvex)
     return {a.distanceSquared, isConvex ? a.isRight || b.isRight : a.isRight && b.isRight};
 }
 
-// Is the point on the right of the curve, as far as the edge and its neighbours know it?
+// True if the point is on the right of the curve, judged by the edge and its neighbours.
 bool IsRightOfCurve(const Oriented& o, const b2Vec2& p)
 {
     Side side = SideOf(o.start.vertex, o.end.vertex, o.normal, p);
@@ -149,14 +150,15 @@ Oriented LookFromLeft(const Oriented& right)
     return o;
 }
 
-// Whose is a push along `normal`? It leans from the edge's normal towards one of the ends.
+// Returns the owner of a push along `normal`, which leans from the edge's normal towards one of the
+// ends.
 Share Classify(const Oriented& o, const b2Vec2& normal)
 {
     const float32 lean = b2Cross(o.normal, normal); // positive: towards the end
     const End& end = lean > 0.0f ? o.end : o.start;
     if (!end.hasNeighbour)
     {
-        return Share::e_own; // at a free end all directions are open
+        return Share::e_own; // at a free end all directions are allowed
     }
     if (!end.isConvex)
     {
@@ -168,7 +170,7 @@ Share Classify(const Oriented& o, const b2Vec2& normal)
     return beyond <= 0.0f && isNearer ? Share::e_own : Share::e_neighbours;
 }
 
-// The edge in the polygon's frame, and the polygon's face that it is furthest from.
+// The edge in the polygon's frame, and the polygon's face with the largest separation from it.
 struct Faced
 {
     b2Vec2 v1;
@@ -196,7 +198,7 @@ Faced FindPolygonFace(const b2EdgeShape& edge, const b2PolygonShape& polygon,
     return faced;
 }
 
-// How deep the polygon reaches behind the edge's line; `normal` is in the polygon's frame.
+// Returns the separation of the polygon from the edge's line; `normal` is in the polygon's frame.
 float32 FindEdgeSeparation(const b2PolygonShape& polygon, const b2Vec2& normal, const b2Vec2& v1)
 {
     float32 separation = b2_maxFloat;
@@ -243,8 +245,8 @@ void ClipEdgeToPolygon(b2Manifold* manifold, const b2EdgeShape& edge, const b2Po
                 static_cast<uint8>(faced.face), static_cast<uint8>(faceEnd)},
                {faced.v1, faced.v2, edge.m_vertex1, edge.m_vertex2, 0, 0, 1}, radius, radius);
 }
-// A corner that meets a vertex head-on may lie beside both edges, above neither. The deepest corner
-// then is the contact, along the edge's normal.
+// Adds the deepest corner as a contact along the edge's normal. Needed when a corner meets a vertex
+// head-on and lies beside both edges.
 void TouchCorner(b2Manifold* manifold, const Oriented& o, const b2Vec2& normalInPolygon,
                  const b2PolygonShape& polygon, const b2Transform& polygonInEdge, float32 radius)
 {
@@ -313,7 +315,7 @@ Answer CollideAlone(b2Manifold* manifold, const b2EdgeShape& edgeA, const b2Poly
         return answer;
     }
 
-    const bool isPoint = o.normal == b2Vec2_zero; // an edge without length has no normal
+    const bool isPoint = o.normal == b2Vec2_zero; // an edge of zero length has no normal
     const bool isPolygonBetter = isPoint || faced.separation > separation + kPreferEdge;
     if (isPolygonBetter && !isPoint)
     {
@@ -367,8 +369,8 @@ void CollideEdgeAndPolygon(b2Manifold* manifold, const b2EdgeShape& edgeA,
     {
         return;
     }
-    // A corner of the polygon that meets the vertex head-on has a face on either side, and each
-    // edge may take the other for the one to answer. Then both push along their own normals.
+    // For a corner that meets the vertex head-on, each edge may assign the push to the other. Then
+    // both push along their own normals.
     b2Manifold neighbours;
     CollideAlone(&neighbours, NeighbourAt(edgeA, answer.neighbour), polygonB, bInA);
     if (neighbours.pointCount == 0)

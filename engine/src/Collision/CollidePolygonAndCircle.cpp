@@ -5,7 +5,7 @@ namespace box2d
 {
 namespace
 {
-// The face that the centre is furthest above, and by how much.
+// Returns the face with the largest height of the centre above it, and that height.
 int32 FindFace(const b2PolygonShape& polygon, const b2Vec2& center, float32* height)
 {
     int32 face = 0;
@@ -23,9 +23,9 @@ int32 FindFace(const b2PolygonShape& polygon, const b2Vec2& center, float32* hei
 }
 } // namespace
 
-// Above a face the centre is nearest to the face, beyond its ends to a corner. The manifold is a
-// face of A either way: at a corner, the one that faces the centre. The point has the same id all
-// round the polygon, so that a rolling circle keeps its impulse.
+// Above a face, the closest feature is the face, or a corner beyond its ends. The manifold is a
+// face of A in both cases; at a corner its normal points to the centre. The id is the same all
+// around the polygon, so that a rolling circle keeps its impulse.
 void CollidePolygonAndCircle(b2Manifold* manifold, const b2PolygonShape& polygonA,
                              const b2CircleShape& circleB, const b2Transform& bInA)
 {

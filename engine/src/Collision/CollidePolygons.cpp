@@ -7,21 +7,21 @@ namespace box2d
 {
 namespace
 {
-// How much deeper A's best face may be and still be taken [m]. Parallel sides of resting boxes
-// differ by rounding only; without this the choice would flicker and the impulses be lost.
+// A's best face is preferred unless it is deeper by more than this [m]. Parallel sides of resting
+// boxes differ only by rounding; otherwise the choice would flicker and warm starting fail.
 constexpr float32 kPreferA = 0.1f * b2_linearSlop;
 
 using simd::Float4;
 static_assert(b2_maxPolygonVertices % Float4::kLanes == 0, "groups of vertices must not overhang");
 static_assert(sizeof(b2Vec2) == 2 * sizeof(float), "vectors are loaded as pairs");
 
-// Four vectors at once, from the given one on.
+// Loads four vectors, starting at the given one.
 void LoadVectors(const b2Vec2* from, Float4& x, Float4& y)
 {
     simd::LoadPairs(&from->x, x, y);
 }
 
-// One polygon as seen from the other's frame.
+// A polygon in the other's frame.
 struct Seen
 {
     float x[b2_maxPolygonVertices];
@@ -48,8 +48,8 @@ Seen See(const b2PolygonShape& polygon, const b2Transform& xf)
     return seen;
 }
 
-// The face from which the other polygon is furthest: the axis of least overlap among the normals.
-// Four faces are looked at together; of the places beyond the last, nothing is used.
+// Returns the face with the largest separation from the other polygon: the axis of least overlap.
+// Four faces are tested together; unused lanes are ignored.
 int32 FindFace(const b2PolygonShape& polygon, const Seen& other, float32* separation)
 {
     float deepest[b2_maxPolygonVertices];
@@ -87,7 +87,7 @@ void ClipPolygon(b2Manifold* manifold, const b2PolygonShape& reference, int32 fa
                  const b2PolygonShape& incident, const Seen& seen,
                  const b2Transform& incidentInReference, float32 radius)
 {
-    // The incident side is the one that looks most against the face.
+    // The incident side is the one whose normal is most opposed to the face.
     const b2Vec2 normal = b2MulT(incidentInReference.q, reference.m_normals[face]);
     int32 side = 0;
     float32 least = b2_maxFloat;
@@ -109,14 +109,14 @@ void ClipPolygon(b2Manifold* manifold, const b2PolygonShape& reference, int32 fa
                                        incident.m_vertices[side],  incident.m_vertices[sideEnd],
                                        static_cast<uint8>(side),   static_cast<uint8>(side),
                                        static_cast<uint8>(sideEnd)};
-    // The skins reach round the corners, so the side may stick out by as much.
+    // The skins extend around the corners, so the side may extend by as much.
     ClipToFace(manifold, referenceFace, incidentSide, radius, radius);
 }
 } // namespace
 
-// Convex polygons are apart when a face of one has all of the other in front (separating axis).
-// Else the face with the least overlap gives the normal, and the other polygon's opposite side,
-// cut to the face's width, the points (Catto, "Contact Manifolds", GDC 2007).
+// Convex polygons are separate if a face of one has all of the other in front (separating axis).
+// Otherwise the face with the least overlap gives the normal. The opposite side of the other
+// polygon, clipped to the face's width, gives the points (Catto, "Contact Manifolds", GDC 2007).
 void CollidePolygons(b2Manifold* manifold, const b2PolygonShape& polygonA,
                      const b2PolygonShape& polygonB, const b2Transform& bInA)
 {

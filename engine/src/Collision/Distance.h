@@ -3,12 +3,12 @@
 
 #include <Box2D/Collision/b2Distance.h>
 
-/// Distance and overlap from the relative transform alone; see Manifolds.h for why. The contacts of
-/// Dynamics and the time of impact call these.
+/// Distance and overlap from the relative transform; Manifolds.h gives the reason. Called by
+/// contacts and the time of impact.
 namespace box2d
 {
-/// b2Distance in A's frame: bInA is B's frame as seen from A's, and both points of the output are
-/// in A's frame.
+/// b2Distance in A's frame: bInA is B's frame relative to A's, and both output points are in A's
+/// frame.
 void ShapeDistance(b2DistanceOutput* output, b2SimplexCache* cache, const b2DistanceProxy& proxyA,
                    const b2DistanceProxy& proxyB, const b2Transform& bInA, bool useRadii);
 

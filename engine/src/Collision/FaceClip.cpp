@@ -7,9 +7,10 @@ namespace
 {
 struct End
 {
-    float32 t;       ///< along the incident side, 0 at p and 1 at q
-    uint8 reference; ///< what makes the point: the face with an incident vertex, or a vertex of the
-    uint8 incident;  ///< face with the incident side
+    float32 t;       ///< parameter on the incident side, 0 at p and 1 at q
+    uint8 reference; ///< feature of the point: the face with an incident vertex, or a vertex of the
+                     ///< face with the incident side
+    uint8 incident;
     bool isCut;
 };
 
@@ -25,8 +26,8 @@ b2ContactID MakeId(const End& end, bool isFaceA)
     return id;
 }
 
-// Moves an end that lies outside the width [low, high] of the face to its border. x is where the
-// end is along the face, otherX the other end. False when the whole side is outside.
+// Moves an end outside the face's width [low, high] to its border. x is the end's coordinate along
+// the face, otherX that of the other end. False if the whole side is outside.
 bool Cut(End* end, float32 x, float32 otherX, float32 low, float32 high, const ReferenceFace& face,
          uint8 incidentFace)
 {
@@ -56,7 +57,8 @@ void ClipToFace(b2Manifold* manifold, const ReferenceFace& face, const IncidentS
     manifold->localNormal = face.normal;
     manifold->localPoint = 0.5f * (face.v1 + face.v2);
 
-    // Outward is right of the face, so along it is the normal turned to the left.
+    // Outward is on the right of the face, so the direction along it is the normal rotated to the
+    // left.
     const b2Vec2 along = face.normal.Skew();
     const float32 low = -overhang;
     const float32 high = b2Dot(face.v2 - face.v1, along) + overhang;
@@ -73,7 +75,7 @@ void ClipToFace(b2Manifold* manifold, const ReferenceFace& face, const IncidentS
     const float32 heightQ = b2Dot(side.q - face.v1, face.normal);
     for (const End& end : ends)
     {
-        // Weights of exactly 0 and 1 leave a vertex as it is.
+        // Weights of exactly 0 and 1 reproduce a vertex exactly.
         const float32 height = (1.0f - end.t) * heightP + end.t * heightQ;
         if (height <= radius)
         {

@@ -6,13 +6,13 @@
 #include <Box2D/Collision/Shapes/b2PolygonShape.h>
 #include <Box2D/Collision/b2Collision.h>
 
-/// Contact manifolds from the relative transform alone, so that what the engine computes does not
-/// depend on how far from the origin two bodies are. The contacts of Dynamics call these with a
-/// transform formed in double precision; the public b2Collide functions wrap them. Points keep no
-/// impulses; contact ids are the same from step to step while the same features touch.
+/// Contact manifolds from the relative transform, so that results do not depend on the distance
+/// from the origin. Contacts call these with a transform computed in double precision; the public
+/// b2Collide functions wrap them. Points have no impulses. Contact ids are stable from step to step
+/// while the same features touch.
 namespace box2d
 {
-/// bInA is B's frame as seen from A's: b2MulT(xfA, xfB).
+/// bInA is B's frame relative to A's: b2MulT(xfA, xfB).
 void CollideCircles(b2Manifold* manifold, const b2CircleShape& circleA,
                     const b2CircleShape& circleB, const b2Transform& bInA);
 void CollidePolygonAndCircle(b2Manifold* manifold, const b2PolygonShape& polygonA,

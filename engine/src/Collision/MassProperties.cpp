@@ -21,8 +21,8 @@ MassProperties OfCircle(const b2CircleShape& circle, double density)
     return result;
 }
 
-// The fan of triangles from vertex 0, so that no number is larger than the polygon. For a triangle
-// with sides a and b from there and D = a x b:
+// Sums over the triangle fan from vertex 0, so that no number is larger than the polygon. For a
+// triangle with sides a and b from there and D = a x b:
 //   area      = D / 2
 //   centroid  = (a + b) / 3
 //   inertia   = D (a.a + a.b + b.b) / 12     about vertex 0, for density 1

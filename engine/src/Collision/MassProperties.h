@@ -3,9 +3,9 @@
 
 #include <Box2D/Collision/Shapes/b2Shape.h>
 
-/// Mass data as a body needs it: about the centre of mass and in double precision. b2MassData holds
-/// the inertia about the frame's origin, from which the central one cannot be had back when the
-/// shape lies far from it.
+/// Mass data of a body: about the centre of mass and in double precision. b2MassData has the
+/// inertia about the frame's origin. For a shape far from it, the central inertia cannot be
+/// computed from that without cancellation.
 namespace box2d
 {
 struct MassProperties
@@ -16,9 +16,9 @@ struct MassProperties
     double centralInertia = 0.0; ///< about the centre of mass [kg m^2]
 };
 
-/// All zero but the centre for edges and chains.
+/// Returns zero mass and inertia for edges and chains.
 MassProperties ComputeMassProperties(const b2Shape& shape, float32 density);
 
-/// The same as the manual's structure: the inertia about the frame's origin.
+/// Converts to the manual's structure, with the inertia about the frame's origin.
 b2MassData ToMassData(const MassProperties& properties);
 } // namespace box2d

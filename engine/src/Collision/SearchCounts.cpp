@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-// The program reads and sets them as plain numbers.
+// Plain integers, because the program reads and sets them.
 int32 b2_gjkCalls = 0;
 int32 b2_gjkIters = 0;
 int32 b2_gjkMaxIters = 0;
@@ -20,10 +20,10 @@ namespace box2d
 namespace
 {
 
-// Loads and stores instead of an exchange: they cost what plain ones do, and worlds that are
-// stepped by different threads may lose a count, but have no data race.
+// Separate atomic loads and stores, as fast as plain ones. Worlds that different threads step may
+// lose counts, but there is no data race.
 
-/// Wraps around where a signed sum must not.
+/// Unsigned arithmetic wraps around; signed overflow is undefined.
 void AddTo(int32& total, int32 value)
 {
     const std::atomic_ref<int32> number(total);

@@ -3,9 +3,9 @@
 
 #include <Box2D/Collision/b2TimeOfImpact.h>
 
-/// Counts of searches for distances and impacts. A search counts into an object of its caller, who
-/// adds it to the public numbers (b2_gjkCalls, b2_toiCalls and the others) when it is done. So
-/// threads share nothing while they search, and a step without searches does nothing at all.
+/// Counts of distance and impact searches. A search counts into an object of its caller, which adds
+/// the counts to the public numbers afterwards (b2_gjkCalls, b2_toiCalls and others). Threads
+/// therefore share no counters while they search, and a step without searches has no cost.
 namespace box2d
 {
 
@@ -19,7 +19,7 @@ struct SearchCounts
     void AddDistance(int32 iterations);
     void AddAdvance(int32 rootIterations);
     void Add(const SearchCounts& other);
-    /// Adds it to the public numbers. Threads may do this at the same time.
+    /// Adds the counts to the public numbers. Thread-safe.
     void Publish() const;
 };
 
@@ -36,7 +36,7 @@ inline void SearchCounts::AddAdvance(int32 rootIterations)
     toiMaxRootIters = b2Max(toiMaxRootIters, rootIterations);
 }
 
-/// b2TimeOfImpact that counts into `counts`, with its time when `isTimed`.
+/// Calls b2TimeOfImpact and counts into `counts`, with its time if `isTimed`.
 b2TOIOutput FindImpact(const b2TOIInput& input, bool isTimed, SearchCounts& counts);
 
 } // namespace box2d

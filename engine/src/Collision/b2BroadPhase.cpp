@@ -12,8 +12,8 @@ int32 b2BroadPhase::CreateProxy(const b2AABB& aabb, void* userData)
 
 void b2BroadPhase::DestroyProxy(int32 proxyId)
 {
-    // Its number may wait in m_moved: CollectPairs passes over numbers that are no longer proxies,
-    // and one that has been given out again had to be looked at anyway.
+    // Its number may remain in m_moved. CollectPairs skips numbers that are not proxies, and a
+    // reused number had to be tested anyway.
     m_tree.DestroyProxy(proxyId);
 }
 

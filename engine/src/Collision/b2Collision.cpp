@@ -18,12 +18,12 @@ void b2WorldManifold::Initialize(const b2Manifold* manifold, const b2Transform& 
         const float32 distance = d.Normalize();
         normal = distance > 0.0f ? d : b2Vec2(1.0f, 0.0f);
         separations[0] = distance - radiusA - radiusB;
-        // Midway between pA + radiusA n and pB - radiusB n.
+        // The midpoint of pA + radiusA n and pB - radiusB n.
         points[0] = 0.5f * (pA + pB + (radiusA - radiusB) * normal);
         return;
     }
 
-    // A face of one shape and points of the other, whose skins reach towards the face.
+    // A face of one shape and points of the other, whose skins extend towards the face.
     const bool isFaceA = manifold->type == b2Manifold::e_faceA;
     const b2Transform& xfFace = isFaceA ? xfA : xfB;
     const b2Transform& xfPoints = isFaceA ? xfB : xfA;
@@ -36,7 +36,7 @@ void b2WorldManifold::Initialize(const b2Manifold* manifold, const b2Transform& 
         const b2Vec2 p = b2Mul(xfPoints, manifold->points[i].localPoint);
         const float32 height = b2Dot(p - plane, outward);
         separations[i] = height - radiusFace - radiusPoints;
-        // Midway between p on the face's skin and on its own.
+        // The midpoint of the projections of p on the face's skin and on its own.
         points[i] = p + 0.5f * (radiusFace - height - radiusPoints) * outward;
     }
     normal = isFaceA ? outward : -outward;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Distance by GJK (Gilbert, Johnson, Keerthi 1988; Catto, "Computing Distance", GDC 2010). The
-// shapes are apart by the distance of the origin from the set of all differences b - a, which is
+// distance of two shapes is that of the origin from the set of all differences b - a, which is
 // convex. A simplex of one to three of its points moves towards the origin until no support point
 // is nearer.
 #include <Box2D/Collision/b2Distance.h>
@@ -14,7 +14,7 @@
 #include <Box2D/Collision/Shapes/b2EdgeShape.h>
 #include <Box2D/Collision/Shapes/b2PolygonShape.h>
 
-// NOLINTNEXTLINE(bugprone-unhandled-self-assignment): it then copies its numbers onto themselves.
+// NOLINTNEXTLINE(bugprone-unhandled-self-assignment): it copies the numbers onto themselves.
 b2DistanceProxy& b2DistanceProxy::operator=(const b2DistanceProxy& other)
 {
     m_buffer[0] = other.m_buffer[0];
@@ -64,14 +64,15 @@ namespace box2d
 {
 namespace
 {
-constexpr int32 kMaxIterations = 20; // convex shapes of 8 vertices take 2 to 4
+constexpr int32 kMaxIterations = 20; // convex shapes of 8 vertices need 2 to 4
 
 struct Vertex
 {
     b2Vec2 a;              ///< of A, in A's frame
     b2Vec2 b;              ///< of B, in A's frame
     b2Vec2 w;              ///< b - a
-    float32 weight = 0.0f; ///< of the point nearest to the origin; all weights add up to 1
+    float32 weight = 0.0f; ///< of the point nearest to the origin; the weights of a simplex sum to
+                           ///< 1
     uint8 indexA = 0;
     uint8 indexB = 0;
 };
@@ -108,8 +109,8 @@ float32 Metric(const Simplex& s)
     }
 }
 
-// Starts where the last call for these shapes ended, unless they have moved so much that the
-// simplex changed its size or lost its area.
+// Starts with the simplex of the last call for these shapes, unless it has changed its size too
+// much or lost its area.
 Simplex ReadCache(const b2SimplexCache& cache, const b2DistanceProxy& proxyA,
                   const b2DistanceProxy& proxyB, const b2Transform& bInA)
 {
@@ -120,7 +121,7 @@ Simplex ReadCache(const b2SimplexCache& cache, const b2DistanceProxy& proxyA,
         {
             if (cache.indexA[i] >= proxyA.m_count || cache.indexB[i] >= proxyB.m_count)
             {
-                s.count = 0; // of another pair of shapes
+                s.count = 0; // the cache is of another pair of shapes
                 break;
             }
             s.v[s.count++] = MakeVertex(proxyA, proxyB, bInA, cache.indexA[i], cache.indexB[i]);
@@ -160,7 +161,7 @@ void KeepOne(Simplex* s, int32 i)
     s->count = 1;
 }
 
-// Where on the segment from i to j the origin projects to; the weights are not yet divided.
+// The projection of the origin on the segment from i to j; the weights are not normalized.
 struct Projection
 {
     float32 onI;
@@ -202,8 +203,9 @@ void SolveSegment(Simplex* s)
     }
 }
 
-// The part of the triangle that is nearest to the origin: a corner when the origin projects beyond
-// both of its sides, a side when the origin is outside of it and projects onto it, else all.
+// Keeps the part of the triangle nearest to the origin. It is a corner if the origin projects
+// beyond both of its sides, a side if the origin is outside and projects onto it, otherwise the
+// whole triangle.
 void SolveTriangle(Simplex* s)
 {
     const Projection p01 = Project(*s, 0, 1);
@@ -225,7 +227,7 @@ void SolveTriangle(Simplex* s)
         return;
     }
 
-    // Areas of the triangles that the origin makes with each side, positive inside.
+    // Areas of the triangles of the origin and each side, positive inside.
     const b2Vec2 w0 = s->v[0].w;
     const b2Vec2 w1 = s->v[1].w;
     const b2Vec2 w2 = s->v[2].w;
@@ -266,15 +268,15 @@ void Solve(Simplex* s)
     }
 }
 
-// From the simplex towards the origin.
+// Returns the direction from the simplex towards the origin.
 b2Vec2 SearchDirection(const Simplex& s)
 {
     if (s.count == 1)
     {
         return -s.v[0].w;
     }
-    // Across the segment, on the origin's side: more exact than the nearest point when that is
-    // near.
+    // Normal to the segment, on the origin's side: more precise than the nearest point when that is
+    // close.
     const b2Vec2 across = (s.v[1].w - s.v[0].w).Skew();
     return b2Dot(across, s.v[0].w) > 0.0f ? -across : across;
 }
@@ -301,7 +303,7 @@ int32 Iterate(Simplex* s, const b2DistanceProxy& proxyA, const b2DistanceProxy& 
         Solve(s);
         if (s->count == 3 || iterations == kMaxIterations)
         {
-            return iterations; // the origin is inside, or rounding keeps the simplex moving
+            return iterations; // the origin is inside, or rounding prevents progress
         }
         const b2Vec2 d = SearchDirection(*s);
         if (d.LengthSquared() < b2_epsilon * b2_epsilon)
@@ -311,7 +313,7 @@ int32 Iterate(Simplex* s, const b2DistanceProxy& proxyA, const b2DistanceProxy& 
         ++iterations;
         const Vertex vertex = MakeVertex(proxyA, proxyB, bInA, proxyA.GetSupport(-d),
                                          proxyB.GetSupport(b2MulT(bInA.q, d)));
-        // A support point that has been here before brings nothing nearer.
+        // A repeated support point means no further progress.
         if (Contains(before, vertex))
         {
             return iterations;
@@ -337,7 +339,7 @@ void WriteOutput(b2DistanceOutput* output, const Simplex& s)
     output->distance = b2Distance(output->pointA, output->pointB);
 }
 
-// From the cores to the skins; skins that overlap touch half-way.
+// Moves the points from the cores to the skins; overlapping skins touch half-way.
 void ApplyRadii(b2DistanceOutput* output, float32 radiusA, float32 radiusB)
 {
     b2Vec2 normal = output->pointB - output->pointA;

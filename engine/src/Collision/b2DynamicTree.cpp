@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A box costs a query in proportion to its perimeter (the surface area heuristic of Goldsmith and
-// Salmon 1987, in two dimensions), so insertion and rotation keep the sum of perimeters small
-// (Catto, "Dynamic Bounding Volume Hierarchies", GDC 2019; the rotations are Kensler's, 2008). A
-// large box among small ones may make the tree lean; only when a node leans too far does height
-// come before perimeter.
+// The cost of a box in a query is proportional to its perimeter (the surface area heuristic of
+// Goldsmith and Salmon 1987, in two dimensions). Insertion and rotation therefore keep the sum of
+// perimeters small (Catto, "Dynamic Bounding Volume Hierarchies", GDC 2019; rotations by Kensler,
+// 2008). A large box among small ones may unbalance the tree. Height has priority over perimeter
+// only beyond BalanceLimit.
 #include <Box2D/Collision/b2DynamicTree.h>
 
 #include <bit>
@@ -172,10 +172,10 @@ void b2DynamicTree::EnlargeProxy(int32 proxyId, const b2AABB& fatAABB)
     }
 }
 
-// Walks down to where the new leaf adds the least perimeter. At each node the leaf could become
-// its sibling, for the perimeter of both together; or it goes on to a child, for what the child
-// grows by and, further down, at least the leaf's own perimeter. What the nodes above grow by is
-// the same for all choices.
+// Descends to the sibling with the smallest added perimeter. At each node there are two choices.
+// The node becomes the sibling, at the cost of the perimeter of both. Or the search continues in a
+// child, at the cost of its growth plus at least the leaf's own perimeter. The growth of the nodes
+// above is common to all choices.
 int32 b2DynamicTree::FindSibling(const b2AABB& aabb) const
 {
     const float32 own = HalfPerimeter(aabb);
@@ -197,7 +197,7 @@ int32 b2DynamicTree::FindSibling(const b2AABB& aabb) const
             cost[i] = growth +
                       (child.IsLeaf() ? childTogether[i] : childTogether[i] - childAlone[i] + own);
         }
-        // Of equal children the lower one, so that many boxes in one place make no list.
+        // Of equal children take the lower one, so that many equal boxes do not form a list.
         const bool isEqual = cost[0] == cost[1];
         const bool isSecond =
             isEqual ? m_nodes[children[1]].height < m_nodes[children[0]].height : cost[1] < cost[0];
@@ -271,7 +271,7 @@ void b2DynamicTree::Refit(int32 node)
     m_nodes[node].height = 1 + b2Max(a.height, b.height);
 }
 
-// Makes boxes and heights right from the node up, until nothing changes for those above.
+// Updates boxes and heights from the node upwards, until no ancestor changes.
 void b2DynamicTree::RepairFrom(int32 node)
 {
     while (node != b2_nullNode)
@@ -288,17 +288,16 @@ void b2DynamicTree::RepairFrom(int32 node)
     }
 }
 
-// How much higher than its sibling a node may be: as much as a perfect tree beside a single large
-// box, which is best left at the top. It keeps the height at a few times the logarithm of the
-// number of proxies, whatever the order of insertion (as the difference of 1 does in an AVL tree).
+// Returns the maximum height difference of siblings: that of a perfect tree beside a single large
+// box, which is best left at the top. It limits the height to a few times the logarithm of the
+// number of proxies for any order of insertion, as the difference of 1 does in an AVL tree.
 int32 b2DynamicTree::BalanceLimit() const
 {
     return std::bit_width(static_cast<uint32>(m_proxyCount));
 }
 
-// A child may change places with a nephew, a child of its sibling. The node keeps its box; the
-// sibling's becomes smaller if the change is good. A node out of balance must become lower, whether
-// that is good or not.
+// Exchanges a child with a child of its sibling. The node keeps its box; a good exchange reduces
+// the sibling's box. An unbalanced node must become lower even if the perimeter grows.
 void b2DynamicTree::Rotate(int32 node)
 {
     const int32 limit = BalanceLimit();
@@ -319,7 +318,7 @@ void b2DynamicTree::Rotate(int32 node)
             const float32 change = HalfPerimeter(Union(child.aabb, staying.aabb)) - before;
             if (!mustSink && !(change < bestChange))
             {
-                continue; // as nearly always
+                continue; // the usual case
             }
             const Node& nephew = m_nodes[sibling.link.child[nephewSide]];
             const int32 siblingHeight = 1 + b2Max(child.height, staying.height);

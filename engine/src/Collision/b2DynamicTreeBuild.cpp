@@ -23,7 +23,7 @@ float32 HalfPerimeter(const b2AABB& box)
     return (box.upperBound.x - box.lowerBound.x) + (box.upperBound.y - box.lowerBound.y);
 }
 
-// The order of the leaves along one axis; a part of the tree has the same range of both orders.
+// The order of the leaves along one axis; a subtree has the same range in both orders.
 typedef box2d::Array<int32> Order;
 
 float32 TwiceCenter(const Leaf& leaf, int32 axis)
@@ -40,7 +40,7 @@ struct Range
     int32 depth;
 };
 
-// Parts ranges of leaves; which node a part belongs to is the tree's affair.
+// Splits ranges of leaves; independent of the tree's nodes.
 class Divider
 {
 public:
@@ -54,7 +54,7 @@ public:
             {
                 m_orders[axis].push_back(static_cast<int32>(i));
             }
-            // Equal centres by number, so that the order is always the same.
+            // Equal centres are ordered by number, so that the order is unique.
             std::sort(m_orders[axis].begin(), m_orders[axis].end(), [&](int32 a, int32 b) {
                 const float32 centerA = TwiceCenter(m_leaves[std::size_t(a)], axis);
                 const float32 centerB = TwiceCenter(m_leaves[std::size_t(b)], axis);
@@ -65,8 +65,7 @@ public:
 
     int32 IdOfFirst(const Range& range) const { return At(0, range.first).id; }
 
-    /// How many of the range's leaves go to the first part, which comes first in both orders
-    /// afterwards.
+    /// Returns the number of leaves in the first part, which is moved to the front in both orders.
     int32 Divide(const Range& range, bool isEven)
     {
         const int32 axis = AxisOfSpread(range);
@@ -86,7 +85,7 @@ private:
         return m_leaves[std::size_t(m_orders[axis][std::size_t(place)])];
     }
 
-    /// The axis in which the centres spread more.
+    /// Returns the axis with the larger spread of centres.
     int32 AxisOfSpread(const Range& range) const
     {
         const int32 last = range.first + range.count - 1;
@@ -121,7 +120,7 @@ private:
         return best;
     }
 
-    /// What is in the first part goes to the front; otherwise the order stays.
+    /// Moves the first part to the front; a stable partition.
     void Part(const Range& range, Order& order)
     {
         const auto begin = order.begin() + range.first;
@@ -135,10 +134,10 @@ private:
     }
 
     box2d::Array<Leaf> m_leaves; // by number
-    Order m_orders[2];           // places in m_leaves
+    Order m_orders[2];           // indices into m_leaves
     box2d::Array<float32> m_costs;
-    box2d::Array<uint8> m_isInFirst; // by place in m_leaves
-    Order m_second;                  // room for a second part
+    box2d::Array<uint8> m_isInFirst; // by index in m_leaves
+    Order m_second;                  // scratch for the second part
 };
 } // namespace
 
@@ -170,7 +169,7 @@ void b2DynamicTree::RebuildBottomUp()
     }
     FreeInnerNodes();
 
-    // A node is made before its children, so the heights can be set from the last to the first.
+    // Nodes are created before their children, so heights are set in reverse order.
     Divider divider(std::move(leaves));
     box2d::Array<int32> made;
     b2GrowableStack<Range, 256> stack;
@@ -193,7 +192,7 @@ void b2DynamicTree::RebuildBottomUp()
             continue;
         }
         made.push_back(node);
-        // Deeper than this the heuristic peels off one leaf after another.
+        // Beyond this depth the heuristic removes one leaf after another.
         const int32 split = divider.Divide(range, range.depth >= BalanceLimit());
         stack.Push({range.first, split, node, 0, range.depth + 1});
         stack.Push({range.first + split, range.count - split, node, 1, range.depth + 1});
@@ -251,7 +250,7 @@ void b2DynamicTree::RebuildEvenly()
     m_nodes[m_root].parent = b2_nullNode;
 }
 
-/// The node above a range of leaves. Goes no deeper than the logarithm of their number.
+/// Returns the node above a range of leaves. The recursion depth is the logarithm of their number.
 int32 b2DynamicTree::BuildEvenly(int32 first, int32 count)
 {
     const auto begin = m_order.begin() + first;
@@ -266,7 +265,7 @@ int32 b2DynamicTree::BuildEvenly(int32 first, int32 count)
         lower = b2Min(lower, i->twiceCenter);
         upper = b2Max(upper, i->twiceCenter);
     }
-    // Equal centres by number, so that which leaves are in a half is always the same.
+    // Equal centres are ordered by number, so that the halves are unique.
     const auto parted = [&](auto coordinate) {
         std::nth_element(begin, begin + count / 2, begin + count,
                          [coordinate](const CenteredLeaf& a, const CenteredLeaf& b) {

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
 // Time of impact by conservative advancement (Mirtich 1996; Catto, "Continuous Collision", GDC
-// 2013): at each time the closest features give an axis, and the shapes may safely move on for as
-// long as a lower bound of their separation along that axis stays above the target.
+// 2013). At each time the closest features give an axis. The shapes may safely advance while a
+// lower bound of their separation along that axis stays above the target.
 //
-// The bound is of second order. Along a fixed axis n a vertex with the offset r from its centre is
+// The bound is of second order. Along a fixed axis n, a vertex with the offset r from its centre is
 //   x(t + h) = x(t) + x'(t) h + e,   x' = n.v + w n.(r turned left),   |e| <= w^2 |r| h^2 / 2
 // so that the separation along n is at least
-//   s(h) = min over B of (b + b' h) - max over A of (a + a' h) - k h^2 / 2,   k = the sum of w^2
-//   |r|
-// which is concave: it has one root and all before it is safe. Without rotation the bound is exact,
-// and a shape cast cannot miss; with rotation it never steps over a contact either.
+//   s(h) = min over B of (b + b' h) - max over A of (a + a' h) - k h^2 / 2
+// with k = the sum of w^2 |r|. This is concave: it has one root, and all before it is safe. Without
+// rotation the bound is exact, and a shape cast cannot miss. With rotation it never skips a
+// contact.
 //
-// The axis may turn with a body instead. Seen from a frame with the centre c, the velocity u and
-// the spin f, the same holds with
+// The axis may also rotate with a body. In a frame with the centre c, the velocity u and the
+// angular velocity f, the same holds with
 //   x' = n.(v - u + w (r turned left) - f (x - c turned left)),
 //   |e| <= (|f^2 d + 2 f (d' turned left)| + (w - f)^2 |r|) h^2 / 2,   d = centre - c
-// A long side that turns has one end that comes near a fixed axis fast; seen from its own body it
-// stands still.
+// The end of a long rotating side approaches a fixed axis fast; in the frame of its own body it is
+// at rest.
 #include <Box2D/Collision/b2TimeOfImpact.h>
 
 #include "Distance.h"
@@ -27,10 +27,10 @@
 
 namespace
 {
-// A search that takes more steps than this creeps along something that it almost touches; it ends
-// with what is safe. The target is the distance of the cores at which an impact is found: three
-// slops of overlap of the skins, which positions are solved to, and a slop at least, so that the
-// closest points have a direction. The tolerance of a quarter leaves 3/4 of a slop or more.
+// Limit of steps; a longer search advances slowly along an almost touching feature, and ends with
+// the safe time. The target is the distance of the cores at an impact: three slops of overlap of
+// the skins, to which positions are solved. It is at least one slop, so that the closest points
+// have a direction. The tolerance of a quarter leaves at least 3/4 of a slop.
 constexpr int32 kMaxSteps = 200;
 
 struct Vector
@@ -50,7 +50,7 @@ struct Rotation
     double c;
 };
 
-// A sweep in double precision, seen from where A starts, so that its place in the world is lost.
+// A sweep in double precision relative to A's start, independent of the position in the world.
 class Motion
 {
 public:
@@ -76,7 +76,7 @@ public:
         box2d::SinCos(m_startAngle + t * m_spin, &m_q.s, &m_q.c);
     }
 
-    // The offset of vertex i from the centre, in the world's directions.
+    // Returns the offset of vertex i from the centre, in world axes.
     Vector Offset(int32 i) const
     {
         const double x = static_cast<double>(m_proxy.m_vertices[i].x) - m_localCenter.x;
@@ -84,7 +84,7 @@ public:
         return {m_q.c * x - m_q.s * y, m_q.s * x + m_q.c * y};
     }
 
-    // The origin of the body's frame.
+    // Returns the origin of the body's frame.
     Vector Origin() const
     {
         const double x = m_localCenter.x;
@@ -126,8 +126,9 @@ b2Transform Relative(const Motion& a, const Motion& b)
     return bInA;
 }
 
-// Across the closest side of A or B when one is known, for a side does not lose precision when the
-// shapes are close; else from the closest point of A to that of B. In A's frame, a unit vector.
+// Returns a unit vector in A's frame: the normal of the closest side of A or B if known, because
+// its precision does not depend on the distance. Otherwise the direction from the closest point of
+// A to that of B.
 b2Vec2 ClosestAxis(const b2SimplexCache& cache, const b2DistanceOutput& output,
                    const b2DistanceProxy& a, const b2DistanceProxy& b, const b2Transform& bInA)
 {
@@ -157,7 +158,7 @@ Vector ToWorld(const Motion& a, const b2Vec2& v)
     return {world.x / length, world.y / length};
 }
 
-// What turns the axis; nothing does in one that stands still.
+// The motion of the frame of the axis; zero for a fixed axis.
 struct Frame
 {
     Vector center = {0.0, 0.0};
@@ -170,14 +171,14 @@ Vector Minus(const Vector& a, const Vector& b)
     return {a.x - b.x, a.y - b.y};
 }
 
-// Along n, of r turned left.
+// Returns the component along n of r turned left.
 double Turned(const Vector& n, const Vector& r)
 {
     return n.y * r.x - n.x * r.y;
 }
 
-// The largest second derivative of a vertex's place in the frame, for as much of the sweep as
-// remains. The first part is linear in time, so its length is largest at an end.
+// Returns a bound of the second derivative of a vertex in the frame, over the rest of the sweep.
+// The first part is linear in time, so its maximum is at an end.
 double Curvature(const Motion& motion, const Frame& frame, double remaining)
 {
     const double f = frame.spin;
@@ -194,7 +195,7 @@ double Curvature(const Motion& motion, const Frame& frame, double remaining)
     return own + std::sqrt(b2Max(Dot(now, now), Dot(end, end)));
 }
 
-// One vertex along the axis: where it is and how fast it moves.
+// A vertex along the axis: its position and speed.
 struct Mark
 {
     double x;
@@ -235,9 +236,9 @@ struct Marks
     }
 };
 
-// How far the shapes may move on along the axis before the bound comes down to the target; `most`
-// when it does not. Negative when they are closer than the target already. The root of the pair
-// that is closest at h lies at or after that of the whole bound, so h only ever shrinks to it.
+// Returns the time for which the bound stays above the target; at most `most`. Negative if the
+// shapes are closer than the target already. The root of the pair that is closest at h is not
+// before that of the whole bound, so h decreases monotonically to it.
 double SafeStep(const Marks& a, const Marks& b, double curvature, double target, double most,
                 int32& iterations)
 {
@@ -346,8 +347,8 @@ private:
         {
             return h;
         }
-        // The axis is not exact enough for shapes that are large and close: no point moves faster
-        // than this.
+        // The axis is too inexact for large and close shapes: bound by the maximum speed of any
+        // point.
         const double gap = static_cast<double>(closest.distance) - m_target;
         return gap < m_fastest * remaining ? gap / m_fastest : remaining;
     }
@@ -366,7 +367,7 @@ private:
         return step;
     }
 
-    // The body that the axis may turn with: the one whose side is closest, if it spins.
+    // Returns the body whose frame the axis may use: the one with the closest side, if it rotates.
     const Motion* SpinningSide() const
     {
         if (m_cache.count != 2)
@@ -382,7 +383,7 @@ private:
     Motion m_a;
     Motion m_b;
     float32 m_target;
-    double m_fastest; ///< of any point of one shape as seen from the other
+    double m_fastest; ///< bound of the relative speed of two points
     b2SimplexCache m_cache;
 };
 } // namespace

@@ -14,19 +14,19 @@
 #endif
 
 #if defined(__GNUC__)
-#define BOX2D_INLINE [[gnu::always_inline]] inline ///< so that lanes stay in registers
-#define BOX2D_NOINLINE [[gnu::noinline]]           ///< what is rare must not be in the way
+#define BOX2D_INLINE [[gnu::always_inline]] inline ///< keeps lanes in registers
+#define BOX2D_NOINLINE [[gnu::noinline]]           ///< keeps rare code out of the hot path
 #else
 #define BOX2D_INLINE inline
 #define BOX2D_NOINLINE
 #endif
 
-/// Several numbers at once. Every operation does to each lane exactly what plain single precision
-/// does, so that a result does not depend on the width or the processor. The only file that knows
-/// intrinsics; with BOX2D_PLAIN_SIMD defined, or on a processor it does not know, it is plain C++.
+/// Vectors of single-precision numbers. Every operation gives in each lane exactly the scalar
+/// result, so that results do not depend on the width or the processor. The only file with
+/// intrinsics. With BOX2D_PLAIN_SIMD defined, or on an unknown processor, it is plain C++.
 ///
-/// Everything here has internal linkage: a source that is compiled for AVX2 must not lend its code
-/// to the others.
+/// All functions have internal linkage, so that a source compiled for AVX2 does not provide code to
+/// the others.
 namespace box2d::simd
 {
 namespace
@@ -43,7 +43,7 @@ struct Float4
     static Float4 Set(float value) { return {_mm_set1_ps(value)}; }
     void Store(float* to) const { _mm_storeu_ps(to, v); }
 };
-/// A truth for each lane: all bits or none.
+/// A boolean per lane: all bits set or none.
 typedef Float4 Mask4;
 
 inline Float4 operator+(Float4 a, Float4 b)
@@ -90,7 +90,7 @@ inline Mask4 Not(Mask4 a)
 {
     return {_mm_xor_ps(a.v, _mm_castsi128_ps(_mm_set1_epi32(-1)))};
 }
-/// The bits of both: zero, or minus zero, when both are.
+/// Returns the bitwise or: +0 or -0 if both are zero.
 inline Float4 OrBits(Float4 a, Float4 b)
 {
     return {_mm_or_ps(a.v, b.v)};
@@ -108,7 +108,7 @@ inline Float4 Select(Mask4 which, Float4 yes, Float4 no)
     return {_mm_or_ps(_mm_and_ps(which.v, yes.v), _mm_andnot_ps(which.v, no.v))};
 }
 
-/// Four pairs, one after the other, become their first and their second numbers.
+/// Loads four consecutive pairs into vectors of first and second numbers.
 inline void LoadPairs(const float* from, Float4& first, Float4& second)
 {
     const __m128 a = _mm_loadu_ps(from);
@@ -117,7 +117,7 @@ inline void LoadPairs(const float* from, Float4& first, Float4& second)
     second.v = _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1));
 }
 
-/// Four rows of four numbers become their four columns, and back.
+/// Transposes four rows of four numbers, and back.
 BOX2D_INLINE void LoadRows(const float* base, int stride, const std::int32_t* rows,
                            Float4 (&columns)[4])
 {
@@ -214,7 +214,7 @@ inline Float4 Select(Mask4 which, Float4 yes, Float4 no)
 {
     return {vbslq_f32(which.v, yes.v, no.v)};
 }
-// By comparison, for the instructions treat zeros and what is no number in their own way.
+// By comparison, because the min and max instructions treat zeros and NaN differently.
 inline Float4 Min(Float4 a, Float4 b)
 {
     return Select(Mask4{vcltq_f32(a.v, b.v)}, a, b);
@@ -376,7 +376,7 @@ BOX2D_INLINE void StoreRows(float* base, int stride, const std::int32_t* rows,
 
 #endif
 
-/// One number with the same interface, so that what is alone is solved by the same source.
+/// A single number with the same interface, so that the same source solves remaining constraints.
 struct Float1
 {
     static constexpr int kLanes = 1;
@@ -543,13 +543,13 @@ inline Float8 Select(Mask8 which, Float8 yes, Float8 no)
     return {_mm256_blendv_ps(no.v, yes.v, which.v)};
 }
 
-/// Two rows side by side: one in the lower half, one in the upper.
+/// Loads two rows: one into the lower half, one into the upper.
 inline __m256 LoadPair(const float* lower, const float* upper)
 {
     return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(lower)), _mm_loadu_ps(upper),
                                 1);
 }
-/// Transposes the four by four numbers of either half.
+/// Transposes the 4 x 4 numbers of each half.
 inline void TransposeHalves(__m256& a, __m256& b, __m256& c, __m256& d)
 {
     const __m256 ab0 = _mm256_unpacklo_ps(a, b);

@@ -7,7 +7,7 @@ namespace box2d
 namespace
 {
 
-/// Waiting begins with looking again at once, then lets others run.
+/// Number of polls before a waiting thread yields the processor.
 constexpr int32 kEagerLooks = 200;
 
 constexpr int32 kNoItem = INT32_MAX;
@@ -78,13 +78,13 @@ void ThreadPool::Run(int32 count, int32 grain, const void* context, Function fun
         const auto begin = int32(std::int64_t(count) * i / m_count);
         const auto end = int32(std::int64_t(count) * (i + 1) / m_count);
         Share& share = m_shares[std::size_t(i)];
-        // Closed while it changes, or a latecomer could take an item that is not in its loop: who
-        // sees the new end sees the new loop as well.
+        // Closed while it changes, so that a late thread cannot take an item outside its loop. A
+        // thread that sees the new end also sees the new loop.
         share.next.store(Claim(loop, kNoItem), std::memory_order_relaxed);
         share.end.store(end, std::memory_order_release);
         share.next.store(Claim(loop, begin), std::memory_order_release);
     }
-    m_loop.store(loop); // in one order with m_sleeping
+    m_loop.store(loop); // sequentially consistent with m_sleeping
     if (m_sleeping.load() > 0)
     {
         m_loop.notify_all();
@@ -109,8 +109,7 @@ void ThreadPool::Work(int32 self, std::uint32_t loop)
     }
 }
 
-/// Works on a share until there is nothing left in it, or the loop is over. Returns the number of
-/// items done.
+/// Works on a share until it is empty or the loop ends. Returns the number of completed items.
 int32 ThreadPool::WorkOn(Share& share, std::uint32_t loop)
 {
     int32 done = 0;
@@ -123,7 +122,7 @@ int32 ThreadPool::WorkOn(Share& share, std::uint32_t loop)
         {
             return done;
         }
-        // Read before the claim succeeds, which it does only while the loop goes on.
+        // Read before the claim, which succeeds only while the loop lasts.
         const int32 end = b2Min(last, begin + m_grain.load(std::memory_order_relaxed));
         const Function function = m_function.load(std::memory_order_relaxed);
         const void* context = m_context.load(std::memory_order_relaxed);

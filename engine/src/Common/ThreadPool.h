@@ -8,9 +8,9 @@
 #include <thread>
 #include <vector>
 
-/// A few threads that share loops with the one that calls. They never call the program, never
-/// allocate, and what a loop computes must not depend on who does which part of it: results are the
-/// same for any number of threads.
+/// Threads that execute loops together with the calling thread. They never call the program and
+/// never allocate. The result of a loop must not depend on the assignment of its parts, so that it
+/// is the same for any number of threads.
 namespace box2d
 {
 
@@ -26,8 +26,8 @@ public:
     static constexpr int32 kMaxThreads = 64;
     int32 Count() const { return m_count; }
 
-    /// Calls body(begin, end) for parts of 0 to `count` on all threads, and returns when all is
-    /// done. Parts of fewer than `grain` items are not worth their while. Not from inside a loop.
+    /// Calls body(begin, end) for parts of 0 to `count` on all threads, and returns when all are
+    /// done. A part has at least `grain` items. Not reentrant.
     template <class Body>
     void ParallelFor(int32 count, int32 grain, const Body& body)
     {
@@ -36,21 +36,22 @@ public:
         });
     }
 
-    /// Between Begin and End the threads stay ready rather than sleep.
+    /// Between Begin and End the threads poll instead of sleeping.
     void Begin();
     void End();
 
 private:
-    /// Bytes between what different threads write: processors fetch cache lines in pairs.
+    /// Distance of data written by different threads [bytes]: processors prefetch cache lines in
+    /// pairs.
     static constexpr std::size_t kApart = 128;
 
     typedef void (*Function)(const void* context, int32 begin, int32 end);
 
-    /// What one thread is to begin with; the others help when they have finished their own.
+    /// The initial share of a thread; the others help when they have finished their own.
     struct alignas(kApart) Share
     {
-        /// The loop's number in the upper half, the next item in the lower: a thread that comes
-        /// late cannot take an item of a loop it does not know.
+        /// The loop's number in the upper half, the next item in the lower. A late thread cannot
+        /// take an item of a newer loop.
         std::atomic<std::uint64_t> next{0};
         std::atomic<int32> end{0};
     };
@@ -65,7 +66,7 @@ private:
     std::unique_ptr<Share[]> m_shares;
     std::vector<std::thread> m_threads;
 
-    // The present loop, in one cache line.
+    // The current loop, in one cache line.
     alignas(kApart) std::atomic<std::uint32_t> m_loop{0}; ///< its number
     std::atomic<int32> m_grain{1};
     std::atomic<Function> m_function{nullptr};
@@ -73,7 +74,7 @@ private:
     std::atomic<int32> m_sleeping{0};
     std::atomic<bool> m_ready{false}; ///< between Begin and End
     std::atomic<bool> m_stop{false};
-    alignas(kApart) std::atomic<int32> m_left{0}; ///< items not done
+    alignas(kApart) std::atomic<int32> m_left{0}; ///< remaining items
 };
 
 /// On the pool's threads, or on this one where there is no pool or little to do.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Sine, cosine and arc tangent from additions, multiplications and divisions only, so that their
-// bits do not depend on the C library. The angle is brought into [-pi/4, pi/4] by taking off
-// quarter turns, as Cody and Waite describe (Software Manual for the Elementary Functions, 1980),
-// and the Taylor series does the rest: there its terms fall fast enough.
+// bits do not depend on the C library. The angle is reduced to [-pi/4, pi/4] by subtracting quarter
+// turns (Cody and Waite, Software Manual for the Elementary Functions, 1980). There the Taylor
+// series converges fast.
 #include <Box2D/Common/b2Math.h>
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace
 {
-// pi/2 in three pieces. The first two have 33 bits, so that a count of quarter turns below 2^20
-// times either is exact in double precision.
+// pi/2 in three parts. The first two have 33 bits, so that their products with a count of quarter
+// turns below 2^20 are exact in double precision.
 constexpr double kQuarterHigh = 0x1.921fb544p+0;
 constexpr double kQuarterMiddle = 0x1.0b4611a6p-34;
 constexpr double kQuarterLow = 0x1.3198a2e037073p-69;
@@ -20,25 +20,25 @@ constexpr double kQuartersPerRadian = 0x1.45f306dc9c883p-1; // 2/pi
 constexpr double kTwoPi = 0x1.921fb54442d18p+2;
 constexpr double kHalfPi = 0x1.921fb54442d18p+0;
 constexpr float kSmall = 0.125f;
-constexpr int kTermsOfSmall = 4;   // x^9/9! and x^8/8!: leaves 1e-15
-constexpr double kLargest = 1.0e6; // the largest angle whose quarter turns come off exactly
+constexpr int kTermsOfSmall = 4;   // x^9/9! and x^8/8!: error 1e-15
+constexpr double kLargest = 1.0e6; // maximum angle with an exact reduction
 
-// Adding and subtracting this rounds a double to the nearest whole number: above 2^52 the
-// neighbours of a double are one apart.
+// Adding and subtracting this rounds a double to the nearest integer: above 2^52 adjacent doubles
+// differ by one.
 constexpr double kRounder = 0x1.8p+52;
 
 struct Reduced
 {
     double angle; // within about [-pi/4, pi/4]
-    int quarter;  // 0 to 3: the quarter turns taken off
+    int quarter;  // 0 to 3: quarter turns subtracted
 };
 
 Reduced TakeQuarterTurnsOff(double angle)
 {
     if (!(std::fabs(angle) <= kLargest))
     {
-        // fmod is exact, so this too has the same bits everywhere. The remainder of infinity is
-        // NaN, of which no whole number can be made.
+        // fmod is exact, so the bits are the same everywhere. The remainder of infinity is NaN,
+        // which cannot be converted to an integer.
         angle = std::fmod(angle, kTwoPi);
         if (std::isnan(angle))
         {
@@ -52,9 +52,9 @@ Reduced TakeQuarterTurnsOff(double angle)
 }
 
 constexpr int kMaxTerms = 20;
-typedef std::array<double, kMaxTerms + 1> Series; // the coefficient of x^(2 i) at i
+typedef std::array<double, kMaxTerms + 1> Series; // element i is the coefficient of x^(2 i)
 
-// 1 - x^2/2! + x^4/4! - ... with first = 0, 1 - x^2/3! + x^4/5! - ... with first = 1.
+// Returns 1 - x^2/2! + x^4/4! - ... with first = 0, 1 - x^2/3! + x^4/5! - ... with first = 1.
 constexpr Series AlternatingInverseFactorials(int first)
 {
     Series series = {1.0};
@@ -65,7 +65,7 @@ constexpr Series AlternatingInverseFactorials(int first)
     return series;
 }
 
-// 1 - x^2/3 + x^4/5 - ...
+// Returns 1 - x^2/3 + x^4/5 - ...
 constexpr Series AlternatingInverseOdds()
 {
     Series series = {1.0};
@@ -80,7 +80,7 @@ constexpr Series kCosineSeries = AlternatingInverseFactorials(0);
 constexpr Series kSineSeries = AlternatingInverseFactorials(1);
 constexpr Series kArcTangentSeries = AlternatingInverseOdds();
 
-// The terms of a series from x^(2 first) to x^(2 last), the smallest first.
+// Sums the terms of a series from x^(2 first) to x^(2 last), smallest first.
 template <int first, int last>
 double Sum(const Series& series, double x2)
 {
@@ -105,7 +105,7 @@ double TaylorSine(double x)
 template <int terms>
 double TaylorCosine(double x)
 {
-    // The large terms 1 - x^2/2 by themselves, with what their difference loses put back.
+    // Computes 1 - x^2/2 separately and adds its rounding error.
     const double x2 = x * x;
     const double half = 0.5 * x2;
     const double head = 1.0 - half;
@@ -115,7 +115,7 @@ double TaylorCosine(double x)
 template <int terms>
 void SineAndCosine(double angle, double* sine, double* cosine)
 {
-    // Most of what stands still has never been turned. The series give the same.
+    // Shortcut for bodies that never rotated. The series give the same.
     if (angle == 0.0)
     {
         *sine = angle;
@@ -132,9 +132,9 @@ void SineAndCosine(double angle, double* sine, double* cosine)
     *cosine = ((r.quarter + 1) & 2) != 0 ? -second : second;
 }
 
-// The arc tangent of t in [0, 1]. Above tan(pi/8) the identity
+// Returns the arc tangent of t in [0, 1]. Above tan(pi/8) the identity
 //   atan(t) = pi/4 + atan((t - 1) / (t + 1))
-// makes the argument small enough for the Taylor series t - t^3/3 + t^5/5 - ...
+// reduces the argument for the Taylor series t - t^3/3 + t^5/5 - ...
 double ArcTangent(double t)
 {
     constexpr double tanOfEighth = 0.41421356237309503;
@@ -145,14 +145,14 @@ double ArcTangent(double t)
 }
 } // namespace
 
-// Six terms leave an error of 1e-14, invisible after the rounding to single precision.
+// Six terms have an error of 1e-14, invisible after rounding to single precision.
 void box2d::SinCos(float angle, float* sine, float* cosine)
 {
     double s = static_cast<double>(angle);
     double c;
     if (angle != 0.0f && std::fabs(angle) <= kSmall)
     {
-        // What turns within a step: no quarter turns to take off, and as good with fewer terms.
+        // Small rotations within a step: no reduction, and fewer terms suffice.
         c = TaylorCosine<kTermsOfSmall>(s);
         s = TaylorSine<kTermsOfSmall>(s);
     }
@@ -181,7 +181,7 @@ double box2d::Atan2(double y, double x)
     const bool steep = ay > ax;
     const double larger = steep ? ay : ax;
     const double smaller = steep ? ax : ay;
-    // Equal sides, the infinite ones among them, have slope 1; two zeros have none and count as 0.
+    // Equal sides, including infinite ones, have slope 1; two zeros count as slope 0.
     const double slope = larger == 0.0 ? 0.0 : (larger == smaller ? 1.0 : smaller / larger);
     double angle = ArcTangent(slope);
     angle = steep ? kHalfPi - angle : angle;

@@ -4,12 +4,12 @@
 namespace box2d
 {
 
-extern bool g_usesWideInstructions; ///< use the functions
+extern bool g_usesWideInstructions; ///< read by the functions below
 
-/// Whether this processor and build can solve 8 lanes at a time (AVX2) instead of 4. The results
-/// have the same bits.
+/// True if this processor and build can solve 8 lanes at a time (AVX2) instead of 4. Results have
+/// the same bits.
 bool HasWideInstructions();
-/// For tests: whether to use them where there are any. Not while a world steps.
+/// For tests: enables or disables them if available. Not while a world steps.
 void UseWideInstructions(bool use);
 inline bool UsesWideInstructions()
 {

@@ -7,17 +7,15 @@
 
 namespace
 {
-// Steps that waste at most a third of a block, each a multiple of the strictest alignment.
+// Sizes that waste at most a third of a block, each a multiple of the strictest alignment.
 constexpr std::array<int32, b2_blockSizes> kBlockSizes = {
     16, 32, 64, 96, 128, 160, 192, 224, 256, 320, 384, 448, 512, b2_maxBlockSize};
 constexpr int32 kGranule = 16;
-// Blocks whose size is a multiple of a cache line start with one: what is read together is kept
-// together.
+// Blocks whose size is a multiple of a cache line are aligned to one.
 constexpr int32 kChunkHeader = box2d::kCacheLine;
 static_assert(kGranule % alignof(std::max_align_t) == 0);
 
-// For every size, counted in granules and rounded up, the index of the smallest block that holds
-// it.
+// Index of the smallest sufficient block for every size, counted in granules and rounded up.
 constexpr auto kSizeIndex = [] {
     std::array<uint8, b2_maxBlockSize / kGranule + 1> table = {};
     uint8 index = 0;
@@ -105,7 +103,7 @@ void b2BlockAllocator::AddChunk(int32 sizeIndex)
     chunk->blockSize = blockSize;
     m_chunks = chunk;
 
-    // From the last block to the first, so that they are handed out in the order of addresses.
+    // Added in reverse, so that blocks are allocated in the order of addresses.
     const int32 count = (b2_chunkSize - kChunkHeader) / blockSize;
     for (int32 i = count - 1; i >= 0; --i)
     {

@@ -23,8 +23,8 @@ void b2Mat33::GetInverse22(b2Mat33* M) const
     M->ez.SetZero();
 }
 
-// The rows of the inverse are the cross products of the columns over the determinant; for a
-// symmetric matrix the rows are the columns.
+// The rows of the inverse are the cross products of the columns divided by the determinant; for a
+// symmetric matrix rows equal columns.
 void b2Mat33::GetSymInverse33(b2Mat33* M) const
 {
     const b2Vec3 yz = b2Cross(ey, ez);
@@ -33,7 +33,7 @@ void b2Mat33::GetSymInverse33(b2Mat33* M) const
     const b2Vec3 zx = b2Cross(ez, ex);
     const b2Vec3 xy = b2Cross(ex, ey);
     *M = b2Mat33(s * yz, s * zx, s * xy);
-    // The two halves are computed from different products; make them agree to the last bit.
+    // The two halves come from different products; this makes them identical.
     M->ex.y = M->ey.x;
     M->ex.z = M->ez.x;
     M->ey.z = M->ez.y;

@@ -14,7 +14,7 @@ b2LogFunction g_log = nullptr;
 
 void* b2Alloc(int32 size)
 {
-    // malloc(0) may return null, which would look like running out of memory.
+    // malloc(0) may return null, which would look like out of memory.
     void* memory = size >= 0 ? g_alloc(size > 0 ? static_cast<std::size_t>(size) : 1) : nullptr;
     if (memory == nullptr)
     {
@@ -49,7 +49,7 @@ void b2Log(const char* format, ...)
     }
     else
     {
-        char text[1024]; // longer than any line that Dump writes; what is longer is cut
+        char text[1024]; // longer than any line of Dump; longer text is truncated
         std::vsnprintf(text, sizeof text, format, arguments);
         g_log(text);
     }

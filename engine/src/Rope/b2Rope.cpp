@@ -5,12 +5,12 @@
 namespace
 {
 
-/// Shorter steps than this count as none, longer ones as this long [s]: their inverses and squares
-/// would leave single precision.
+/// Shorter steps do nothing, longer ones are clamped [s]: their inverses and squares would exceed
+/// single precision.
 constexpr float32 kShortestStep = 1e-9f;
 constexpr float32 kLongestStep = 1e6f;
 
-/// From one direction to the next, to the left [rad].
+/// Returns the angle from one direction to the next, counter-clockwise [rad].
 float32 BendAngle(const b2Vec2& d1, const b2Vec2& d2)
 {
     return b2Atan2(b2Cross(d1, d2), b2Dot(d1, d2));
@@ -78,7 +78,7 @@ void b2Rope::Step(float32 timeStep, int32 iterations)
         return;
     }
     timeStep = b2Min(timeStep, kLongestStep);
-    // Implicit, so that no damping is too strong for the step.
+    // Implicit, so that any damping is stable.
     const float32 kept = 1.0f / (1.0f + timeStep * m_damping);
     for (std::size_t i = 0; i < m_points.size(); ++i)
     {
@@ -94,12 +94,12 @@ void b2Rope::Step(float32 timeStep, int32 iterations)
     {
         SolveStretch();
         SolveBends();
-        SolveStretch(); // last, for a stretch shows more than a bend
+        SolveStretch(); // last, because a stretch is more visible than a bend
     }
     for (std::size_t i = 0; i < m_points.size(); ++i)
     {
         m_points[i].velocity = (1.0f / timeStep) * (m_positions[i] - m_points[i].before);
-        // What became too large to be computed stops rather than vanish.
+        // Points that became non-finite stop.
         if (!m_positions[i].IsValid() || !m_points[i].velocity.IsValid())
         {
             m_positions[i] = m_points[i].before;
@@ -125,8 +125,8 @@ void b2Rope::SolveStretch()
     }
 }
 
-// The angle's gradient with respect to each point follows from that of a direction's angle, which
-// is the direction turned left over its squared length.
+// The gradient of the angle at each point follows from that of a direction's angle: the direction
+// rotated left, divided by its squared length.
 void b2Rope::SolveBends()
 {
     for (std::size_t i = 0; i < m_angles.size(); ++i)
@@ -152,7 +152,7 @@ void b2Rope::SolveBends()
             continue;
         }
         float32 error = BendAngle(d1, d2) - m_angles[i];
-        error -= error > b2_pi ? 2.0f * b2_pi : 0.0f; // the short way round
+        error -= error > b2_pi ? 2.0f * b2_pi : 0.0f; // the shorter rotation
         error += error < -b2_pi ? 2.0f * b2_pi : 0.0f;
         const float32 share = -m_bendStiffness * error / sum;
         m_positions[i] += mass1 * share * gradient1;

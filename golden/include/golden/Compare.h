@@ -12,17 +12,16 @@
 #include <vector>
 
 /// @file
-/// How far two pictures differ, and whether that is too far. Called by the reference store, by
-/// tests and by `boxreel diff`. Knows no files and no scenes; the verdict has the same bits for the
-/// same pictures on every machine.
+/// Compares two pictures against limits. Called by the reference store, by tests and by `boxreel
+/// diff`. Independent of files and scenes; the result is bit-identical on every machine.
 namespace boxreel
 {
 
-/// Two pictures of the same size are equal when at most `maxPixels` pixels, and at most `maxRatio`
-/// of those compared, differ by more than is allowed, and no window of densityWindow x
-/// densityWindow pixels, wherever it lies, holds more than `maxInWindow` of them: scattered specks
-/// pass, a cluster does not. Allowed are `tolerance` and, where the expected picture has an edge,
-/// what an edge that lies `edgeShift` elsewhere changes.
+/// The limits of a comparison. Pictures of the same size are equal if three conditions hold. At
+/// most `maxPixels` pixels are over tolerance, at most `maxRatio` of those compared, and at most
+/// `maxInWindow` in any window of densityWindow x densityWindow pixels. Scattered pixels pass, a
+/// cluster does not. A pixel is over tolerance if it differs by more than `tolerance`. At an edge
+/// of the expected picture, it must also differ by more than `edgeShift` explains.
 struct CompareSettings
 {
     std::string preset = "same-machine"; ///< where the limits came from, printed with them
@@ -33,67 +32,69 @@ struct CompareSettings
     /// distance that a channel off by 4/255 makes anywhere in sRGB (0.00028, red in bright cyan),
     /// so that no such change is overlooked. 0: any bit counts.
     double tolerance = 0.00025;
-    /// An edge may lie this far from where the expected picture has it [px], 0 to 0.45. From 0.5
-    /// on, a line that is gone would be excused as one that moved.
+    /// Allowed shift of an edge relative to the expected picture [px], 0 to 0.45. From 0.5 on, a
+    /// missing line would pass as a shifted one.
     double edgeShift = 0.0;
-    std::int64_t maxPixels = 4; ///< this many pixels over what is allowed pass, when scattered; …
-    double maxRatio = 1.0;      ///< … and this share of the pixels that are compared, 0 to 1
-    int densityWindow = 16;     ///< side of the window [px], 1 or more, in which …
-    /// … at most this many may be over what is allowed. With 1, a dot that moved by a pixel (one
-    /// pixel gone, its neighbour new) is found.
+    std::int64_t maxPixels = 4; ///< this many scattered pixels over tolerance pass
+    double maxRatio = 1.0;      ///< and this fraction of the compared pixels, 0 to 1
+    int densityWindow = 16;     ///< side of the window [px], >= 1
+    /// Pixels over tolerance allowed in a window. 1 detects a dot that moved by one pixel (two
+    /// differences).
     std::int64_t maxInWindow = 1;
-    std::vector<PixelBounds> ignored{}; ///< what lies in one of these is not compared
-    /// Bodies that a reference store leaves out: of the state, of the draw list, and of the picture
-    /// where either list has them. By number. Compare itself knows no bodies.
+    std::vector<PixelBounds> ignored{}; ///< rectangles that are not compared
+    /// Numbers of bodies that a reference store removes from the state, the draw list, and the
+    /// picture where either list has them. Not used by Compare itself.
     std::vector<int> ignoredBodies{};
-    /// True: a reference store replaces the limits by those of CrossMachine where a renderer that
-    /// gives other bits drew the reference. Only where no limit differs from the default's.
+    /// True: a reference store uses the limits of CrossMachine if the reference is from a renderer
+    /// with other bits. Only if all limits are the defaults.
     bool adaptsToRenderer = true;
     bool paintsDifference = true; ///< false: Comparison::difference stays empty, which is faster
 
-    static CompareSettings Exact(); ///< every bit
-    /// Single stray pixels pass. The default's limits, whichever renderer drew the reference.
+    static CompareSettings Exact(); ///< no tolerance
+    /// Single stray pixels pass. The default limits, for every renderer of the reference.
     static CompareSettings SameMachine();
-    /// Another GPU, driver or compiler: roundings and edges differ, what is drawn does not.
-    /// tolerance 0.01: above what +-2/255 makes in the fills of our themes (0.009 at most, on the
-    /// dark ground), below what 4/255 in all channels makes there (0.012 or more; of saturated red
-    /// and blue 0.006). edgeShift 0.2: GL lets a driver round vertices to 1/16 px, so two of them
-    /// draw an edge up to 1/8 px apart; the rest is for corners where several edges meet. Whole
-    /// scenes shifted by 0.1 px pass, by 0.5 px fail. OSMesa and EGL of one Mesa draw the same
-    /// bits. maxRatio 0.0005: some 460 specks in 1280x720, one in every second window of 32x32.
-    /// maxInWindow 8: a dot of 3x3 pixels that is gone is found; specks of that density are not
-    /// that close together.
+    /// Another GPU, driver or compiler: rounding and edges differ, the content does not.
+    /// tolerance 0.01: above the effect of +-2/255 in the fills of our themes (at most 0.009, on
+    /// the dark background). Below that of 4/255 in all channels (at least 0.012; 0.006 for
+    /// saturated red and blue).
+    /// edgeShift 0.2: GL allows drivers to round vertices to 1/16 px, so two of them draw an edge
+    /// up to 1/8 px apart. The rest is for corners of several edges. Whole scenes shifted by 0.1 px
+    /// pass, by 0.5 px fail. OSMesa and EGL of one Mesa draw the same bits.
+    /// maxRatio 0.0005: about 460 pixels in 1280x720, one in every second window of 32x32.
+    /// maxInWindow 8: a missing dot of 3x3 pixels is found; scattered pixels of that density are
+    /// not that close together.
     static CompareSettings CrossMachine();
-    /// The preset of that name, or an Error that lists them and names `option`, the text's origin.
+    /// Returns the preset of that name. An Error lists the presets and names `option`, the source
+    /// of the text.
     static Result<CompareSettings> Preset(const std::string& option, const std::string& name);
-    /// What Preset takes.
+    /// Returns the names that Preset accepts.
     static std::vector<std::string> PresetNames();
 };
 
 /// The value of CompareSettings::maxPixels that sets no limit.
 inline constexpr std::int64_t kAnyNumberOfPixels = std::numeric_limits<std::int64_t>::max();
 
-/// "same-machine allows 4 pixels over a distance of 0.00025, 1 in any 16x16": what holds, and where
-/// it came from.
+/// Returns the limits and their source: "same-machine allows 4 pixels over a distance of 0.00025, 1
+/// in any 16x16".
 std::string DescribeLimits(const CompareSettings& settings);
 
-/// The limits for a picture that another renderer drew: those of CrossMachine where `settings`
-/// adapt, else none.
+/// Returns the limits for a picture of another renderer: those of CrossMachine if `settings`
+/// adapts, otherwise none.
 std::optional<CompareSettings> ForOtherRenderer(const CompareSettings& settings);
 
-/// What a comparison has found.
+/// The result of a comparison.
 struct Comparison
 {
     bool equal = false;               ///< within the limits of the settings
     bool sameSize = true;             ///< in width and height
-    std::int64_t differentPixels = 0; ///< with any bit different, or in one picture only
-    std::int64_t compared = 0;        ///< all pixels but those …
-    std::int64_t ignored = 0;         ///< … in an ignored rectangle
+    std::int64_t differentPixels = 0; ///< with any difference, or in one picture only
+    std::int64_t compared = 0;        ///< all except the ignored pixels
+    std::int64_t ignored = 0;         ///< in an ignored rectangle
     std::int64_t overTolerance = 0;   ///< by more than is allowed there
-    std::int64_t excusedAtEdges = 0;  ///< over the tolerance, but no more than their edge explains
-    std::int64_t worstWindow = 0;     ///< most pixels over the tolerance in any one window
-    double largestDistance = 0.0;     ///< OKLab, of the pixels that both pictures have
-    int firstX = -1; ///< column of the first pixel over the tolerance, row by row [px]; -1: none
+    std::int64_t excusedAtEdges = 0;  ///< over the tolerance, but explained by an edge
+    std::int64_t worstWindow = 0;     ///< maximum number of pixels over the tolerance in a window
+    double largestDistance = 0.0;     ///< OKLab, over the common pixels
+    int firstX = -1; ///< column of the first pixel over the tolerance, in row order [px]; -1: none
     int firstY = -1; ///< row of the first pixel over the tolerance [px]; -1: none
     std::array<int, 2> expectedSize{}; ///< width and height [px]
     std::array<int, 2> actualSize{};   ///< width and height [px]
@@ -109,13 +110,13 @@ struct Comparison
     std::string Text() const;
 };
 
-/// Compares two pictures, the first of which was approved; never fails: other sizes are a
+/// Compares two pictures, the first of which is the reference. Never fails: different sizes are a
 /// difference.
 Comparison Compare(const Frame& expected, const Frame& actual,
                    const CompareSettings& settings = {});
 
-/// Expected, actual and difference side by side in one picture, for a person to look at, with thin
-/// separators; what is smaller than the largest is padded with their gray.
+/// Returns expected, actual and difference side by side with thin separators; smaller pictures are
+/// padded with the separators' gray.
 Frame SideBySide(const Frame& expected, const Frame& actual, const Frame& difference);
 
 } // namespace boxreel

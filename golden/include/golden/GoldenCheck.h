@@ -9,52 +9,52 @@
 #include <string>
 
 /// @file
-/// What one golden test does, for any framework of tests: compares with the reference, or makes the
-/// candidate the reference when the environment asks for it. GoldenTest.h calls it for GoogleTest.
-/// Prints nothing; what should be printed is handed back.
+/// A golden test for any test framework: compares with the reference, or accepts the candidate as
+/// reference if the environment requests it. GoldenTest.h calls it for GoogleTest. Prints nothing;
+/// output is returned.
 namespace boxreel
 {
 
-/// Which candidates become references; one that is the same as its reference never does, so that no
-/// file changes without need.
+/// The candidates to accept. A candidate equal to its reference is never accepted, so that no file
+/// changes without need.
 enum class GoldenAccept
 {
     None,
     Missing,      ///< those without a reference
-    Changed,      ///< those that differ from theirs, or whose reference is damaged
+    Changed,      ///< those that differ, or whose reference is damaged
     All,          ///< both
-    ThisRenderer, ///< those that differ in pixels alone: for the renderer that drew them alone
+    ThisRenderer, ///< those that differ only in pixels, for their renderer only
 };
 
-/// What a golden test compares with, and what it may change.
+/// The folders and mode of golden tests.
 struct GoldenCheckSettings
 {
-    std::filesystem::path references;               ///< the folder of what was approved
+    std::filesystem::path references;               ///< folder of the references
     std::filesystem::path output = "golden-output"; ///< the folder for the pictures of a failure
-    GoldenAccept accept = GoldenAccept::None;       ///< what is taken over instead of compared
-    bool attach = false; ///< name the pictures of a failure in lines that CTest sends to CDash
+    GoldenAccept accept = GoldenAccept::None;       ///< candidates to accept instead of comparing
+    bool attach = false; ///< print the pictures of a failure in lines that CTest sends to CDash
 };
 
-/// From BOXREEL_GOLDEN_REFERENCES (`references` when that is not set), BOXREEL_GOLDEN_OUTPUT,
-/// BOXREEL_GOLDEN_ACCEPT. A shard of GoogleTest has a folder of its own in the output. Pictures are
-/// attached under CTest and where CI is set. Unusable when no folder or no such word is given.
+/// Reads BOXREEL_GOLDEN_REFERENCES (default `references`), BOXREEL_GOLDEN_OUTPUT and
+/// BOXREEL_GOLDEN_ACCEPT. A shard of GoogleTest has its own folder in the output. Pictures are
+/// attached under CTest and if CI is set. Unusable without a folder, or for an unknown mode.
 Result<GoldenCheckSettings> GoldenSettingsFromEnvironment(const std::filesystem::path& references);
 
-/// Renderer::Fingerprint() of the back end that this process draws with unless it names another one
-/// (Backend::Auto), for a picture that does not say who drew it. Empty where no back end works.
+/// Returns Renderer::Fingerprint() of this process's default back end (Backend::Auto), for pictures
+/// without a known renderer. Empty if no back end works.
 std::string DefaultFingerprint();
 
-/// What a golden test says.
+/// The result of a golden test.
 struct GoldenOutcome
 {
-    bool passed = false; ///< whether the test has passed
-    std::string message; ///< a sentence or two, with the remedy when it has not passed
-    std::string output;  ///< whole lines for standard output, or nothing
+    bool passed = false; ///< true if the test passed
+    std::string message; ///< one or two sentences, with the remedy if the test failed
+    std::string output;  ///< lines for standard output, or empty
 };
 
-/// `accepted`: the names that this run has made references, kept by the caller. A second candidate
-/// of such a name is compared, never accepted: two tests that share a name would otherwise replace
-/// each other's reference in every such run.
+/// Compares or accepts the candidate. `accepted`: the names accepted in this run, kept by the
+/// caller. A second candidate of such a name is compared, never accepted. Otherwise two tests with
+/// the same name would replace each other's reference in every run.
 GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSettings& compare,
                           const GoldenCheckSettings& settings, std::set<std::string>& accepted);
 

@@ -22,42 +22,42 @@
 ///     EXPECT_GOLDEN_FILM("pyramid.mp4", "pyramid/film", {.every = 60});
 ///
 /// ASSERT_GOLDEN, ASSERT_GOLDEN_WORLD and ASSERT_GOLDEN_FILM end the test when they fail.
-/// References lie in the folder BOXREEL_GOLDEN_REFERENCES (environment, else a definition with
-/// which the test is compiled), failures leave their pictures in BOXREEL_GOLDEN_OUTPUT
-/// (golden-output below the working folder), BOXREEL_GOLDEN_ACCEPT=missing|changed|all|
-/// this-renderer makes candidates the references.
+/// References are in the folder BOXREEL_GOLDEN_REFERENCES (environment variable, otherwise a
+/// definition of the compiler). Failures write their pictures to BOXREEL_GOLDEN_OUTPUT (default
+/// golden-output in the working folder). BOXREEL_GOLDEN_ACCEPT=missing|changed|all|this-renderer
+/// accepts candidates as references.
 namespace boxreel::golden_test
 {
 
-/// What EXPECT_GOLDEN compares with.
+/// The reference and limits of EXPECT_GOLDEN.
 struct FrameCheck
 {
-    std::string name;        ///< of the reference
-    CompareSettings compare; ///< presets and limits
+    std::string name;        ///< name of the reference
+    CompareSettings compare; ///< limits
 };
 
-/// EXPECT_GOLDEN's second argument: a name, and limits where they differ.
+/// Returns EXPECT_GOLDEN's arguments: a name, and optional limits.
 inline FrameCheck CheckAs(std::string name, CompareSettings compare = {})
 {
     return {std::move(name), std::move(compare)};
 }
 
-/// What EXPECT_GOLDEN_WORLD compares with.
+/// The reference, drawing and limits of EXPECT_GOLDEN_WORLD.
 struct WorldCheck
 {
-    std::string name;        ///< of the reference
+    std::string name;        ///< name of the reference
     GoldenWorldLook look;    ///< how the world is drawn
-    CompareSettings compare; ///< presets and limits
+    CompareSettings compare; ///< limits
 };
 
-/// EXPECT_GOLDEN_WORLD's second argument: a name, a look and limits.
+/// Returns EXPECT_GOLDEN_WORLD's arguments: a name, and optional look and limits.
 inline WorldCheck CheckWorldAs(std::string name, GoldenWorldLook look = {},
                                CompareSettings compare = {})
 {
     return {std::move(name), std::move(look), std::move(compare)};
 }
 
-/// The folder that boxreel_add_golden_tests has named.
+/// Returns the folder set by boxreel_add_golden_tests.
 inline std::filesystem::path CompiledReferences()
 {
 #ifdef BOXREEL_GOLDEN_REFERENCES
@@ -67,7 +67,7 @@ inline std::filesystem::path CompiledReferences()
 #endif
 }
 
-/// Compares what could be drawn; an Error fails the test with its sentence.
+/// Compares a candidate; an Error fails the test with its text.
 inline testing::AssertionResult Check(const Result<GoldenCandidate>& candidate,
                                       const CompareSettings& compare)
 {
@@ -88,7 +88,7 @@ inline testing::AssertionResult Check(const Result<GoldenCandidate>& candidate,
            << outcome.message;
 }
 
-/// EXPECT_GOLDEN calls it.
+/// Called by EXPECT_GOLDEN.
 inline testing::AssertionResult IsGolden(const char* expression, const char*, const Frame& frame,
                                          const FrameCheck& check)
 {
@@ -104,29 +104,29 @@ inline testing::AssertionResult IsGolden(const char* expression, const char*, co
     return Check(candidate, check.compare);
 }
 
-/// EXPECT_GOLDEN_WORLD calls it.
+/// Called by EXPECT_GOLDEN_WORLD.
 inline testing::AssertionResult IsGoldenWorld(const char*, const char*, b2World& world,
                                               const WorldCheck& check)
 {
     return Check(CandidateOf(world, check.name, check.look), check.compare);
 }
 
-/// What EXPECT_GOLDEN_FILM compares with.
+/// The reference, sampling and limits of EXPECT_GOLDEN_FILM.
 struct FilmCheck
 {
-    std::string name;           ///< of the reference
-    ContactSheetSettings sheet; ///< which moments are compared
-    CompareSettings compare;    ///< presets and limits
+    std::string name;           ///< name of the reference
+    ContactSheetSettings sheet; ///< the moments to compare
+    CompareSettings compare;    ///< limits
 };
 
-/// EXPECT_GOLDEN_FILM's second argument: a name, moments and limits.
+/// Returns EXPECT_GOLDEN_FILM's arguments: a name, and optional sampling and limits.
 inline FilmCheck CheckFilmAs(std::string name, ContactSheetSettings sheet = {},
                              CompareSettings compare = {})
 {
     return {std::move(name), sheet, std::move(compare)};
 }
 
-/// EXPECT_GOLDEN_FILM calls it.
+/// Called by EXPECT_GOLDEN_FILM.
 inline testing::AssertionResult
 IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const FilmCheck& check)
 {
@@ -142,31 +142,31 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
 
 } // namespace boxreel::golden_test
 
-/// Fails the test where a frame is not what was approved: (frame, name [, CompareSettings]).
+/// Fails the test if a frame differs from its reference: (frame, name [, CompareSettings]).
 #define EXPECT_GOLDEN(frame, ...)                                                                  \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
                         ::boxreel::golden_test::CheckAs(__VA_ARGS__))
-/// As EXPECT_GOLDEN, and the test ends where it fails.
+/// As EXPECT_GOLDEN, but ends the test on failure.
 #define ASSERT_GOLDEN(frame, ...)                                                                  \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
                         ::boxreel::golden_test::CheckAs(__VA_ARGS__))
 
-/// Fails the test where a world is not what was approved: (world, name [, GoldenWorldLook [,
+/// Fails the test if a world differs from its reference: (world, name [, GoldenWorldLook [,
 /// CompareSettings]]).
 #define EXPECT_GOLDEN_WORLD(world, ...)                                                            \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
                         ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
-/// As EXPECT_GOLDEN_WORLD, and the test ends where it fails.
+/// As EXPECT_GOLDEN_WORLD, but ends the test on failure.
 #define ASSERT_GOLDEN_WORLD(world, ...)                                                            \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
                         ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
 
-/// Fails the test where a film is not what was approved: (path of a film, name [,
+/// Fails the test if a film differs from its reference: (path of a film, name [,
 /// ContactSheetSettings [, CompareSettings]]).
 #define EXPECT_GOLDEN_FILM(film, ...)                                                              \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
                         ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))
-/// As EXPECT_GOLDEN_FILM, and the test ends where it fails.
+/// As EXPECT_GOLDEN_FILM, but ends the test on failure.
 #define ASSERT_GOLDEN_FILM(film, ...)                                                              \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
                         ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))

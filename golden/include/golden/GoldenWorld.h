@@ -13,24 +13,24 @@ class b2World;
 
 /// @file
 /// A world as a candidate at all three depths: state, draw list, pixels. Target
-/// boxreel::goldenworld; the header needs no engine.
+/// boxreel::goldenworld; the header itself does not include the engine.
 namespace boxreel
 {
 
-/// How a world is drawn to be compared, and what is known of its way there.
+/// How a world is drawn for a comparison, and its trace.
 struct GoldenWorldLook
 {
-    int width = 480;                   ///< of the picture [px], 1 to 8192
-    int height = 270;                  ///< of the picture [px], 1 to 8192
-    std::optional<Camera> camera = {}; ///< with the size of the picture; none: what can move and
-                                       ///< what is near it, as it stands, fills the picture
-    std::uint32_t layers = 0x3;        ///< b2Draw's bits; shapes and joints unless said
-    StateTrace trace = {}; ///< ReadTraceStep() after each step: a failure then says which
-                           ///< step and which body differ first; none: not kept
+    int width = 480;                   ///< width of the picture [px], 1 to 8192
+    int height = 270;                  ///< height of the picture [px], 1 to 8192
+    std::optional<Camera> camera = {}; ///< its size must be that of the picture; none: moving
+                                       ///< bodies and their surroundings fill the picture
+    std::uint32_t layers = 0x3;        ///< b2Draw's bits; default: shapes and joints
+    StateTrace trace = {}; ///< ReadTraceStep() after each step, to report the first step and body
+                           ///< that differ; optional
 };
 
-/// An Error when the picture cannot be drawn. The world's debug drawing is borrowed for it and none
-/// is registered afterwards.
+/// Returns the candidate; an Error when the picture cannot be drawn. Replaces the world's debug
+/// drawing; none is registered afterwards.
 Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
                                     const GoldenWorldLook& look = {});
 

@@ -17,11 +17,11 @@
 #include <vector>
 
 /// @file
-/// The folder of what was approved, at three depths: the state (state/NAME.txt, and the steps on
-/// the way to it, trace/NAME.txt), what was drawn (drawlist/NAME.txt) and the picture
-/// (frames/NAME.png, or `frames/NAME@RENDERER.png` where a renderer has one of its own; for a film
-/// sheet/NAME.txt says which moments it shows). Long texts are packed (.txt.gz). Verify compares in
-/// that order, so that a failure says whether the motion, the geometry or only the pixels changed.
+/// The folder of references, at three depths: the state (state/NAME.txt, and the steps before it,
+/// trace/NAME.txt), the draw list (drawlist/NAME.txt) and the picture (frames/NAME.png). A renderer
+/// may have its own picture, `frames/NAME@RENDERER.png`; for a film, sheet/NAME.txt lists the
+/// moments. Long texts are compressed (.txt.gz). Verify compares in that order, so that a failure
+/// states whether the motion, the geometry or only the pixels changed.
 namespace boxreel
 {
 
@@ -29,50 +29,51 @@ namespace boxreel
 /// folder.
 struct GoldenCandidate
 {
-    std::string name;      ///< of the reference
+    std::string name;      ///< name of the reference
     std::string stateHash; ///< 16 hex digits; empty: depth not used
-    DrawList list;         ///< what is drawn; empty: depth not used
-    Frame frame;           ///< the picture; empty: depth not used
-    WorldState state = {}; ///< with a hash only: what differs, and by how much; no bodies: not kept
-    StateTrace trace = {}; ///< the steps since the moment before; none: not kept
+    DrawList list;         ///< empty: depth not used
+    Frame frame;           ///< empty: depth not used
+    WorldState state = {}; ///< only with a hash: for the size of differences; no bodies: not stored
+    StateTrace trace = {}; ///< the steps since the previous moment; empty: not stored
     std::string renderer = {};             ///< Renderer::Description(); empty: one picture for all
-    std::string fingerprint = {};          ///< Renderer::Fingerprint(); empty: not known
-    std::optional<Camera> camera = {};     ///< with which it is drawn; needed to leave out bodies
-    std::optional<SheetLayout> sheet = {}; ///< of a film's contact sheet; kept, so that other
-                                           ///< moments of the film are told as such
+                                           ///< renderers
+    std::string fingerprint = {};          ///< Renderer::Fingerprint(); empty: unknown
+    std::optional<Camera> camera = {};     ///< camera of the picture; required to ignore bodies
+    std::optional<SheetLayout> sheet = {}; ///< of a film's contact sheet; stored to detect other
+                                           ///< moments of the film
 };
 
-/// Whether a reference may have the name: parts of letters between slashes, none empty or beginning
-/// with a dot. An Error (Unusable) says what is wrong.
+/// Checks that a reference may have the name: parts separated by slashes, none empty or starting
+/// with a dot. An Error (Unusable) states the reason.
 Result<void> CheckReferenceName(const std::string& name);
 
-/// Of a film.
+/// Returns the candidate of a film.
 GoldenCandidate CandidateOf(ContactSheet sheet, std::string name);
 
-/// Which picture becomes the reference.
+/// The picture to replace.
 enum class AcceptAs
 {
-    TheOneCompared,  ///< this renderer's own where it has one, else the one for all
-    ForThisRenderer, ///< one that only candidates of the same `renderer` are compared with
+    TheOneCompared,  ///< the renderer's own picture if it exists, otherwise the common one
+    ForThisRenderer, ///< a picture for candidates of the same `renderer` only
 };
 
-/// How a comparison ended.
+/// The result of a comparison.
 enum class GoldenStatus
 {
     Same,
-    Missing,     ///< no reference: fails, the candidate is written to the output folder
-    State,       ///< the worlds differ
-    DrawList,    ///< same world, other geometry
-    Pixels,      ///< same geometry, other pixels
-    NotCompared, ///< fails: the reference is damaged, or bodies that are to be left out cannot be
+    Missing,     ///< no reference: fails, and the candidate is written to the output folder
+    State,       ///< the states differ
+    DrawList,    ///< equal states, different draw lists
+    Pixels,      ///< equal draw lists, different pixels
+    NotCompared, ///< fails: the reference is damaged, or bodies cannot be ignored
 };
 
-/// Why the limits of a comparison hold.
+/// The reason for the limits of a comparison.
 enum class LimitsChoice
 {
-    AsGiven,       ///< the settings do not adapt, or nobody knows which renderer drew a picture
-    SameRenderer,  ///< both pictures have the same fingerprint: as given, too
-    OtherRenderer, ///< the fingerprints differ: those of CompareSettings::CrossMachine
+    AsGiven,       ///< the settings do not adapt, or a renderer is unknown
+    SameRenderer,  ///< both pictures have the same fingerprint: limits as given
+    OtherRenderer, ///< the fingerprints differ: limits of CompareSettings::CrossMachine
 };
 
 /// Where two texts part, line by line. Without either line, the texts differ by the newline at
@@ -152,34 +153,34 @@ struct GoldenVerdict
     std::string Text(const std::string& remedy = "") const;
 };
 
-/// A folder of what was approved.
+/// A folder of references.
 class ReferenceStore
 {
 public:
-    /// `references`: the approved folder; `output`: where failures leave NAME.expected.png,
-    /// NAME.actual.png, NAME.difference.png, NAME.side-by-side.png, the two draw lists and states,
-    /// and every comparison NAME.verdict.json, of which `boxreel golden report` makes a page.
+    /// `references`: folder of the references. `output`: folder for NAME.expected.png,
+    /// NAME.actual.png, NAME.difference.png, NAME.side-by-side.png, draw lists and states of
+    /// failures. Every comparison writes NAME.verdict.json there, for `boxreel golden report`.
     ReferenceStore(std::filesystem::path references, std::filesystem::path output);
 
-    /// Compares the candidate with its reference, and leaves files of what differs. An Error only
-    /// when the name is not usable or a file of a failure cannot be written; a difference is a
-    /// verdict, and so is a reference that cannot be read.
+    /// Compares the candidate with its reference and writes files of the differences. An Error only
+    /// when the name is invalid or a file cannot be written. A difference is a verdict, and so is
+    /// an unreadable reference.
     Result<GoldenVerdict> Verify(const GoldenCandidate& candidate,
                                  const CompareSettings& settings = {}) const;
 
-    /// Compares as Verify does, and leaves no file. An Error only when the name is not usable.
+    /// Compares as Verify does, without writing files. An Error only when the name is invalid.
     Result<GoldenVerdict> Judge(const GoldenCandidate& candidate,
                                 const CompareSettings& settings = {}) const;
 
-    /// Makes the candidate the reference, whatever there was. Files are written whole or not at
-    /// all. Unusable for a renderer alone when the candidate does not say which.
+    /// Makes the candidate the reference, replacing an existing one. Files are written completely
+    /// or not at all. Unusable for ForThisRenderer when the candidate has no renderer.
     Result<void> Accept(const GoldenCandidate& candidate,
                         AcceptAs as = AcceptAs::TheOneCompared) const;
 
-    /// Whether this renderer (a Description()) has a picture of its own under the name.
+    /// True if this renderer (a Description()) has its own picture of that name.
     bool HasOwnPicture(const std::string& name, const std::string& renderer) const;
 
-    /// Names that have a reference, sorted.
+    /// Returns the names of all references, sorted.
     std::vector<std::string> Names() const;
 
 private:

@@ -9,22 +9,22 @@
 class b2World;
 
 /// @file
-/// The only part of golden that knows the engine. A world's state in 64 bits: every body's
-/// position, angle and velocities, bit by bit, in order of creation. Target boxreel::goldenstate;
-/// the rest of golden does not know the engine.
+/// A world's state as a 64-bit hash: every body's position, angle and velocities, bit by bit, in
+/// creation order. Target boxreel::goldenstate, the only part of golden that depends on the engine.
 namespace boxreel
 {
 
-/// The state as a number: the same bits have the same, others almost surely another.
+/// Returns the hash: equal states have equal hashes, different ones almost certainly not.
 std::uint64_t StateHash(const b2World& world);
 
-/// As 16 lower-case hex digits.
+/// Returns the hash as 16 lower-case hex digits.
 std::string StateHashText(const b2World& world);
 
-/// The numbers that are hashed.
+/// Returns the numbers that are hashed.
 WorldState ReadWorldState(const b2World& world);
 
-/// Of `step`, which the world has just done. Called after each step, it makes a StateTrace.
+/// Returns the trace of `step`, which the world has just completed. Called after each step, it
+/// builds a StateTrace.
 TraceStep ReadTraceStep(const b2World& world, std::int64_t step);
 
 } // namespace boxreel

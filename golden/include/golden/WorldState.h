@@ -16,30 +16,30 @@
 namespace boxreel
 {
 
-/// A body of it. The numbers are those that the engine's getters give.
+/// The state of a body, as returned by the engine's getters.
 struct BodyState
 {
-    int number = 0;            ///< its place in the order of creation, as `--labels` shows it
-    float x = 0;               ///< of the origin, to the right [m]
-    float y = 0;               ///< of the origin, upwards [m]
-    float angle = 0;           ///< anticlockwise from the x axis [rad]
-    float velocityX = 0;       ///< of the centre of mass, to the right [m/s]
-    float velocityY = 0;       ///< of the centre of mass, upwards [m/s]
-    float angularVelocity = 0; ///< anticlockwise [rad/s]
+    int number = 0;            ///< creation order, as shown by `--labels`
+    float x = 0;               ///< x coordinate of the origin [m]
+    float y = 0;               ///< y coordinate of the origin [m]
+    float angle = 0;           ///< counter-clockwise from the x axis [rad]
+    float velocityX = 0;       ///< x velocity of the centre of mass [m/s]
+    float velocityY = 0;       ///< y velocity of the centre of mass [m/s]
+    float angularVelocity = 0; ///< counter-clockwise [rad/s]
     friend bool operator==(const BodyState&, const BodyState&) = default; ///< -0 equals 0
 };
 
-/// All bodies, the oldest first.
+/// All bodies, oldest first.
 struct WorldState
 {
-    std::vector<BodyState> bodies; ///< in the order of their creation
+    std::vector<BodyState> bodies; ///< in creation order
 };
 
-/// A line a body: number, x, y, angle and, unless they are all 0, the velocities. The shortest
-/// numbers that read back to the same bits.
+/// Returns one line per body: number, x, y, angle and, unless all are 0, the velocities. The
+/// shortest numbers that read back exactly.
 std::string ToText(const WorldState& state);
 
-/// What ToText wrote; Unusable with the line that is not of this kind.
+/// Parses the result of ToText. An Error (Unusable) contains the invalid line.
 Result<WorldState> ParseWorldState(std::string_view text);
 
 /// How the bodies of two states differ.
@@ -60,49 +60,51 @@ StateDifference DifferenceOf(const WorldState& expected, const WorldState& actua
 /// when all are equal.
 std::string Describe(const StateDifference& difference);
 
-/// A step's state in few characters.
+/// A compact hash of a step's state.
 struct TraceStep
 {
     std::int64_t step = 0; ///< since the start
     std::string world;     ///< 8 hex digits of the whole state's hash
-    /// A hex digit of each body's hash, by number, '.' where there is none any more. Where more
-    /// than 256 bodies have been made: digits of rows and of columns of them, see kLongestTrace.
+    /// A hex digit of each body's hash, by number, '.' for destroyed bodies. For more than 256
+    /// bodies: digits of rows and columns, see kLongestTrace.
     std::string bodies;
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const TraceStep&, const TraceStep&) = default;
 };
 
-/// The steps that a world went through, in order.
+/// The steps of a world, in order.
 struct StateTrace
 {
-    std::vector<TraceStep> steps; ///< in their order
+    std::vector<TraceStep> steps; ///< in order
 };
 
-/// Up to so many bodies each has a digit of its own. More are thought of as a square, numbered row
-/// by row, and each row and each column has a digit, the rows' before a slash, the columns' behind
-/// it: a single body that differs is found where its row and its column cross.
+/// Maximum number of bodies with their own digit. More are arranged in a square, numbered row by
+/// row, with a digit per row, a slash, and a digit per column. A single different body is at the
+/// intersection of its row and column.
 inline constexpr int kLongestTrace = 256;
 
-/// A line a step.
+/// Returns one line per step.
 std::string ToText(const StateTrace& trace);
-/// What ToText wrote, or an Error that names the line.
+/// Parses the result of ToText. An Error contains the invalid line.
 Result<StateTrace> ParseStateTrace(std::string_view text);
 
-/// Where two ways part.
+/// The first difference of two traces.
 struct TraceDifference
 {
-    std::int64_t step = 0;   ///< the first that differs
-    std::vector<int> bodies; ///< those that may differ there, by number; empty: not to be told
-    bool isOfOne = false;    ///< only one of the traces has that step
-    bool isFirst = false;    ///< no step before it was compared, so they may have parted earlier
+    std::int64_t step = 0;   ///< first step that differs
+    std::vector<int> bodies; ///< bodies that may differ there, by number; empty: unknown
+    bool isOfOne = false;    ///< only one of the traces contains that step
+    bool isFirst = false;    ///< no earlier step was compared, so the difference may have started
+                             ///< before
 };
 
-/// None when both have the same steps and each is the same. A digit may be the same by chance (one
-/// in 16) where a body differs; the step is never in doubt, unless it is the first of the traces.
+/// Returns the first difference; none if both have equal steps. A digit may be equal by chance (one
+/// in 16) for a different body. The step is exact, except when the states already differ before the
+/// traces start.
 std::optional<TraceDifference> FirstDifference(const StateTrace& expected,
                                                const StateTrace& actual);
 
-/// "from step 43 on, body 17 first", or "at step 121, if not before, body 17".
+/// Returns "from step 43 on, body 17 first", or "at step 121, if not before, body 17".
 std::string Describe(const TraceDifference& difference);
 
 } // namespace boxreel

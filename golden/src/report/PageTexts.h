@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-/// page.html, page.css and page.js, which the build puts into a source (cmake/EmbedTexts.cmake).
+/// page.html, page.css and page.js, embedded by the build (cmake/EmbedTexts.cmake).
 namespace boxreel
 {
 

@@ -35,7 +35,7 @@ bool IsFailure(const ReportedMoment& moment)
 
 constexpr std::uintmax_t kLargestFile = 256u << 20; // a picture or a draw list [bytes]
 
-/// Empty when there is none.
+/// Returns the content; empty if the file does not exist.
 Result<std::string> ReadIfThere(const fs::path& path)
 {
     std::error_code code;
@@ -72,7 +72,7 @@ std::string StripJson(const FilmStrip& strip)
     return text + "]}";
 }
 
-/// What the script shows of a moment, as JSON.
+/// Returns the data of a moment for the script, as JSON.
 Result<std::string> DataOf(const ReportedMoment& moment, const FilmStrip* strip)
 {
     struct Part
@@ -204,7 +204,7 @@ std::string Passed(const std::vector<ReportedMoment>& moments)
                      list + "</ul>\n</details>\n";
 }
 
-/// The template with each {{word}} replaced, once: what is put in is not looked at again.
+/// Replaces each {{word}} of the template in a single pass: inserted text is not expanded.
 std::string Fill(std::string_view page, const std::map<std::string_view, std::string_view>& parts)
 {
     std::string text;
@@ -242,7 +242,7 @@ Result<std::string> ReportPage(const std::vector<ReportedMoment>& moments,
     std::string cards;
     for (const ReportedMoment& moment : moments)
     {
-        // One that passed here and there says nothing that differs.
+        // A moment that passed everywhere has no different verdicts.
         if (moment.shown.Passed())
         {
             continue;

@@ -27,17 +27,17 @@ constexpr const char* kRemedy =
     "run `boxreel golden verify`, or your tests, and name the folder that they write to";
 constexpr std::uintmax_t kLargest = 1024 * 1024; // a message quotes a line or two of a draw list
 
-/// The worst is shown when shards disagree.
+/// Returns the severity: if shards disagree, the worst is shown.
 std::ptrdiff_t RankOf(const std::string& status)
 {
     return FindStatus(status) - AllStatusWords().data();
 }
 
-/// What is no UTF-8 becomes U+FFFD; a line of a draw list may hold any bytes.
+/// Replaces invalid UTF-8 by U+FFFD, because a line of a draw list may contain any bytes.
 std::string Dumped(const json& value)
 {
     std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-    // A page's script ends at "</script", wherever that stands.
+    // A page's script would end at "</script", also inside a string.
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
     {
         text.replace(at, 1, "\\u003c");
@@ -45,7 +45,7 @@ std::string Dumped(const json& value)
     return text;
 }
 
-/// What was allowed, in the words of the comparison, and how much was not compared.
+/// Returns the limits as text, and the number of pixels not compared.
 std::string LimitsOf(const json& file)
 {
     const std::size_t regions = file.value("ignored", json::array()).size();
@@ -99,9 +99,9 @@ Error Unusable(const fs::path& path, const std::string& problem, const std::stri
 Result<ReportedVerdict> ReadVerdict(const fs::path& path)
 {
     ASSIGN_OR_RETURN(const std::string bytes, ReadWhole(path, kLargest));
-    try // the parser's way to say that a file is not what it should be
+    try // the parser reports invalid files by exceptions
     {
-        // Twice, so that what is no UTF-8 does not make the whole file unreadable.
+        // Parsed twice, so that invalid UTF-8 does not make the whole file unreadable.
         return FromJson(json::parse(json::parse(Dumped(bytes)).get<std::string>()));
     }
     catch (const std::exception&)
@@ -111,8 +111,7 @@ Result<ReportedVerdict> ReadVerdict(const fs::path& path)
     }
 }
 
-/// The rest of the page is worth having: what cannot be read is told like what could not be
-/// compared.
+/// An unreadable file is reported as a verdict, so that the rest of the page remains usable.
 ReportedVerdict Unreadable(const fs::path& path, const fs::path& folder, const Error& error)
 {
     std::string name = path.lexically_relative(folder).generic_string();
@@ -121,7 +120,7 @@ ReportedVerdict Unreadable(const fs::path& path, const fs::path& folder, const E
         {{"verdict", 2}, {"name", name}, {"status", "error"}, {"findings", {error.Text()}}});
 }
 
-/// The files of a folder, sorted, so that the same folders make the same page.
+/// Returns the files of a folder, sorted, so that the same folders give the same page.
 Result<std::vector<fs::path>> FindVerdicts(const fs::path& folder)
 {
     std::error_code code;
@@ -147,7 +146,7 @@ Result<std::vector<fs::path>> FindVerdicts(const fs::path& folder)
     return paths;
 }
 
-/// What of the path is the folder that was written to: the rest is the name.
+/// Returns the output folder: the path without the name.
 std::string FolderOf(const fs::path& path, const std::string& name)
 {
     std::string folder = path.generic_string();

@@ -1,13 +1,13 @@
 "use strict";
-// The page of `boxreel golden report`. A card's pictures and texts lie in it as JSON and are read when it comes near
-// the window, so that a page of hundreds opens at once.
+// The page of `boxreel golden report`. A card contains its pictures and texts as JSON, parsed when it is near the
+// visible area, so that a page of hundreds opens fast.
 (() => {
 const $ = (selector, root = document) => root.querySelector(selector);
 const $$ = (selector, root = document) => [...root.querySelectorAll(selector)];
 const cards = $$("article.moment");
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 
-// What `make("div", {class: "x"}, child, "text")` gives; texts are never read as HTML.
+// Returns an element: `make("div", {class: "x"}, child, "text")`. Texts are never parsed as HTML.
 function make(tag, attributes = {}, ...children) {
   const isSvg = ["svg", "path", "g"].includes(tag);
   const element = isSvg ? document.createElementNS("http://www.w3.org/2000/svg", tag) : document.createElement(tag);
@@ -24,7 +24,7 @@ function make(tag, attributes = {}, ...children) {
 
 const kLine = /^(?:world|body (\d+)) (\S+) (\S+) (#[0-9a-f]+)((?: \([^)]*\))*)(?: (radius|axes|pixels) (\S+))?/;
 
-// Items of a draw list's text (debugdraw/DrawListText.h); what is no item is left out.
+// Returns the items of a draw list's text (debugdraw/DrawListText.h); other lines are skipped.
 function parseList(text) {
   const items = [];
   for (const line of text.split("\n")) {
@@ -51,7 +51,7 @@ function outlineOf(item) {
     const s = item.size;
     return `M${x + s * ax} ${y + s * ay}L${x} ${y}L${x + s * ay} ${y - s * ax}`;
   }
-  if (item.points.length === 1) return `M${x} ${y}h0`; // a point, or where a text begins
+  if (item.points.length === 1) return `M${x} ${y}h0`; // a point, or the position of a text
   return "M" + item.points.map(p => p.join(" ")).join("L") + (item.kind.endsWith("polygon") ? "Z" : "");
 }
 
@@ -60,7 +60,7 @@ function boundsOf(items) {
   for (const item of items) {
     const isRound = item.kind.endsWith("circle");
     const r = isRound || item.kind === "transform" ? item.size : 0;
-    // The second point of these is a direction.
+    // The second point of these kinds is a direction.
     for (const [x, y] of isRound || item.kind === "transform" ? [item.points[0]] : item.points) {
       [x0, y0, x1, y1] = [Math.min(x0, x - r), Math.min(y0, y - r), Math.max(x1, x + r), Math.max(y1, y + r)];
     }
@@ -68,7 +68,7 @@ function boundsOf(items) {
   return x0 <= x1 ? {x: x0, y: y0, width: x1 - x0, height: y1 - y0} : null;
 }
 
-// Which items of both are the same line, as often as both have it.
+// Matches equal lines of both lists, each occurrence once.
 function splitItems(expected, actual) {
   const count = new Map();
   for (const item of expected) count.set(item.line, (count.get(item.line) || 0) + 1);
@@ -88,8 +88,8 @@ function splitItems(expected, actual) {
 
 // ------------------------------------------------------------------------------------------- texts
 
-// Lines that differ, as [number, expected or null, number, actual or null], in order. Lines in a pair stand in for
-// each other: draw lists mostly keep their items and change numbers.
+// Returns the different lines, as [number, expected or null, number, actual or null], in order. Removed and added
+// lines are paired, because draw lists mostly keep their items and change numbers.
 function differentLines(before, after) {
   const a = before.replace(/\n$/, "").split("\n"), b = after.replace(/\n$/, "").split("\n");
   let begin = 0, endA = a.length, endB = b.length;
@@ -120,7 +120,7 @@ function differentLines(before, after) {
   return paired(rows);
 }
 
-// Lines that went and lines that came at one place stand in for each other as well.
+// Pairs lines that were removed and added at the same place.
 function paired(rows) {
   const pairs = [];
   for (let i = 0; i < rows.length;) {
@@ -134,7 +134,7 @@ function paired(rows) {
   return pairs;
 }
 
-// A line with the words that the other does not have at their place marked.
+// Returns a line in which words that differ from the other line are marked.
 function markedLine(side, number, line, other) {
   const row = make("div", {class: side}, make("i", {}, String(number).padStart(4) + " "));
   const words = line.split(/( )/), others = other === null ? null : other.split(/( )/);
@@ -151,7 +151,7 @@ function parseState(text) {
   return bodies;
 }
 
-// Bodies that differ, the furthest off first.
+// Returns the bodies that differ, largest difference first.
 function differentBodies(before, after) {
   const rows = [];
   for (const number of new Set([...before.keys(), ...after.keys()])) {
@@ -188,7 +188,7 @@ function sizeLater(image) {
 const figure = (data, side, caption = side) =>
   make("figure", {}, make("figcaption", {class: side}, caption), picture(data, side, caption));
 
-// Beside each other they would be too small to read: a contact sheet's are several times as wide as high.
+// True for wide pictures such as contact sheets, which would be too small side by side.
 function isWide(image) { return image.naturalWidth > 2.5 * image.naturalHeight; }
 
 const viewThree = (data) => make("div", {class: "three"},
@@ -210,7 +210,7 @@ function viewSlider(data) {
   range.addEventListener("input", move);
   stack.append(make("div", {class: "handle"}), range);
   move();
-  // A range's thumb stops half its width from the ends; the line goes where the pointer is.
+  // A slider's thumb stops half its width from the ends; the line follows the pointer.
   range.addEventListener("pointermove", event => {
     if (event.buttons & 1) {
       const box = stack.getBoundingClientRect();
@@ -237,7 +237,7 @@ function viewBlink(data) {
   };
   const run = (isOn) => {
     clearInterval(timer);
-    // A view that has been replaced stops by itself.
+    // Stops when the view has been replaced.
     timer = isOn ? setInterval(() => stack.isConnected ? flip() : run(false), 1000 / blinkRate) : null;
     play.textContent = isOn ? "Pause" : "Play";
     which.setAttribute("aria-live", isOn ? "off" : "polite");
@@ -245,7 +245,7 @@ function viewBlink(data) {
   const tell = () => { rate.textContent = `${blinkRate} a second`; };
   play.addEventListener("click", () => run(timer === null));
   speed.addEventListener("input", () => {
-    blinkRate = Number(speed.value); // 6 at the most: three flashes a second are safe (WCAG 2.3.1)
+    blinkRate = Number(speed.value); // at most 6: three flashes per second are safe (WCAG 2.3.1)
     tell();
     if (timer !== null) run(true);
   });
@@ -323,11 +323,11 @@ function viewOverlay(data, card) {
 
 function viewOfCamera(view) {
   if (!view) return null;
-  const [width, height, x, y, scale] = view; // pixels, metres, pixels a metre
+  const [width, height, x, y, scale] = view; // pixels, metres, pixels per metre
   return {x: x - width / scale / 2, y: -y - height / scale / 2, width: width / scale, height: height / scale};
 }
 
-// Bounds with `margin` around, at least a centimetre wide, of the aspect.
+// Returns the bounds with a `margin`, at least a centimetre wide, with the aspect ratio.
 function padded(bounds, aspect, margin = 0.1) {
   if (!bounds) return null;
   const height = Math.max(bounds.height * (1 + 2 * margin), bounds.width * (1 + 2 * margin) / aspect, 0.01);
@@ -400,7 +400,7 @@ function divergence(data) {
     make("h3", {}, `First divergence: step ${firstStep}${isFirstKnown ? " or before" : ""}${step === undefined ? "" : ` of ${step}`}${who}`));
   if (!strip) return box;
   if (strip.note) box.append(make("p", {class: "message"}, strip.note));
-  // Of steps before `since` no trace was compared.
+  // Steps before `since` were not compared.
   const remark = at => at === firstStep ? (isFirstKnown ? ": differs" : ": first to differ") : at > firstStep ? "" : at === 0 ? ": as created" : at >= since ? ": same" : "";
   const film = make("div", {class: "strip", tabindex: 0, role: "region", "aria-label": "Steps around the first divergence"});
   for (const shot of strip.pictures) {
@@ -469,7 +469,7 @@ function go(direction) {
   next.scrollIntoView({block: "start"});
 }
 
-// The card that a key is meant for: the one gone to, else the first in the window.
+// Returns the card for key presses: the one navigated to, otherwise the first visible one.
 function target() {
   if (currentCard && !currentCard.hidden) return currentCard;
   const under = $("nav").getBoundingClientRect().bottom;
@@ -489,7 +489,7 @@ function filter() {
     card.hidden = !(on.has(card.dataset.status) && fits(card.dataset.name));
     number += card.hidden ? 0 : 1;
   }
-  const passed = $("details#passed"); // a card may be called so, too
+  const passed = $("details#passed"); // a card may have the same id
   if (passed) {
     passed.hidden = !on.has("same");
     const items = $$("li", passed);
@@ -530,7 +530,7 @@ document.addEventListener("keydown", event => {
   if (card) choose(card, view.id);
 });
 
-// Cards in the window, and a little below it.
+// Renders cards in and slightly below the visible area.
 function openSeen() {
   for (const card of cards.filter(c => !c.hidden)) {
     const place = card.getBoundingClientRect();

@@ -9,24 +9,25 @@
 #include <vector>
 
 /// @file
-/// Parts of a film become the whole, without encoding a frame again; of a gif, apng or webp, which
-/// lose nothing by it, with. libav is loaded when called.
+/// Joins the parts of a film without encoding again. Gif, apng and webp are encoded again, which is
+/// lossless for them. libav is loaded when called.
 namespace boxreel
 {
 
-/// A film that is part of another.
+/// A part of a film.
 struct FilmPart
 {
-    std::filesystem::path path;  ///< of its file
-    std::int64_t firstFrame = 0; ///< its number in the whole film
-    std::int64_t frames = 0;     ///< how many; 0: as many as it says, or up to the next part
+    std::filesystem::path path;  ///< its file
+    std::int64_t firstFrame = 0; ///< number of its first frame in the film
+    std::int64_t frames = 0;     ///< number of frames; 0: as stored in the file, or up to the next
+                                 ///< part
 };
 
-/// `parts`: in their order, each beginning where the one before ends, made with the same settings
-/// and with groups of frames that end where a part does. Of `settings` count framesPerSecond
-/// and overwrite, and of animations groupFrames and plays. An Error (Unusable) when `path` is of a
-/// kind that cannot be joined, or the parts are not coded alike. `isStopped`: asked again and
-/// again; once it says yes nothing is left, and the answer is false.
+/// Joins `parts`, in order and without gaps, made with the same settings and with groups that end
+/// with the part. Of `settings` it uses framesPerSecond and overwrite, for animations also
+/// groupFrames and plays. Returns false, and leaves no file, if `isStopped` returns true; it is
+/// called repeatedly. An Error (Unusable) when the format of `path` cannot be joined, or the parts
+/// have different encodings.
 Result<bool> JoinFilms(
     const std::vector<FilmPart>& parts, const std::filesystem::path& path,
     const VideoSettings& settings, const std::function<bool()>& isStopped = [] { return false; });

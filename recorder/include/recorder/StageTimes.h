@@ -7,42 +7,42 @@
 #include <cstdint>
 
 /// @file
-/// Where the time of a film goes: each stage adds up what it takes on the thread that does it. A
-/// timer without a StageTimes looks at no clock, so a film that nobody asks about pays nothing.
+/// Times the stages of a recording. Each stage adds the time on its own thread. A timer without a
+/// StageTimes does not read the clock, so there is no cost when timing is off.
 namespace boxreel
 {
 
-/// What time is spent on.
+/// A stage of a recording.
 enum class Stage
 {
-    Simulate, ///< the caller's: its world is advanced
-    Collect,  ///< the caller's: its world becomes a list
+    Simulate, ///< the caller advances its world
+    Collect,  ///< the caller converts its world to a list
     Draw,
-    Read,           ///< the pixels that have changed, out of the renderer
-    Copy,           ///< them, into the queue in front of the writer
-    WaitForEncoder, ///< the queue is full, or the film nearly done
+    Read,           ///< changed pixels from the renderer
+    Copy,           ///< changed pixels into the queue before the writer
+    WaitForEncoder, ///< the queue is full, or the film is ending
     WaitForFrame,   ///< the queue is empty
-    Convert,        ///< to the codec's colours
-    Encode,         ///< but for threads of the codec's own
+    Convert,        ///< to the colour format of the codec
+    Encode,         ///< without the codec's own threads
     Write,          ///< container and file
 };
-/// How many stages there are.
+/// Number of stages.
 inline constexpr std::size_t kStageCount = 10;
 
-/// What a stage has taken.
+/// The time of a stage.
 struct StageTime
 {
-    double cpu = 0.0;  ///< of the threads that did it [s]
-    double wall = 0.0; ///< the sum over these threads [s]
+    double cpu = 0.0;  ///< CPU time of its threads [s]
+    double wall = 0.0; ///< elapsed time, summed over its threads [s]
 };
 
-/// Of one film; any thread may add.
+/// The stage times of one film. Thread-safe.
 class StageTimes
 {
 public:
-    /// Adds to what a stage has taken [ns]; from any thread.
+    /// Adds to the time of a stage [ns]; thread-safe.
     void Add(Stage stage, std::int64_t cpuNanoseconds, std::int64_t wallNanoseconds);
-    /// What a stage has taken so far.
+    /// Returns the time of a stage so far.
     StageTime At(Stage stage) const;
 
 private:
@@ -54,12 +54,12 @@ private:
     std::array<Sum, kStageCount> m_sums;
 };
 
-/// Times what its thread does while it lives. Timers of one thread must not lie in each other, or
-/// the inner one's time would count twice.
+/// Times its own lifetime on its thread. Timers of one thread must not be nested, because the inner
+/// time would count twice.
 class StageTimer
 {
 public:
-    /// Null: nothing is timed.
+    /// Starts timing; null: does nothing.
     StageTimer(StageTimes* times, Stage stage);
     ~StageTimer();
     StageTimer(const StageTimer&) = delete;
@@ -68,8 +68,8 @@ public:
 private:
     StageTimes* m_times;
     Stage m_stage;
-    std::int64_t m_cpu = 0;  // when it began [ns]
-    std::int64_t m_wall = 0; // when it began [ns]
+    std::int64_t m_cpu = 0;  // start [ns]
+    std::int64_t m_wall = 0; // start [ns]
 };
 
 } // namespace boxreel

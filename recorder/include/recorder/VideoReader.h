@@ -10,53 +10,52 @@
 #include <string>
 
 /// @file
-/// A film (mp4, mkv, webm, gif, apng, webp, nut, y4m, …) or a sequence of pictures back into
-/// frames, for tests and golden comparisons. Colours are converted by the film's own tags. libav is
-/// loaded by Open, not before.
+/// Reads the frames of a film (mp4, mkv, webm, gif, apng, webp, nut, y4m, …) or of a picture
+/// sequence. For tests and golden comparisons. Colours are converted by the tags of the film. Open
+/// loads libav.
 namespace boxreel
 {
 
-/// What a film's file says of it.
+/// Metadata of a film.
 struct VideoInfo
 {
-    int width = 0;              ///< of its pictures [px]
-    int height = 0;             ///< of its pictures [px]
-    Rational framesPerSecond;   ///< of what is shown; fewer may be stored
+    int width = 0;              ///< width of the frames [px]
+    int height = 0;             ///< height of the frames [px]
+    Rational framesPerSecond;   ///< rate of the shown frames; fewer may be stored
     std::string container;      ///< libav's name, e.g. "mov,mp4,m4a,3gp,3g2,mj2"
     std::string codec;          ///< "h264", "ffv1", "vp9", "gif", …
     std::string pixelFormat;    ///< "yuv420p", …
-    std::string colorSpace;     ///< "bt709", …; likewise the three below
+    std::string colorSpace;     ///< "bt709", …; also the three below
     std::string colorPrimaries; ///< "bt709", …
     std::string colorTransfer;  ///< "bt709", …
     std::string colorRange;     ///< "tv", …
 };
 
-/// Which frames of a film are given.
+/// The frames that a reader returns.
 enum class Frames
 {
-    Shown,  ///< one for each period of framesPerSecond: one that is held for long comes several
-            ///< times
-    Stored, ///< each once; of a .webp always so, for it does not say its rate
+    Shown,  ///< one per period of framesPerSecond: longer frames are repeated
+    Stored, ///< each once; always so for .webp, which does not store its rate
 };
 
-/// A film's frames, in their order.
+/// Reads the frames of a film in order.
 class VideoReader
 {
 public:
-    /// Opens a film; an Error when the file is not there or is no film, or libav is absent.
+    /// Opens a film. An Error when the file does not exist or is not a film, or libav is missing.
     static Result<VideoReader> Open(const std::filesystem::path& path,
                                     Frames frames = Frames::Shown);
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     VideoReader(VideoReader&&) noexcept;
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     VideoReader& operator=(VideoReader&&) noexcept;
     ~VideoReader();
 
-    /// What the file says.
+    /// Returns the metadata.
     const VideoInfo& Info() const;
 
-    /// Reads the next frame and, when asked, its time [s]; false after the last. An Error when what
-    /// follows in the file is damaged or cannot be read.
+    /// Reads the next frame and, if requested, its time [s]; false after the last. An Error when
+    /// the file is damaged or cannot be read.
     Result<bool> Next(Frame& frame, double* seconds = nullptr);
 
 private:

@@ -16,70 +16,68 @@
 #include <vector>
 
 /// @file
-/// Frames into a film: Open, Append each, Close. The format follows from the name:
+/// Writes frames to a film: Open, Append each, Close. The name selects the format:
 ///
 /// | name            | what is written                                                          |
 /// | --------------- | ------------------------------------------------------------------------ |
 /// | .mp4            | H.264; AV1                                                               |
 /// | .mkv            | H.264; VP9, AV1; FFV1 when lossless                                      |
 /// | .webm           | VP9; AV1                                                                 |
-/// | .gif            | a palette of at most 256 colours a frame, exact where they suffice       |
-/// | .apng, .webp    | every pixel survives, whatever the quality                               |
-/// | frames-####.png | a picture each                                                           |
-/// | .y4m, .nut      | YUV 4:2:0 or 4:4:4, and RGB, not compressed: for other programs          |
-/// | -               | the standard output, as VideoSettings::format says                       |
+/// | .gif            | a palette of up to 256 colours per frame, exact if they suffice          |
+/// | .apng, .webp    | lossless at every quality                                                |
+/// | frames-####.png | one picture per frame                                                    |
+/// | .y4m, .nut      | uncompressed YUV 4:2:0 or 4:4:4, and RGB, for other programs             |
+/// | -               | standard output, in the format of VideoSettings::format                  |
 ///
-/// The film is written as NAME.part.EXT in the same folder and renamed by Close; a writer that is
-/// destroyed before Close or Suspend removes what it wrote. libav is loaded by Open, not before,
-/// and not at all for pictures. Same frames and settings, same bytes, on any machine with the same
-/// libraries.
+/// The film is written as NAME.part.EXT in the same folder and renamed by Close. A writer that is
+/// destroyed before Close or Suspend removes its files. Open loads libav, except for pictures. Same
+/// frames and settings, same bytes, on any machine with the same libraries.
 ///
-/// - Films have no transparency: the frame's premultiplied colours are taken as they are, so what
-///   is see-through lies on black.
-/// - YUV has the matrix, primaries and transfer of bt709, limited range, and says so; only y4m
-///   cannot, and has the matrix of bt601 below 720 lines, as others read it. The transfer
-///   is tagged bt709 although frames are sRGB: it is what players expect of HD and show unchanged,
-///   while the sRGB tag makes some of them convert or give up their fast path.
-/// - Lossless stores RGB: .mkv FFV1, .mp4 H.264 of the profile High 4:4:4 Predictive (mpv, VLC and
-///   ffmpeg play it, browsers do not), .webm VP9 4:4:4, .gif when no frame has more than 256
-///   colours.
-/// - A frame that is equal to the one before is not encoded again where the format can show one for
-///   longer, but at the beginning and end of a group (below) and of the film.
-/// - Films are encoded in groups of frames that know nothing of each other, so that parts of a film
-///   made by themselves can be joined to the very film that is made in one go, and a film that was
-///   interrupted be continued.
-/// - A GIF stores times in 1/100 s: each is rounded by itself and never drifts. Frames shorter than
-///   1/50 s are not shown by browsers, so above 50 frames a second every n-th frame is kept
-///   (StoredFrameRate says what is left: 60 becomes 30).
-/// - Gif, apng and webp lose nothing when they are read and written again, which is how these are
-///   continued and joined.
+/// - Films have no transparency: premultiplied colours are stored unchanged, so transparent areas
+///   are black.
+/// - YUV uses the matrix, primaries and transfer of bt709, limited range, and is tagged so. Y4m has
+///   no tags; it uses the matrix of bt601 below 720 lines, as other programs expect.
+/// - The transfer is tagged bt709 although frames are sRGB. Players expect bt709 for HD and show it
+///   unchanged. With the sRGB tag some of them convert or lose their fast path.
+/// - Lossless stores RGB. It is .mkv FFV1, .webm VP9 4:4:4, or .gif if no frame has more than 256
+///   colours. For .mp4 it is H.264 High 4:4:4 Predictive, which mpv, VLC and ffmpeg play and
+///   browsers do not.
+/// - A frame equal to the previous one is not encoded again if the format has variable frame
+///   durations. Exceptions are the first and last frame of a group (below) and of the film.
+/// - Films are encoded in independent groups of frames. Parts recorded separately can therefore be
+///   joined to the same film as a single recording, and an interrupted film can be resumed.
+/// - A GIF stores times in 1/100 s; each is rounded separately, so there is no drift. Browsers do
+///   not show frames shorter than 1/50 s, so above 50 frames a second every n-th frame is kept.
+///   StoredFrameRate returns the resulting rate: 60 becomes 30.
+/// - Gif, apng and webp are resumed and joined by decoding and encoding again, which is lossless
+///   for them.
 /// - Matroska and WebM store times in 1/1000 s, rounded in the same way; MP4 stores them exactly.
-/// - Pictures are numbered as VideoSettings::frames says, with as many digits as there are # (more
-///   when the number needs them), and each is there whole or not at all.
+/// - Pictures are numbered by VideoSettings::frames, with at least as many digits as there are #.
+///   Each is written completely or not at all.
 namespace boxreel
 {
 
-/// How much of a frame survives.
+/// Quality of the encoding.
 enum class Quality
 {
     Draft,    ///< fastest to encode
-    Standard, ///< lines look clean, files are small
-    High,     ///< hard to tell from the frames
-    Lossless, ///< every pixel survives; a format that cannot is an Error
+    Standard, ///< clean lines, small files
+    High,     ///< almost identical to the frames
+    Lossless, ///< every pixel is preserved; an Error for a format that cannot
 };
 
-/// How much of the colours' resolution YUV keeps; brightness is always whole.
+/// Resolution of the colours in YUV; brightness always has full resolution.
 enum class Chroma
 {
-    Half, ///< 4:2:0, which everything plays
-    Full, ///< 4:4:4: coloured lines stay sharp, browsers do not play it as H.264
+    Half, ///< 4:2:0, playable everywhere
+    Full, ///< 4:4:4: sharp coloured lines; browsers do not play it as H.264
 };
 
-/// What a film is to be like.
+/// Format and quality of a film.
 struct VideoSettings
 {
-    int width = 1280;                    ///< 1 to 8192, even where colours are halved [px]
-    int height = 720;                    ///< 1 to 8192, even where colours are halved [px]
+    int width = 1280;                    ///< 1 to 8192, even with Chroma::Half [px]
+    int height = 720;                    ///< 1 to 8192, even with Chroma::Half [px]
     Rational framesPerSecond{60, 1};     ///< above 0, at most 1000
     Quality quality = Quality::Standard; ///< how much survives
     Chroma chroma = Chroma::Half;        ///< how much colour survives
@@ -87,21 +85,20 @@ struct VideoSettings
     std::string format{}; ///< of the standard output: y4m, nut, mkv or webm; empty for files
     /// Options of libav's encoder, by its names, over those that the quality sets.
     std::vector<std::pair<std::string, std::string>> codecOptions{};
-    int plays = 0;   ///< how often a gif, apng or webp plays, up to 65535; 0: for ever
-    int threads = 0; ///< of the encoder, 0 to 64; 0: two. H.264's bytes depend on it, the film's
-                     ///< look does not.
-    bool constantRate = false; ///< every frame is encoded, also one that shows the same; webp
-                               ///< cannot
-    int groupFrames = 100;     ///< length of a group; at least 1 [frames that are kept]
-    /// The numbers of the frames that are appended, in the film of which this one may be a part:
-    /// groups begin at multiples of their length, and pictures are called by them.
+    int plays = 0;   ///< how often a gif, apng or webp plays, up to 65535; 0: forever
+    int threads = 0; ///< threads of the encoder, 0 to 64; 0: two. H.264's bytes depend on it, not
+                     ///< its quality.
+    bool constantRate = false; ///< encode every frame, including identical ones; not for webp
+    int groupFrames = 100;     ///< length of a group, at least 1 [stored frames]
+    /// Numbers of the appended frames in the whole film, of which this may be a part. Groups start
+    /// at multiples of their length; picture files have these numbers.
     FrameRange frames{};
-    bool overwrite = false;       ///< false: an existing film, or what is left of one, is an Error
-    bool resume = false;          ///< true: what is left of one is continued, from ResumedFrames on
-    StageTimes* stages = nullptr; ///< what each stage of the film takes; null: not timed
+    bool overwrite = false;       ///< false: an existing or interrupted film is an Error
+    bool resume = false;          ///< true: continue an interrupted film from ResumedFrames on
+    StageTimes* stages = nullptr; ///< receives the stage times; null: not timed
 };
 
-/// What the names of films end in, but for pictures and the standard output: ".mp4" and so on.
+/// Returns the extensions of films, without pictures and standard output: ".mp4" and so on.
 std::vector<std::string> VideoEnds();
 
 /// A codec that films can be asked to have.
@@ -119,54 +116,54 @@ std::vector<CodecChoice> CodecChoices();
 /// nearest that it can), a codec or a quality that it does not have.
 Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettings& settings);
 
-/// From one frame that a part of such a film may begin with to the next, at multiples; 0: it has no
-/// parts. `settings` must have passed CheckVideoPath.
+/// Returns the frame count between possible starts of a part; parts start at multiples. 0: the film
+/// cannot be split. `settings` must have passed CheckVideoPath.
 std::int64_t PartLength(const std::filesystem::path& path, const VideoSettings& settings);
 
-/// How many frames a second the film at `path` will hold: as asked, but for a GIF above 50.
+/// Returns the frame rate of the film at `path`: as requested, except for a GIF above 50.
 Rational StoredFrameRate(const std::filesystem::path& path, const Rational& framesPerSecond);
 
 class VideoSink;
 
-/// Frames into a film.
+/// Writes frames to a film.
 class VideoWriter
 {
 public:
-    /// Starts the film; an Error when settings and format contradict, the file exists, or libav is
-    /// absent.
+    /// Starts the film. An Error when settings and format contradict, the file exists, or libav is
+    /// missing.
     static Result<VideoWriter> Open(const std::filesystem::path& path,
                                     const VideoSettings& settings);
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     VideoWriter(VideoWriter&&) noexcept;
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     VideoWriter& operator=(VideoWriter&&) noexcept;
     ~VideoWriter();
 
-    /// How many frames of an interrupted film were found whole and are kept; the next one to append
-    /// comes after them. 0 unless `resume` was set.
+    /// Returns the number of frames kept from an interrupted film; the next appended frame follows
+    /// them. 0 unless `resume` is set.
     std::int64_t ResumedFrames() const;
 
-    /// What its settings name to time its stages with; null: nothing.
+    /// Returns the StageTimes of the settings; may be null.
     StageTimes* Stages() const;
 
-    /// Appends a frame, whose size must be that of the settings. Its time is its number among those
-    /// appended divided by framesPerSecond. An Error (Failed) when it has another size, or what
-    /// encodes or the disk fails; after one nothing more can be appended.
+    /// Appends a frame of the size in the settings. Its time is its index divided by
+    /// framesPerSecond. An Error (Failed) for a different size, or when the encoder or the disk
+    /// fails. After an Error nothing more can be appended.
     Result<void> Append(const Frame& frame);
 
-    /// Appends a frame that differs from the last one inside of `changed` only. Errors as above.
+    /// Appends a frame that differs from the last one only inside `changed`. Errors as above.
     Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed);
 
-    /// Appends the last frame once more. Errors as above, and (Failed) when there is none yet.
+    /// Appends the last frame again. Errors as above, and (Failed) without a frame.
     Result<void> Repeat();
 
-    /// Flushes the encoder, syncs, gives the file its name. Nothing may follow. An Error (Unusable)
-    /// when no frame was appended, (Failed) after an earlier Error or end, or when the disk is
-    /// full; then the name is left as it was.
+    /// Flushes the encoder, syncs to disk and renames the file. The object cannot be used
+    /// afterwards. An Error (Unusable) if no frame was appended; (Failed) after an earlier Error or
+    /// end, or when the disk is full. An existing file is then unchanged.
     Result<void> Close();
 
-    /// Ends early: what was appended becomes a film that can be played, and stays as NAME.part.EXT,
-    /// to be continued by a writer with `resume`. Nothing may follow. Errors as of Close.
+    /// Ends early: the appended frames become a playable film NAME.part.EXT, which a writer with
+    /// `resume` can continue. The object cannot be used afterwards. Errors as in Close.
     Result<void> Suspend();
 
 private:

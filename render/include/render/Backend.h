@@ -7,25 +7,25 @@
 #include <vector>
 
 /// @file
-/// Which library draws off-screen. All software back ends give the same bits; a GPU's are its own,
-/// so one is used only when it is asked for by name.
+/// The libraries that draw off-screen. All software back ends give the same bits. A GPU gives its
+/// own, so it is used only when requested by name.
 namespace boxreel
 {
 
-/// Who draws.
+/// The library that draws.
 enum class Backend
 {
-    Auto,   ///< what the variable BOXREEL_BACKEND says; else the first that works, in this order
+    Auto,   ///< the value of BOXREEL_BACKEND; otherwise the first of these that works
     OSMesa, ///< Mesa's off-screen library
-    Egl,    ///< EGL without a surface, drawing in software
-    EglGpu, ///< EGL without a surface, drawing on a GPU; never chosen by Auto itself
+    Egl,    ///< EGL without a surface, software rendering
+    EglGpu, ///< EGL without a surface, on a GPU; never selected by Auto
 };
 
-/// "auto", "osmesa", "egl", "egl-gpu".
+/// Returns "auto", "osmesa", "egl", "egl-gpu".
 std::vector<std::string> BackendNames();
 
-/// One of these names. `option` is where the text comes from, e.g. "--backend",
-/// for the sentence of the Error (Unusable).
+/// Parses one of these names. `option` is the source of the text, e.g. "--backend", for the Error
+/// (Unusable).
 Result<Backend> ParseBackend(const std::string& option, const std::string& text);
 
 } // namespace boxreel

@@ -13,28 +13,28 @@
 #include <vector>
 
 /// @file
-/// Drawings for documents: what a Renderer shows, as SVG or PDF, sharp at any size. Text stays
-/// text, each body is a group with a name, and the same figure gives the same bytes. Needs no GL;
-/// Cairo and FreeType are loaded when a PDF is asked for, and SVG needs nothing at all.
+/// Vector graphics for documents: the picture of a Renderer as SVG or PDF. Text stays text, each
+/// body is a named group, and the same figure gives the same bytes. Does not need GL. Cairo and
+/// FreeType are loaded for PDF; SVG needs no library.
 namespace boxreel
 {
 
-/// The most pixels each way of a figure before the scale; of pixels there can be fewer. PDF's
-/// numbers (Cairo's, of 24 bits before the point) hold it times the largest scale.
+/// Maximum width and height of a figure before scaling [px]; frames have a smaller limit. Times the
+/// maximum scale it fits PDF's numbers (Cairo's have 24 bits before the point).
 inline constexpr int kLargestFigure = 131072;
 
-/// One view of one list, in a rectangle of the figure. What lies outside is cut off.
+/// One view of one list, in a rectangle of the figure. Content outside is clipped.
 struct FigurePanel
 {
-    DrawList list;  ///< what is drawn
-    Camera camera;  ///< its width and height are the panel's [px]
-    double x = 0.0; ///< from the figure's left edge to the panel's [px]
-    double y = 0.0; ///< from the figure's upper edge to the panel's [px]
-    /// What bodies are called in the groups' names, by their number: "body-17-left-wheel", or
-    /// "body-17" where it has none.
+    DrawList list;  ///< content
+    Camera camera;  ///< width and height are those of the panel [px]
+    double x = 0.0; ///< left edge of the panel in the figure [px]
+    double y = 0.0; ///< upper edge of the panel in the figure [px]
+    /// Names of bodies for the names of their groups, by number: "body-17-left-wheel", or "body-17"
+    /// without a name.
     std::map<std::uint32_t, std::string> bodyNames;
-    /// Begins its groups' names, where it is not empty: "picture-2-body-17". Letters of an XML
-    /// name.
+    /// Prefix of the panel's group names, such as "picture-2-body-17"; may be empty. Letters of an
+    /// XML name.
     std::string name = {};
 };
 
@@ -43,49 +43,48 @@ struct Figure
 {
     int width = 1280;   ///< before the scale, 1 to kLargestFigure [px]; a pixel is 1/96 inch
     int height = 720;   ///< before the scale, 1 to kLargestFigure [px]
-    double scale = 1.0; ///< how much larger all of it is: paper, lines, letters; 0.1 to 16
+    double scale = 1.0; ///< factor of all lengths: page, lines, letters; 0.1 to 16
     Theme theme = Theme::Classic();  ///< colours and widths
-    std::string title;               ///< for readers of screens and for catalogues; not drawn
+    std::string title;               ///< for screen readers and catalogues; not drawn
     std::vector<FigurePanel> panels; ///< painter's order
 };
 
-/// A figure of one panel that fills it.
+/// Returns a figure of one panel that fills it.
 Figure FigureOf(DrawList list, const Camera& camera, const Theme& theme = Theme::Classic());
 
-/// The figure as SVG: an element a line, lengths in thousandths of a pixel, groups like
-/// `<g id="body-17" class="shapes">` for what a body has in a row, in painter's order. A body, or
-/// the world, that is drawn again later has a second group, `body-17-2`. What is not finite, or not
-/// in the picture, is left out, and circles that reach half a million pixels away. An Error
-/// (Unusable) for a size, a scale or a camera that cannot be.
+/// Returns the figure as SVG: one element per line, lengths in thousandths of a pixel.
+/// Consecutive shapes of a body form a group such as `<g id="body-17" class="shapes">`, in
+/// painter's order. A body, or the world, that is drawn again later has a second group,
+/// `body-17-2`. Skipped are items that are not finite or not in the picture, and circles that reach
+/// half a million pixels away. An Error (Unusable) for an invalid size, scale or camera.
 Result<std::string> ToSvg(const Figure& figure);
 
-/// The figure as a PDF of one page. Text can be searched and copied; the groups are sections
-/// of its structure, and named destinations. An Error (Absent) when Cairo, FreeType or the font is,
-/// (Unusable) as of ToSvg.
+/// Returns the figure as a PDF of one page. Text can be searched and copied. The groups are
+/// sections of its structure, and named destinations. An Error (Absent) when Cairo, FreeType or the
+/// font is missing; (Unusable) as in ToSvg.
 Result<std::vector<std::uint8_t>> ToPdf(const Figure& figure);
 
-/// The letters of the figure's texts that a PDF does not show as they are meant: those that its
-/// font, DejaVu Sans, has not, which are empty boxes, and those of scripts from the right to the
-/// left, which would not be joined or turned. Each once, as they come. In an SVG they are the
-/// viewer's. Errors as of ToPdf.
+/// Returns the characters of the figure's texts that a PDF shows incorrectly, each once, in order.
+/// These are characters missing in its font, DejaVu Sans, and those of right-to-left scripts, which
+/// are not shaped. An SVG uses the fonts of its viewer. Errors as in ToPdf.
 Result<std::vector<std::string>> LettersWithoutPdf(const Figure& figure);
 
-/// Whether PDFs can be written on this machine: asked before long work is done for one. An Error
-/// (Absent) names the package that is missing.
+/// Checks that this machine can write PDFs, before long work starts. An Error (Absent) names the
+/// missing package.
 Result<void> PreparePdf();
 
-/// What becomes of a file that is there.
+/// How existing files are handled.
 struct FigureFileSettings
 {
-    bool overwrite = false; ///< false: an existing file is an error
+    bool overwrite = false; ///< false: an existing file is an Error
 };
 
-/// Writes the figure as an SVG file, whole or not at all. An Error as of ToSvg, and when the file
-/// is there or cannot be written.
+/// Writes the figure as an SVG file, complete or not at all. An Error as in ToSvg, and when the
+/// file exists or cannot be written.
 Result<void> WriteSvg(const std::filesystem::path& path, const Figure& figure,
                       const FigureFileSettings& settings = {});
-/// Writes the figure as a PDF file, whole or not at all. An Error as of ToPdf, and when the file is
-/// there or cannot be written.
+/// Writes the figure as a PDF file, complete or not at all. An Error as in ToPdf, and when the file
+/// exists or cannot be written.
 Result<void> WritePdf(const std::filesystem::path& path, const Figure& figure,
                       const FigureFileSettings& settings = {});
 

@@ -10,23 +10,22 @@
 #include <vector>
 
 /// @file
-/// A figure of any number of panels as pixels: the picture that its SVG and PDF show.
+/// Renders a figure of one or more panels to pixels: the same picture as its SVG and PDF.
 namespace boxreel
 {
 
-/// Each panel is drawn as a Renderer of its size draws it, pixel for pixel; what lies below shows
-/// through one that is put over others. Panels begin on whole pixels, and figures with their scale
-/// have at most 8192 each way. Absent when no back end works, Unusable for sizes and cameras that
-/// cannot be. `totals`, when given, is what was drawn for it, summed over the panels.
+/// Renders each panel exactly as a Renderer of its size does. Panels below are visible through
+/// overlapping ones. Panels start on whole pixels. Width and height after scaling are at most 8192.
+/// An Error (Absent) when no back end works, (Unusable) for an invalid size or camera. `totals`, if
+/// given, receives the statistics, summed over the panels.
 Result<Frame> ToFrame(const Figure& figure, Backend backend = Backend::Auto,
                       RenderTotals* totals = nullptr);
 
-/// The letters of the figure's texts that pixels cannot show, for the font of pictures has none of
-/// them: each once, as they come. A PDF shows more, and an SVG what its viewer's fonts have.
+/// Returns the characters of the figure's texts that are missing in the font of frames, each once,
+/// in order. A PDF has more; an SVG uses the fonts of its viewer.
 std::vector<std::string> LettersWithoutPixels(const Figure& figure);
 
-/// Whether this machine can draw: asked before long work is done for a picture. An Error as of
-/// Renderer::Create.
+/// Checks that this machine can render, before long work starts. An Error as in Renderer::Create.
 Result<void> PrepareFrames(Backend backend = Backend::Auto);
 
 } // namespace boxreel

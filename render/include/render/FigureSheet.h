@@ -7,35 +7,37 @@
 #include <vector>
 
 /// @file
-/// Several pictures on one sheet, small multiples such as the moments of a motion, each with a
-/// title, axes and a scale bar, and one caption for all. What is written lies beside the pictures,
-/// in bands of their own, so the pictures are what they are alone.
+/// Lays out several pictures on one sheet (small multiples), such as the moments of a motion. Each
+/// can have a title, axes and a scale bar; the sheet can have a caption. All text is outside the
+/// pictures, so their pixels are unchanged.
 namespace boxreel
 {
 
 /// A picture of a sheet.
 struct SheetPicture
 {
-    DrawList list;          ///< what is drawn
-    Camera camera;          ///< its width and height are the picture's [px]
-    std::string title = {}; ///< above it, such as "0.5 s"; empty: no line for it when all are
+    DrawList list;          ///< content
+    Camera camera;          ///< width and height are those of the picture [px]
+    std::string title = {}; ///< above the picture, such as "0.5 s"; without any title the line is
+                            ///< omitted
 };
 
-/// How a sheet is laid out.
+/// The layout of a sheet.
 struct SheetSettings
 {
-    int columns = 0;   ///< of pictures, no more than there are; 0 or less: as many as make a sheet
-                       ///< about as wide as it is high, up to three in one row
-    bool axes = false; ///< below and left of each picture, in metres
-    bool scaleBar = false;    ///< below all, when pictures have the same scale, else below each
-    std::string caption = {}; ///< below all of it, in lines as wide as the sheet; empty: none
+    int columns = 0;   ///< columns, at most the number of pictures; <= 0: automatic, up to three
+                       ///< pictures in one row, otherwise about square
+    bool axes = false; ///< axes below and left of each picture, in metres
+    bool scaleBar = false;    ///< one scale bar below all pictures if they have the same scale,
+                              ///< otherwise one below each
+    std::string caption = {}; ///< below the sheet, wrapped to its width; may be empty
     Theme theme = Theme::Classic(); ///< colours and widths
-    double scale = 1.0;             ///< as of a Figure
-    std::string title = {};         ///< as of a Figure
+    double scale = 1.0;             ///< as in Figure
+    std::string title = {};         ///< as in Figure
 };
 
-/// One panel for what lies beside the pictures, when there is any, and one for each picture, in
-/// their order, row by row. A picture with nothing beside it fills the figure.
+/// Returns a figure with one panel for the text, if there is any, and one for each picture, row by
+/// row. A single picture without text fills the figure.
 Figure SheetOf(std::vector<SheetPicture> pictures, const SheetSettings& settings = {});
 
 } // namespace boxreel

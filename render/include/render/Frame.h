@@ -6,8 +6,8 @@
 #include <vector>
 
 /// @file
-/// A picture in memory: what renderers fill, files store, films are made of and golden tests
-/// compare. Header only; any program's RGBA picture can be put into one.
+/// A picture in memory, used by renderers, files, films and golden tests. Header only; it can hold
+/// any RGBA picture.
 namespace boxreel
 {
 
@@ -18,15 +18,15 @@ struct PixelBounds
     int y0 = 0; ///< first row
     int x1 = 0; ///< one beyond the last column
     int y1 = 0; ///< one beyond the last row
-    /// Whether it holds no pixel.
+    /// True if it contains no pixel.
     bool IsEmpty() const { return x1 <= x0 || y1 <= y0; }
-    /// Number of pixels; only of one that is not empty.
+    /// Returns the number of pixels; the rectangle must not be empty.
     std::int64_t Area() const { return std::int64_t(x1 - x0) * (y1 - y0); }
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const PixelBounds&, const PixelBounds&) = default;
 };
 
-/// Empty, in one way or another, when they share no pixel.
+/// Returns the common pixels; empty if there are none.
 inline PixelBounds Intersection(const PixelBounds& a, const PixelBounds& b)
 {
     return {a.x0 > b.x0 ? a.x0 : b.x0, a.y0 > b.y0 ? a.y0 : b.y0, a.x1 < b.x1 ? a.x1 : b.x1,
@@ -41,20 +41,20 @@ struct Frame
     std::vector<std::uint8_t> rgba; ///< rows top to bottom, premultiplied, sRGB, no padding
 
     Frame() = default;
-    /// Transparent; w and h 0 or more [px].
+    /// Creates a transparent frame; w, h >= 0 [px].
     Frame(int w, int h) : width(w), height(h), rgba(std::size_t(w) * std::size_t(h) * 4) {}
 
-    /// The four bytes of a pixel; 0 <= x < width, 0 <= y < height.
+    /// Returns the four bytes of a pixel; 0 <= x < width, 0 <= y < height.
     std::uint8_t* Pixel(int x, int y)
     {
         return rgba.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;
     }
-    /// The same, to be read.
+    /// As above, read-only.
     const std::uint8_t* Pixel(int x, int y) const
     {
         return rgba.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;
     }
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const Frame&, const Frame&) = default;
 };
 

@@ -2,12 +2,12 @@
 #pragma once
 
 /// @file
-/// The keyboard as windows report it and panels read it.
+/// The keys of a keyboard, for windows and panels.
 namespace boxreel
 {
 
-/// A key. Those that print something have the code of what they print without Shift, in lower case
-/// ('a', '1', '['), with a name where somebody asks for them; the others have names.
+/// A key. Printing keys have the ASCII code of their character without Shift, in lower case ('a',
+/// '1', '['); those in use have names. The others have names only.
 enum class Key : int
 {
     None = 0,
@@ -34,9 +34,9 @@ enum class Key : int
     PageDown,
 };
 
-inline constexpr int kKeyCount = 271; ///< every Key lies below
+inline constexpr int kKeyCount = 271; ///< all Keys are below
 
-/// The key that prints `character`; 0 to 127.
+/// Returns the key that prints `character`, 0 to 127.
 constexpr Key KeyOf(char character)
 {
     return static_cast<Key>(static_cast<unsigned char>(character));

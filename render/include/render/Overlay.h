@@ -11,68 +11,68 @@
 #include <vector>
 
 /// @file
-/// Panels over a frame. An Overlay is plain triangles with texture coordinates into the one font
-/// texture; a Hud lays one out with Dear ImGui, which only ImGui*.cpp know.
+/// Panels over a frame. An Overlay is a list of triangles with texture coordinates into the single
+/// font texture. A Hud creates one with Dear ImGui, which only ImGui*.cpp use.
 namespace boxreel
 {
 
-/// A corner of a triangle.
+/// A vertex of a triangle.
 struct OverlayVertex
 {
     Vec2 position; ///< in the picture [px], y down
     Vec2 uv;       ///< into the font texture
     Color color;   ///< not premultiplied
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const OverlayVertex&, const OverlayVertex&) = default;
 };
 
-/// Some triangles, and where they may be seen.
+/// A range of triangles with a clip rectangle.
 struct OverlayCommand
 {
     std::uint32_t firstIndex = 0; ///< into Overlay::indices
     std::uint32_t indexCount = 0; ///< three for each triangle
-    int clipX0 = 0;               ///< left end of what is seen [px]
-    int clipY0 = 0;               ///< its upper end [px], y down
-    int clipX1 = 0;               ///< its right end, excluded [px]
-    int clipY1 = 0;               ///< its lower end, excluded [px]
-    /// Whether all members are equal.
+    int clipX0 = 0;               ///< left edge of the clip rectangle [px]
+    int clipY0 = 0;               ///< its upper edge [px], y down
+    int clipX1 = 0;               ///< its right edge, excluded [px]
+    int clipY1 = 0;               ///< its lower edge, excluded [px]
+    /// True if all members are equal.
     friend bool operator==(const OverlayCommand&, const OverlayCommand&) = default;
 };
 
-/// Triangles that are drawn above all else.
+/// Triangles drawn on top of the frame.
 struct Overlay
 {
     std::vector<OverlayVertex> vertices;  ///< shared by triangles
     std::vector<std::uint32_t> indices;   ///< three for each triangle, into vertices
-    std::vector<OverlayCommand> commands; ///< in their order
-    /// Whether nothing is drawn.
+    std::vector<OverlayCommand> commands; ///< in drawing order
+    /// True if nothing is drawn.
     bool IsEmpty() const { return commands.empty(); }
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const Overlay&, const Overlay&) = default;
 };
 
-/// What the panel shows: a title and rows of name and value.
+/// The content of the panel: a title and rows of name and value.
 struct HudContent
 {
-    std::string title;                                     ///< above the rows; empty: none
+    std::string title;                                     ///< above the rows; may be empty
     std::vector<std::pair<std::string, std::string>> rows; ///< name and value, UTF-8
 };
 
-/// One Dear ImGui panel in the top left corner. Same content, same triangles.
+/// A Dear ImGui panel in the top left corner. Same content, same triangles.
 class Hud
 {
 public:
-    /// `width`, `height`: of the picture, with its scale in it, 1 to 8192 [px]; `scale`: how much
-    /// larger than usual the panel and its letters are, 0.1 to 16, the renderer's. An Error
-    /// (Unusable) for a size or a scale out of range.
+    /// Creates a panel. `width`, `height`: size of the picture after scaling, 1 to 8192 [px].
+    /// `scale`: factor of the panel and its text, 0.1 to 16, as in the renderer. An Error
+    /// (Unusable) for a value out of range.
     static Result<Hud> Create(int width, int height, double scale = 1.0);
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     Hud(Hud&&) noexcept;
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     Hud& operator=(Hud&&) noexcept;
     ~Hud();
 
-    /// Valid until the next call.
+    /// Returns the panel's triangles, valid until the next call.
     const Overlay& Build(const HudContent& content);
 
 private:

@@ -13,51 +13,51 @@
 #include <vector>
 
 /// @file
-/// Panels that answer to mouse and keyboard, laid out with Dear ImGui and drawn as an Overlay: in a
-/// window, or in pictures without one. Same input, same triangles.
+/// Panels with mouse and keyboard input, created with Dear ImGui and drawn as an Overlay in a
+/// window or a frame. Same input, same triangles.
 namespace boxreel
 {
 
-/// What mouse and keyboard do in one frame of the panels.
+/// Mouse and keyboard input of one frame.
 struct PanelInput
 {
-    Vec2 pointer{-1.0f, -1.0f};    ///< where the mouse is [px], y down; outside: nowhere
-    std::array<bool, 3> buttons{}; ///< that are down: left, right, middle
+    Vec2 pointer{-1.0f, -1.0f};    ///< position of the mouse [px], y down; negative: outside
+    std::array<bool, 3> buttons{}; ///< true if pressed: left, right, middle
     float wheel = 0.0f;            ///< notches
-    std::string text;              ///< that was typed, UTF-8
-    std::vector<Key> keys;         ///< that are down
-    bool shift = false;            ///< whether it is down
-    bool control = false;          ///< whether it is down
-    double seconds = 1.0 / 60.0;   ///< since the frame before
+    std::string text;              ///< typed text, UTF-8
+    std::vector<Key> keys;         ///< pressed keys
+    bool shift = false;            ///< true if pressed
+    bool control = false;          ///< true if pressed
+    double seconds = 1.0 / 60.0;   ///< time since the last frame
 };
 
 /// Panels of Dear ImGui as an overlay.
 class PanelCanvas
 {
 public:
-    /// `width`, `height`: of the picture, 1 to 8192 [px]; `scale`: how much larger than usual
-    /// letters and distances are, 0.1 to 16, the renderer's. An Error (Unusable) for a size or a
-    /// scale out of range.
+    /// Creates a canvas. `width`, `height`: size of the picture, 1 to 8192 [px]. `scale`: factor of
+    /// text and distances, 0.1 to 16, as in the renderer. An Error (Unusable) for a value out of
+    /// range.
     static Result<PanelCanvas> Create(int width, int height, double scale = 1.0);
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     PanelCanvas(PanelCanvas&&) noexcept;
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     PanelCanvas& operator=(PanelCanvas&&) noexcept;
     ~PanelCanvas();
 
-    /// `draw` calls Dear ImGui. Valid until the next call. A click takes three frames: the mouse
-    /// is there, its button goes down, and up.
+    /// Calls `draw`, which calls Dear ImGui, and returns the triangles, valid until the next call.
+    /// A click takes three frames: move the mouse, press the button, release it.
     const Overlay& Build(const PanelInput& input, const std::function<void()>& draw);
 
-    /// True if the key went down in this frame, or repeats. For `draw` alone.
+    /// True if the key was pressed in this frame or repeats. Call it from `draw` only.
     static bool IsPressed(Key key);
 
-    /// 1 to 8192 [px].
+    /// Changes the size of the picture, 1 to 8192 [px].
     void Resize(int width, int height);
 
-    /// Whether what the mouse does is meant for a panel, as of the last frame; likewise keys.
+    /// True if a panel uses the mouse, as of the last frame.
     bool WantsPointer() const;
-    /// Whether keys are meant for a panel, as of the last frame.
+    /// True if a panel uses the keyboard, as of the last frame.
     bool WantsKeys() const;
 
 private:

@@ -16,9 +16,8 @@
 #include <string>
 
 /// @file
-/// Turns a DrawList into pixels, off-screen. Owns the GL context, so use one per thread.
-/// Knows nothing of worlds: what is not in the list is not drawn. The GL library is loaded by
-/// Create, not before.
+/// Turns a DrawList into pixels, off-screen. Owns the GL context, so use one per thread. Draws only
+/// what is in the list; it does not know worlds. Create loads the GL library.
 namespace boxreel
 {
 
@@ -27,44 +26,44 @@ class Window;
 /// How a renderer draws.
 struct RendererSettings
 {
-    int width = 1280;                ///< of the picture, 1 to 8192 [px]
-    int height = 720;                ///< of the picture, 1 to 8192 [px]
+    int width = 1280;                ///< width of the picture, 1 to 8192 [px]
+    int height = 720;                ///< height of the picture, 1 to 8192 [px]
     Theme theme = Theme::Classic();  ///< colours and widths
-    Backend backend = Backend::Auto; ///< who draws
-    double scale = 1.0; ///< of all lengths in pixels: outlines, points, letters; 0.1 to 16. The
-                        ///< camera and the overlay are given at their full size.
-    bool redrawsWhole = false; ///< draws every frame that changes as a whole: to test and to
-                               ///< measure against; not a bit differs
+    Backend backend = Backend::Auto; ///< library that draws
+    double scale = 1.0; ///< factor of all lengths in pixels: outlines, points, text; 0.1 to 16.
+                        ///< Camera and overlay are given in scaled pixels.
+    bool redrawsWhole = false; ///< redraws every changed frame completely, for tests and
+                               ///< measurements; the bits are the same
 };
 
-/// What the last Submit did. Of the items of the list, some are outside the picture, some drawn,
-/// and the rest is where nothing has changed.
+/// Statistics of the last Submit. Items of the list are outside, drawn, or in an area that did not
+/// change.
 struct RenderStatistics
 {
-    std::size_t items = 0;        ///< of the list
-    std::size_t itemsDrawn = 0;   ///< with at least a part of them
+    std::size_t items = 0;        ///< in the list
+    std::size_t itemsDrawn = 0;   ///< with at least a part
     std::size_t itemsOutside = 0; ///< outside the picture, or with coordinates that are not finite
-    std::size_t itemsReused = 0;  ///< known from the last Submit: drawn or not, but not built anew
-    std::size_t drawCalls = 0;    ///< without the overlay's
-    std::size_t rectangles = 0;   ///< that were drawn anew; one when it was the whole picture
-    std::int64_t pixels = 0;      ///< in them
-    bool unchanged = false;       ///< it shows the same as before: nothing was drawn
+    std::size_t itemsReused = 0;  ///< with vertices reused from the last Submit, drawn or not
+    std::size_t drawCalls = 0;    ///< without the overlay
+    std::size_t rectangles = 0;   ///< redrawn; one if it was the whole picture
+    std::int64_t pixels = 0;      ///< in the redrawn rectangles
+    bool unchanged = false;       ///< identical to the last frame: nothing was drawn
 };
 
-/// The sum over all Submits so far.
+/// Sums over all Submits so far.
 struct RenderTotals
 {
-    std::int64_t frames = 0;          ///< that were drawn
-    std::int64_t framesUnchanged = 0; ///< of the frames
-    std::int64_t framesInPart = 0;    ///< of the frames; the others were drawn as a whole
-    std::int64_t pixels = 0;          ///< of all frames
-    std::int64_t pixelsDrawn = 0;     ///< of these
-    std::int64_t items = 0;           ///< of all lists
-    std::int64_t itemsDrawn = 0;      ///< of these …
-    std::int64_t itemsOutside = 0;    ///< … or outside the picture …
-    std::int64_t itemsReused = 0;     ///< … and how many were known from the frame before
-    std::int64_t drawCalls = 0;       ///< without the overlays'
-    /// Adds each of the numbers.
+    std::int64_t frames = 0;          ///< drawn or unchanged
+    std::int64_t framesUnchanged = 0; ///< identical to the previous frame
+    std::int64_t framesInPart = 0;    ///< redrawn in part; the others completely
+    std::int64_t pixels = 0;          ///< in all frames
+    std::int64_t pixelsDrawn = 0;     ///< redrawn pixels
+    std::int64_t items = 0;           ///< in all lists
+    std::int64_t itemsDrawn = 0;      ///< drawn items
+    std::int64_t itemsOutside = 0;    ///< items outside the picture
+    std::int64_t itemsReused = 0;     ///< items with vertices reused from the previous frame
+    std::int64_t drawCalls = 0;       ///< without the overlays
+    /// Adds all members.
     RenderTotals& operator+=(const RenderTotals& other);
 };
 
@@ -72,58 +71,57 @@ struct RenderTotals
 class Renderer
 {
 public:
-    /// A renderer off-screen. An Error (Absent) that names all that was tried when no back end
-    /// works; (Unusable) for a size out of range, or a BOXREEL_BACKEND that is none.
+    /// Creates an off-screen renderer. An Error (Absent) lists what was tried when no back end
+    /// works. An Error (Unusable) for a size out of range or an invalid BOXREEL_BACKEND.
     static Result<Renderer> Create(const RendererSettings& settings);
-    /// A renderer in a window's GL context, whatever back end the settings name: one renderer a
-    /// window at a time, which must not outlive it. Errors as of Create.
+    /// Creates a renderer in a window's GL context; the back end of the settings is ignored. One
+    /// renderer per window at a time, which must not outlive it. Errors as in Create.
     static Result<Renderer> CreateIn(Window& window, const RendererSettings& settings);
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     Renderer(Renderer&&) noexcept;
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
-    /// Hands the picture to GL and returns; the caller may step its world before it reads.
-    /// The camera's size must be the renderer's. `overlay` lies on top of the list; its commands
-    /// must name indices that it has, and its indices vertices. An Error (Unusable) otherwise, and
-    /// nothing is drawn. Under the camera of the last Submit only what has changed is drawn, with
-    /// the same bits as if it were all.
+    /// Submits the picture to GL and returns, so that the caller can step its world before reading.
+    /// The camera's size must be that of the renderer. `overlay` is drawn on top; its commands and
+    /// indices must be in range. Otherwise an Error (Unusable), and nothing is drawn. With the
+    /// camera of the last Submit only changes are drawn, with the same bits as a complete redraw.
     Result<void> Submit(const DrawList& list, const Camera& camera,
                         const Overlay* overlay = nullptr);
 
-    /// Waits for the last Submit (the first must come before) and copies its pixels; resizes
-    /// `frame` when needed. An Error (Failed) when GL does not give them.
+    /// Waits for the last Submit, which is required, and copies its pixels; resizes `frame` if
+    /// needed. An Error (Failed) when GL fails.
     Result<void> Read(Frame& frame);
 
-    /// Waits for the last Submit without a copy: only what has changed since the last ReadChanges
-    /// is read, into a frame of the renderer's, which stays as it is until the next ReadChanges. An
-    /// Error as of Read.
+    /// Waits for the last Submit and reads only what changed since the last ReadChanges. The result
+    /// is a frame of the renderer, unchanged until the next ReadChanges. An Error as in Read.
     Result<const Frame*> ReadChanges();
 
-    /// Where the last ReadChanges may have changed its frame; everything the first time, nothing
-    /// when no Submit came between. No two share a pixel. Valid until the next ReadChanges.
+    /// Returns the rectangles that the last ReadChanges may have changed: all the first time, none
+    /// without a Submit in between. They do not overlap. Valid until the next ReadChanges.
     std::span<const PixelBounds> Changes() const;
 
-    /// Submit and Read in one, with their Errors.
+    /// Submits and reads, with the Errors of both.
     Result<void> Draw(const DrawList& list, const Camera& camera, Frame& frame,
                       const Overlay* overlay = nullptr);
 
-    /// Shows the picture of the last Submit in its window (the renderer is one of CreateIn), and
-    /// waits for the display. An Error (Failed) when the window's GL context cannot be used.
+    /// Shows the picture of the last Submit in the window of CreateIn, and waits for the display.
+    /// An Error (Failed) when the window's GL context cannot be used.
     Result<void> Show();
 
-    /// What drawing the last frame took.
+    /// Returns the statistics of the last frame.
     const RenderStatistics& Statistics() const;
-    /// What drawing took, of all frames so far.
+    /// Returns the sums over all frames so far.
     const RenderTotals& Totals() const;
 
-    /// Which library drew it, e.g. "OSMesa, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 Mesa 22.3.6".
+    /// Returns the library and its version, e.g. "OSMesa, llvmpipe (LLVM 15.0.6, 256 bits), 4.5
+    /// Mesa 22.3.6".
     const std::string& Description() const;
 
-    /// Which bits this renderer gives: 16 hex digits, the same for all that draw a probe picture
-    /// (blending, edges, text) with the same bits. The first call of a process draws it, in a
-    /// renderer of its own of the same back end; Errors as of Create.
+    /// Returns 16 hex digits that identify the bits of this renderer. They are equal for all
+    /// renderers with the same bits in a probe picture (blending, edges, text). The first call in a
+    /// process draws it, in a separate renderer of the same back end. Errors as in Create.
     Result<std::string> Fingerprint() const;
 
 private:

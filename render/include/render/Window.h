@@ -10,63 +10,62 @@
 #include <vector>
 
 /// @file
-/// A window on a display, and what is done in it. A Renderer made for it (Renderer::CreateIn) draws
-/// in its GL context. GLFW is loaded by Create, not before; only WindowGlfw.cpp knows it. To be
-/// used by the thread that began the program, one window at a time.
+/// A window on a display, and its events. Renderer::CreateIn draws in its GL context. Create loads
+/// GLFW; only WindowGlfw.cpp uses it. Use it in the main thread, one window at a time.
 namespace boxreel
 {
 
-/// What a person did at the window.
+/// A user input event of a window.
 struct WindowEvent
 {
-    /// What was done.
+    /// The type of an event.
     enum class Kind
     {
         KeyDown,
-        KeyRepeat, ///< it is held
+        KeyRepeat, ///< key held down
         KeyUp,
-        Text,       ///< letters were typed
-        ButtonDown, ///< of the mouse
+        Text,       ///< text typed
+        ButtonDown, ///< mouse button pressed
         ButtonUp,
-        Pointer, ///< the mouse has moved
+        Pointer, ///< mouse moved
         Wheel,
         Resized,
-        Exposed,   ///< what it showed is lost
-        LostFocus, ///< keys that are down will not be heard to go up
-        Close,     ///< it is asked to
+        Exposed,   ///< content lost, must be drawn again
+        LostFocus, ///< focus lost; key releases will not be reported
+        Close,     ///< the user closes the window
     };
-    Kind kind = Kind::Pointer; ///< what was done
-    Key key = Key::None;       ///< of keys that went down or up
+    Kind kind = Kind::Pointer; ///< type of the event
+    Key key = Key::None;       ///< of key events
     std::string text;          ///< of Text, UTF-8
-    int button = 0;            ///< 0 left, 1 right, 2 middle
-    Vec2 point{0.0f, 0.0f};    ///< where the mouse is, at every event [px], y down
-    float wheel = 0.0f;        ///< notches, up and away is above zero
-    bool shift = false;        ///< whether Shift is down, at keys and buttons
-    bool control = false;      ///< whether Control is down, at keys and buttons
-    bool alt = false;          ///< whether Alt is down, at keys and buttons
+    int button = 0;            ///< of button events: 0 left, 1 right, 2 middle
+    Vec2 point{0.0f, 0.0f};    ///< position of the mouse, in every event [px], y down
+    float wheel = 0.0f;        ///< notches; positive is away from the user
+    bool shift = false;        ///< true if Shift is down, for keys and buttons
+    bool control = false;      ///< true if Control is down, for keys and buttons
+    bool alt = false;          ///< true if Alt is down, for keys and buttons
 };
 
 /// A window with a GL context.
 class Window
 {
 public:
-    /// `width`, `height`: as the display's other windows measure; the picture may have more pixels.
-    /// No larger than the display has room for.
-    /// An Error (Absent) when there is no display, no GL 3.3 or no GLFW.
+    /// Creates a window. `width`, `height`: in the display's screen coordinates, clamped to the
+    /// display; the picture may have more pixels. An Error (Absent) without a display, GL 3.3 or
+    /// GLFW.
     static Result<Window> Create(const std::string& title, int width, int height);
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     Window(Window&&) noexcept;
-    /// The other may only be assigned to or destroyed.
+    /// Leaves the source in a moved-from state.
     Window& operator=(Window&&) noexcept;
     ~Window();
 
-    /// What happened since the last call, after at most so many seconds when nothing does.
+    /// Returns the events since the last call; waits at most `seconds` for one.
     std::vector<WindowEvent> Poll(double seconds = 0.0);
 
-    int Width() const;    ///< of its picture [px]; 0 while it is minimised
-    int Height() const;   ///< of its picture [px]
-    double Scale() const; ///< of letters and lines, 1 on an ordinary display
-    /// What stands above the window, UTF-8.
+    int Width() const;    ///< width of the picture [px]; 0 while minimized
+    int Height() const;   ///< height of the picture [px]
+    double Scale() const; ///< scale of text and lines, 1 on an ordinary display
+    /// Sets the title, UTF-8.
     void SetTitle(const std::string& title);
 
     struct Impl;
@@ -78,7 +77,7 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// Whether a window could be made here, without making one: an Error (Absent) says why not.
+/// Checks that a window can be created, without creating one. An Error (Absent) states the reason.
 Result<void> CheckDisplay();
 
 } // namespace boxreel

@@ -190,8 +190,7 @@ TEST(RubeJointBuilder, LeavesOutAGearOnABodyOfNoneOfItsJoints)
         {"type":"revolute","bodyA":0,"bodyB":2},
         {"type":"gear","bodyA":1,"bodyB":3,"joint1":0,"joint2":1}]})");
     EXPECT_EQ(built.world.GetJointCount(), 2);
-    EXPECT_THAT(built.Missing(),
-                ElementsAre("joint 2 (gear, between body 1 and body 3 \"far\")"));
+    EXPECT_THAT(built.Missing(), ElementsAre("joint 2 (gear, between body 1 and body 3 \"far\")"));
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 #include <Box2D/Common/Array.h>
 
 /// @file
-/// Which proxies may touch.
+/// Finds pairs of proxies whose boxes overlap.
 
 namespace box2d
 {
@@ -20,10 +20,10 @@ struct b2Pair
     int32 proxyIdB; ///< the larger number
 };
 
-/// Finds the pairs of proxies that may touch, looking only at those that moved. It does not
-/// remember pairs: whoever is told of one keeps it until the boxes no longer overlap. That of a
-/// world (b2ContactManager::m_broadPhase) is there to be read: the user data of its proxies are
-/// b2FixtureProxy objects, whose proxyId is the number.
+/// Finds the pairs of proxies that may touch. Only proxies that moved are tested. Pairs are not
+/// stored: the receiver of AddPair keeps each pair until the boxes no longer overlap.
+/// The broad phase of a world (b2ContactManager::m_broadPhase) is read-only. The user data of its
+/// proxies are b2FixtureProxy objects, whose proxyId is the proxy's number.
 class b2BroadPhase
 {
 public:
@@ -36,38 +36,38 @@ public:
     b2BroadPhase(const b2BroadPhase&) = delete;
     b2BroadPhase& operator=(const b2BroadPhase&) = delete;
 
-    /// Adds a proxy with this box [m]; its pairs are told by the next UpdatePairs. Returns its
-    /// number. Boxes as in b2DynamicTree::CreateProxy.
+    /// Adds a proxy with this box [m] and returns its number. The next UpdatePairs reports its
+    /// pairs. Boxes as in b2DynamicTree::CreateProxy.
     int32 CreateProxy(const b2AABB& aabb, void* userData);
 
-    /// Removes a proxy. Its pairs are the caller's to remove. A number of no proxy asserts and
-    /// changes nothing, here and below.
+    /// Removes a proxy. The caller removes its pairs. Here and below, a number that is not a proxy
+    /// asserts and changes nothing.
     void DestroyProxy(int32 proxyId);
 
-    /// Call this whenever the proxy moves [m]; pairs may be new when it has left its stored box.
+    /// Moves a proxy [m]. New pairs are possible when it has left its stored box.
     void MoveProxy(int32 proxyId, const b2AABB& aabb, const b2Vec2& displacement);
 
-    /// Has all pairs of this proxy told again by the next UpdatePairs.
+    /// Makes the next UpdatePairs report all pairs of this proxy again.
     void TouchProxy(int32 proxyId);
 
-    /// The stored box [m].
+    /// Returns the stored box [m].
     const b2AABB& GetFatAABB(int32 proxyId) const
     {
         return TreeOf(proxyId).GetFatAABB(NodeOf(proxyId));
     }
-    /// What CreateProxy was given.
+    /// Returns the user data given to CreateProxy.
     void* GetUserData(int32 proxyId) const { return TreeOf(proxyId).GetUserData(NodeOf(proxyId)); }
 
-    /// Do the stored boxes overlap?
+    /// True if the stored boxes overlap.
     bool TestOverlap(int32 proxyIdA, int32 proxyIdB) const
     {
         return b2TestOverlap(GetFatAABB(proxyIdA), GetFatAABB(proxyIdB));
     }
 
-    int32 GetProxyCount() const; ///< how many proxies there are
+    int32 GetProxyCount() const; ///< number of proxies
 
-    /// Calls `void callback->AddPair(void* userDataA, void* userDataB)` once for every pair that
-    /// has a proxy which moved since the last time, in the order of their numbers.
+    /// Calls `void callback->AddPair(void* userDataA, void* userDataB)` once for every pair with a
+    /// proxy that moved since the last call. Pairs are sorted by proxy number.
     template <typename T>
     void UpdatePairs(T* callback);
 
@@ -78,17 +78,17 @@ public:
     template <typename T>
     void RayCast(T* callback, const b2RayCastInput& input) const;
 
-    int32 GetTreeHeight() const;    ///< of the highest tree; 0: one proxy or none
+    int32 GetTreeHeight() const;    ///< of the highest tree; 0 with at most one proxy
     int32 GetTreeBalance() const;   ///< as b2DynamicTree::GetMaxBalance, of the worst tree
     float32 GetTreeQuality() const; ///< as b2DynamicTree::GetAreaRatio, of the worst tree
 
-    /// What was at newOrigin [m] is at zero.
+    /// Subtracts newOrigin [m], given in old coordinates, from every box.
     void ShiftOrigin(const b2Vec2& newOrigin) { m_tree.ShiftOrigin(newOrigin); }
 
 private:
     friend class box2d::World;
-    /// Looks at the trees of a world, which outlive it: a number has that of the tree in its lowest
-    /// bits.
+    /// Reads the trees of a world, which must outlive this object. The lowest bits of a proxy
+    /// number are the index of its tree.
     b2BroadPhase(const b2DynamicTree* trees, int32 treeCount, int32 treeBits)
         : m_trees(trees), m_treeCount(treeCount), m_treeBits(treeBits)
     {}
@@ -104,14 +104,14 @@ private:
     template <typename T>
     struct RayVisitor;
 
-    /// Fills m_pairs, sorted and without repetition, and forgets what moved.
+    /// Fills m_pairs, sorted and without duplicates, and clears the list of moved proxies.
     void CollectPairs();
 
-    b2DynamicTree m_tree;                   ///< its own; empty when it looks at others
-    const b2DynamicTree* m_trees = &m_tree; ///< all that it looks at
+    b2DynamicTree m_tree;                   ///< own tree; empty when it reads others
+    const b2DynamicTree* m_trees = &m_tree; ///< the trees it reads
     int32 m_treeCount = 1;
     int32 m_treeBits = 0;
-    box2d::Array<int32> m_moved; ///< may hold a proxy twice, and some that are gone
+    box2d::Array<int32> m_moved; ///< may contain duplicates and destroyed proxies
     box2d::Array<b2Pair> m_pairs;
 };
 
@@ -138,7 +138,7 @@ void b2BroadPhase::Query(T* callback, const b2AABB& aabb) const
     }
 }
 
-/// A ray through one tree; what is left of it goes through the next.
+/// Casts a ray through one tree; the remaining part goes through the next.
 template <typename T>
 struct b2BroadPhase::RayVisitor
 {

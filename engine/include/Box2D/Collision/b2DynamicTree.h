@@ -6,9 +6,9 @@
 #include <Box2D/Common/b2GrowableStack.h>
 
 /// @file
-/// The tree of boxes that finds what overlaps and what a ray meets.
+/// The bounding volume tree for overlap queries and ray casts.
 
-/// No proxy of a tree.
+/// The number that is not a proxy.
 inline constexpr int32 b2_nullNode = -1;
 
 namespace box2d
@@ -16,12 +16,12 @@ namespace box2d
 struct SnapshotAccess;
 } // namespace box2d
 
-/// A binary tree of axis-aligned boxes that finds what overlaps a box or meets a ray. Leaves are
-/// the user's proxies, known by a number that stays valid until they are destroyed. The broad phase
-/// is built on it, and a program may use it for anything else that has a box. Insertion follows the
-/// surface area heuristic and rotations keep the tree low, so the order of insertion matters
-/// little; the result depends on nothing but the sequence of calls. A callback may not change the
-/// tree.
+/// A binary tree of axis-aligned boxes for overlap queries and ray casts. Leaves are the user's
+/// proxies; their numbers stay valid until they are destroyed. The broad phase uses it, and a
+/// program may use it for other objects that have a box.
+/// Insertion follows the surface area heuristic and rotations keep the tree low, so the order of
+/// insertion matters little. The result depends only on the sequence of calls. A callback may not
+/// change the tree.
 class b2DynamicTree
 {
 public:
@@ -30,94 +30,95 @@ public:
     b2DynamicTree(const b2DynamicTree&) = delete;
     b2DynamicTree& operator=(const b2DynamicTree&) = delete;
 
-    /// Adds a proxy whose box is the given one [m], made b2_aabbExtension larger on every side.
-    /// Returns its number. A box that is not valid asserts.
+    /// Adds a proxy with the given box [m], enlarged by b2_aabbExtension on every side, and returns
+    /// its number. A box that is not valid asserts.
     int32 CreateProxy(const b2AABB& aabb, void* userData);
 
-    /// Removes a proxy; its number may be given to another. A number of no proxy asserts and
-    /// changes nothing, here and in all that move one.
+    /// Removes a proxy; its number may be used again. Here and in the functions that move proxies,
+    /// a number that is not a proxy asserts and changes nothing.
     void DestroyProxy(int32 proxyId);
 
-    /// Follows a proxy that moves: while its box stays inside the stored one nothing happens and
-    /// the answer is false; else the stored box is made anew, larger and ahead of the displacement
-    /// [m].
+    /// Moves a proxy. Returns false while its box stays inside the stored one. Otherwise returns
+    /// true and stores a new box, enlarged and extended along the displacement [m].
     bool MoveProxy(int32 proxyId, const b2AABB& aabb, const b2Vec2& displacement);
 
-    /// The same three steps for callers with a margin of their own: the box is stored as it is.
-    /// User data is a pointer or a number, at the caller's choice.
+    /// As CreateProxy, for callers with their own margin: stores the box unchanged. User data is a
+    /// pointer or a number, at the caller's choice.
     int32 CreateProxyExact(const b2AABB& fatAABB, void* userData);
-    /// The same with a number.
+    /// As above, with a number.
     int32 CreateProxyExact(const b2AABB& fatAABB, int32 userIndex);
-    /// Moves the proxy to where its box belongs in the tree.
+    /// Stores the box unchanged and moves the proxy to its best place in the tree.
     void SetProxyAABB(int32 proxyId, const b2AABB& fatAABB);
-    /// Leaves the proxy where it is in the tree and lets the boxes above it grow: cheaper, but the
-    /// tree gets worse with every call until SetProxyAABB or RebuildBottomUp puts it right. The
-    /// box must contain the stored one, else it asserts and nothing changes.
+    /// Keeps the proxy's place in the tree and enlarges the boxes above it. This is cheaper, but
+    /// each call lowers the tree's quality until SetProxyAABB or RebuildBottomUp restores it. The
+    /// box must contain the stored one; otherwise it asserts and changes nothing.
     void EnlargeProxy(int32 proxyId, const b2AABB& fatAABB);
 
-    /// What CreateProxy was given. The number must be a proxy's, in these three.
+    /// Returns the pointer given to CreateProxy. In these three functions the number must be a
+    /// proxy's.
     void* GetUserData(int32 proxyId) const { return GetLeaf(proxyId).link.userData; }
-    /// What CreateProxyExact was given.
+    /// Returns the number given to CreateProxyExact.
     int32 GetUserIndex(int32 proxyId) const { return GetLeaf(proxyId).link.userIndex; }
-    /// The stored box [m].
+    /// Returns the stored box [m].
     const b2AABB& GetFatAABB(int32 proxyId) const { return GetLeaf(proxyId).aabb; }
 
-    /// Is this the number of a proxy that has been created and not destroyed?
+    /// True if this is the number of a proxy that was created and not destroyed.
     bool IsProxy(int32 proxyId) const
     {
         return 0 <= proxyId && proxyId < m_nodeCapacity && m_nodes[proxyId].height == 0;
     }
 
-    int32 GetProxyCount() const { return m_proxyCount; } ///< how many proxies there are
+    int32 GetProxyCount() const { return m_proxyCount; } ///< number of proxies
 
     /// Calls `bool callback->QueryCallback(int32 proxyId)` for every proxy whose box overlaps the
     /// given one, until it returns false.
     template <typename T>
     void Query(T* callback, const b2AABB& aabb) const;
 
-    /// The same with any callable: `bool visit(int32 proxyId)`.
+    /// As above, with any callable: `bool visit(int32 proxyId)`.
     template <typename Visit>
     void ForEachOverlap(const b2AABB& aabb, Visit&& visit) const;
 
-    /// Calls `void visit(int32 proxyA, int32 proxyB)` for every two proxies whose boxes overlap,
-    /// once each: a fraction of the time that a query for every proxy takes.
+    /// Calls `void visit(int32 proxyA, int32 proxyB)` once for every two proxies whose boxes
+    /// overlap. Much faster than a query for every proxy.
     template <typename Visit>
     void ForEachPair(Visit&& visit) const;
 
     /// Calls `float32 callback->RayCastCallback(const b2RayCastInput& input, int32 proxyId)` for
-    /// the proxies whose boxes the ray meets, roughly in its direction. What it returns is the
-    /// ray's maxFraction from there on: 0 ends the cast, a negative number changes nothing.
+    /// the proxies whose boxes the ray meets, approximately from near to far. The return value
+    /// becomes the ray's maxFraction: 0 ends the cast, a negative number changes nothing.
     template <typename T>
     void RayCast(T* callback, const b2RayCastInput& input) const;
 
-    /// Checks the whole structure, with asserts on.
+    /// Asserts that the structure is valid.
     void Validate() const;
 
-    /// What is wrong with the structure, as a sentence; null when nothing is.
+    /// Returns the first defect of the structure, as a sentence; null if it is valid.
     const char* WhyInvalid() const;
 
-    /// 0 for a tree of one proxy or none.
+    /// Returns the height; 0 for a tree with at most one proxy.
     int32 GetHeight() const;
 
-    /// The largest difference of height between two siblings, 0 or more.
+    /// Returns the maximum height difference between two siblings, >= 0.
     int32 GetMaxBalance() const;
 
-    /// The perimeters of all nodes over that of the root, 0 without proxies: what a query pays on
-    /// average.
+    /// Returns the perimeters of all nodes over that of the root, 0 without proxies: the average
+    /// cost of a query.
     float32 GetAreaRatio() const;
 
-    /// Builds the tree anew from all its leaves, better than insertion does. Takes O(n log^2 n).
+    /// Builds the tree again from all its leaves, with better quality than insertion. Takes O(n
+    /// log^2 n).
     void RebuildBottomUp();
 
-    /// The same in a small part of the time, for a tree whose leaves move all the time: every node
-    /// parts its leaves in two equal halves, along the axis in which their centres spread more. A
-    /// query looks at more nodes than after RebuildBottomUp. Takes O(n log n), and memory the first
-    /// time only.
+    /// As RebuildBottomUp, but much faster, for a tree whose leaves move all the time. Every node
+    /// splits its leaves into two equal halves, along the axis in which their centres spread more.
+    /// A query visits more nodes than after RebuildBottomUp. Takes O(n log n), and allocates memory
+    /// the first time only.
     void RebuildEvenly();
-    /// Makes the boxes above all leaves anew and leaves the form of the tree as it is.
+    /// Recomputes the boxes above all leaves without changing the structure of the tree.
     void RefitAll();
-    /// Gives a proxy another box and leaves the boxes above it as they are: until one of these
-    /// three has been called the tree is good for nothing but more of the same.
+    /// Sets the box of a proxy without changing the boxes above it. Until one of the three
+    /// functions above is called, only this function may be used.
     void SetProxyAABBForRebuild(int32 proxyId, const b2AABB& fatAABB);
 
     /// Subtracts the new origin [m], given in old coordinates, from every box.
@@ -127,7 +128,7 @@ private:
     friend struct box2d::SnapshotAccess;
     class Segment;
 
-    // 32 bytes, two to a cache line.
+    // 32 bytes, so that two fit in a cache line.
     struct Node
     {
         union Link {
@@ -140,7 +141,7 @@ private:
 
         b2AABB aabb;
         Link link;
-        int32 parent; ///< of a free node: the next free one
+        int32 parent; ///< in a free node: the next free node
         int32 height; ///< leaves 0, free nodes -1
     };
 
@@ -195,7 +196,7 @@ void b2DynamicTree::ForEachOverlap(const b2AABB& aabb, Visit&& visit) const
     {
         return;
     }
-    // What waits on the stack overlaps.
+    // Invariant: the boxes on the stack overlap the query.
     b2GrowableStack<int32, 256> stack;
     int32 id = m_root;
     while (true)
@@ -241,7 +242,7 @@ void b2DynamicTree::ForEachPair(Visit&& visit) const
 {
     struct Two
     {
-        int32 a, b; ///< the same: all pairs below it; else they overlap
+        int32 a, b; ///< a == b: all pairs below it; otherwise the boxes overlap
     };
     if (m_root == b2_nullNode)
     {
@@ -282,7 +283,7 @@ void b2DynamicTree::ForEachPair(Visit&& visit) const
     }
 }
 
-/// What a ray is to the boxes of a tree: a segment that may become shorter.
+/// The ray as a segment that can become shorter during a cast.
 class b2DynamicTree::Segment
 {
 public:
@@ -300,12 +301,11 @@ public:
         m_upper = b2Max(m_p1, end);
     }
 
-    /// A segment misses a box when one of three directions separates them: the two axes, and the
-    /// one across the segment. All are looked at, for which of them does it is hard to foresee and
-    /// a branch would cost more.
+    /// Separating axis test with three directions: the two axes and the segment's normal. All three
+    /// are evaluated: which one separates is unpredictable, and a mispredicted branch costs more.
     bool Meets(const b2AABB& box) const
     {
-        // Twice the distance of the centre and twice the reach of the box across the segment.
+        // Twice the distance of the centre and twice the box's extent along the segment's normal.
         const b2Vec2 fromCenter = m_twiceP1 - (box.lowerBound + box.upperBound);
         const float32 offset = b2Dot(m_across, fromCenter);
         const float32 reach = b2Dot(m_absAcross, box.upperBound - box.lowerBound);
@@ -314,7 +314,7 @@ public:
                !(b2Abs(offset) > reach);
     }
 
-    /// Whether b lies before a along the ray, by their centres.
+    /// True if the centre of b lies before that of a along the ray.
     bool IsBefore(const b2AABB& b, const b2AABB& a) const
     {
         const b2Vec2 fromAToB = (b.lowerBound + b.upperBound) - (a.lowerBound + a.upperBound);
@@ -327,7 +327,7 @@ private:
     b2Vec2 m_across;
     b2Vec2 m_absAcross;
     b2Vec2 m_twiceP1;
-    b2Vec2 m_lower; ///< the corners of the box around what is left of the segment
+    b2Vec2 m_lower; ///< bounding box of the remaining segment
     b2Vec2 m_upper;
 };
 
@@ -367,7 +367,7 @@ void b2DynamicTree::RayCast(T* callback, const b2RayCastInput& input) const
             const bool isSecond = segment.Meets(second);
             if (isFirst && isSecond)
             {
-                // What is further along the ray waits, since a hit may make it needless.
+                // Visit the nearer child first: a hit there may make the other unnecessary.
                 const int32 nearer = segment.IsBefore(second, first) ? 1 : 0;
                 stack.Push(child[1 - nearer]);
                 id = child[nearer];
@@ -386,6 +386,7 @@ void b2DynamicTree::RayCast(T* callback, const b2RayCastInput& input) const
                 return;
             }
             id = stack.Pop();
-        } while (!segment.Meets(m_nodes[id].aabb)); // the ray may have become shorter
+        } while (!segment.Meets(m_nodes[id].aabb)); // the ray may have become shorter since the
+                                                    // push
     }
 }

@@ -5,52 +5,51 @@
 #include <Box2D/Common/b2Math.h>
 
 /// @file
-/// When two moving shapes first touch.
+/// The time of impact of two moving shapes.
 
-/// Two shapes and how they move.
+/// The input of b2TimeOfImpact: two shapes and their motion.
 struct b2TOIInput
 {
     b2DistanceProxy proxyA; ///< the first shape
     b2DistanceProxy proxyB; ///< the second shape
-    /// Of the first shape, finite [m, rad]. Only the motion between the two counts, so both sweeps
-    /// may share any origin.
+    /// Motion of the first shape, finite [m, rad]. Only the relative motion matters, so both sweeps
+    /// may use any common origin.
     b2Sweep sweepA;
-    b2Sweep sweepB;      ///< of the second; see sweepA
-    float32 tMax = 1.0f; ///< the sweeps are looked at from 0 to here, 0 to 1
+    b2Sweep sweepB;      ///< motion of the second shape; see sweepA
+    float32 tMax = 1.0f; ///< end of the searched interval [0, tMax], 0 to 1
 };
 
-/// What b2TimeOfImpact has found.
+/// The output of b2TimeOfImpact.
 struct b2TOIOutput
 {
-    /// How the search ended.
+    /// The result of the search.
     enum State
     {
-        e_unknown,    ///< nothing was asked yet
-        e_failed,     ///< the search ended early; up to t they do not touch
-        e_overlapped, ///< they overlap at the start
-        e_touching,   ///< they come within the target distance at t
-        e_separated   ///< they stay apart up to tMax
+        e_unknown,    ///< not computed
+        e_failed,     ///< the search ended early; the shapes do not touch up to t
+        e_overlapped, ///< the shapes overlap at the start
+        e_touching,   ///< the shapes reach the target distance at t
+        e_separated   ///< the shapes stay apart up to tMax
     };
 
-    State state = e_unknown; ///< how the search ended
+    State state = e_unknown; ///< result of the search
     float32 t = 0.0f;        ///< 0 to b2TOIInput::tMax
 };
 
-/// When two moving shapes first come so close that their skins overlap by about a slop. With fixed
-/// rotations this is a shape cast. However quickly shapes turn, no touch is missed, and nothing
-/// counts as touching that does not. Neither pointer is null; of a shape without vertices it
-/// asserts, and fails at t = 0.
+/// Computes the time at which the skins of two moving shapes overlap by about b2_linearSlop. With
+/// fixed rotations this is a shape cast. No impact is missed at any angular velocity, and separated
+/// shapes are never reported as touching. Pointers are not null. A shape without vertices asserts,
+/// and the search fails at t = 0.
 void b2TimeOfImpact(b2TOIOutput* output, const b2TOIInput* input);
 
 // Statistics of b2TimeOfImpact by the names of the 2.3 generation. They cover the calls of
 // b2TimeOfImpact and the searches of continuous collision; see b2_gjkCalls.
 
-extern int32 b2_toiCalls;        ///< how often an impact was searched for
-extern int32 b2_toiIters;        ///< advances of all these searches
-extern int32 b2_toiMaxIters;     ///< advances of the longest of these searches
-extern int32 b2_toiRootIters;    ///< iterations of all searches for the length of an advance
-extern int32 b2_toiMaxRootIters; ///< iterations for the length of one advance, at most
-/// Time of all these searches [ms]. In a step it is measured when b2World::GetProfile was called
-/// before.
+extern int32 b2_toiCalls;        ///< number of calls
+extern int32 b2_toiIters;        ///< advances in all calls
+extern int32 b2_toiMaxIters;     ///< maximum advances in a call
+extern int32 b2_toiRootIters;    ///< root finder iterations in all calls
+extern int32 b2_toiMaxRootIters; ///< maximum root finder iterations of one advance
+/// Time of all calls [ms]. A step measures it only after b2World::GetProfile was called.
 extern float32 b2_toiTime;
-extern float32 b2_toiMaxTime; ///< time of the longest of these searches [ms]; see b2_toiTime
+extern float32 b2_toiMaxTime; ///< maximum time of a call [ms]; see b2_toiTime

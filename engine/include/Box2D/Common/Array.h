@@ -7,20 +7,20 @@
 #include <vector>
 
 /// @file
-/// The engine's growing arrays: std::vector over b2Alloc, so that a program that replaces the
-/// allocator sees all of the engine's memory. Engine code only; a program may use what it likes.
+/// The engine's growing arrays: std::vector over b2Alloc, so that all of the engine's memory comes
+/// from a replaced allocator. Internal to the engine.
 namespace box2d
 {
-inline constexpr int32 kCacheLine = 64; ///< size of what a processor reads at once [bytes]
+inline constexpr int32 kCacheLine = 64; ///< size of a cache line [bytes]
 
-/// b2Alloc aligns no further than malloc: these two do to a cache line. What b2Alloc returned is
-/// kept in front of the memory.
+/// Allocates memory aligned to a cache line; b2Alloc aligns only as malloc does. The pointer that
+/// b2Alloc returned is stored in front of the memory.
 inline void* AllocateInLines(int32 size)
 {
     void* whole = b2Alloc(size + 2 * kCacheLine);
     const std::uintptr_t after = reinterpret_cast<std::uintptr_t>(whole) + sizeof(void*);
     const std::uintptr_t start = (after + kCacheLine - 1) / kCacheLine * kCacheLine;
-    // Rounded up. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    // Rounds up. NOLINTNEXTLINE(performance-no-int-to-ptr)
     void** memory = reinterpret_cast<void**>(start);
     memory[-1] = whole;
     return memory;
@@ -68,8 +68,8 @@ struct Allocator
 template <typename T>
 using Array = std::vector<T, Allocator<T>>;
 
-/// Room for `count`, and at least for twice as much as before when there was too little: assign and
-/// resize by themselves ask for no more than they need, and again for one more.
+/// Reserves room for `count`, at least doubling the capacity when it grows. assign and resize alone
+/// reserve exactly what they need, so they would reallocate for each element.
 template <typename T>
 void MakeRoom(Array<T>& array, std::size_t count)
 {

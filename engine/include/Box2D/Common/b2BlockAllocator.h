@@ -4,15 +4,15 @@
 #include <Box2D/Common/b2Settings.h>
 
 /// @file
-/// Memory for small objects.
+/// The allocator of small objects.
 
-inline constexpr int32 b2_chunkSize = 16 * 1024; ///< what is asked of b2Alloc at a time [bytes]
-inline constexpr int32 b2_maxBlockSize = 640; ///< larger blocks come straight from b2Alloc [bytes]
-inline constexpr int32 b2_blockSizes = 14;    ///< how many sizes of block there are
+inline constexpr int32 b2_chunkSize = 16 * 1024; ///< size of a request to b2Alloc [bytes]
+inline constexpr int32 b2_maxBlockSize = 640; ///< larger blocks come directly from b2Alloc [bytes]
+inline constexpr int32 b2_blockSizes = 14;    ///< number of block sizes
 
-/// Many small objects that live for a few steps to for ever: each size of block has a list of free
-/// ones, filled a chunk at a time. For bodies, fixtures, joints and shapes; a block never moves.
-/// With asserts on, freed memory is filled with 0xFD. Not for several threads at once.
+/// Allocates small objects of any lifetime: bodies, fixtures, joints and shapes. Each block size
+/// has a free list, filled one chunk at a time. A block never moves. With asserts on, freed memory
+/// is filled with 0xFD. Not thread-safe.
 class b2BlockAllocator
 {
 public:
@@ -21,15 +21,14 @@ public:
     b2BlockAllocator(const b2BlockAllocator&) = delete;
     b2BlockAllocator& operator=(const b2BlockAllocator&) = delete;
 
-    /// Memory of so many bytes, aligned for any object; null when size is 0 and, after an assert,
-    /// when it is negative. Not initialised.
+    /// Returns `size` bytes of uninitialised memory, aligned for any object. Null for a size of 0;
+    /// a negative size asserts and returns null.
     void* Allocate(int32 size);
 
-    /// Takes a block back; the size must be the one it was allocated with. Null is allowed.
+    /// Frees a block; the size must be the one of the allocation. Null is allowed.
     void Free(void* memory, int32 size);
 
-    /// Gives all chunks back. Every block from them is gone; blocks above b2_maxBlockSize are not
-    /// the allocator's and remain.
+    /// Frees all chunks and thereby every block in them. Blocks above b2_maxBlockSize remain.
     void Clear();
 
 private:
@@ -43,7 +42,7 @@ private:
         int32 blockSize;
     };
 
-    /// Threads the blocks of one more chunk onto the free list of that size.
+    /// Adds the blocks of one more chunk to the free list of that size.
     void AddChunk(int32 sizeIndex);
 
     Chunk* m_chunks = nullptr;

@@ -7,10 +7,10 @@
 #include <type_traits>
 
 /// @file
-/// A stack for walks over trees.
+/// A stack for tree traversal.
 
-/// A stack of plain values that starts inside the object and moves to the heap only when it
-/// outgrows N of them. Tree walks use it so that they need not recurse or allocate.
+/// A stack of plain values. The first N are stored inside the object, more on the heap. Tree
+/// traversal uses it to avoid recursion and allocation.
 template <typename T, int32 N>
 class b2GrowableStack
 {
@@ -28,7 +28,7 @@ public:
     b2GrowableStack(const b2GrowableStack&) = delete;
     b2GrowableStack& operator=(const b2GrowableStack&) = delete;
 
-    /// Puts an element on top, with more memory when it is needed.
+    /// Pushes an element; grows the storage if needed.
     void Push(const T& element)
     {
         if (m_count == m_capacity)
@@ -38,7 +38,7 @@ public:
         m_stack[m_count++] = element;
     }
 
-    /// The same without a branch, for conditions that are hard to foresee.
+    /// Pushes an element if the condition holds, without a branch, for unpredictable conditions.
     void PushIf(bool condition, const T& element)
     {
         if (m_count == m_capacity)
@@ -49,14 +49,14 @@ public:
         m_count += condition ? 1 : 0;
     }
 
-    /// Takes the top element off; the stack must not be empty.
+    /// Removes and returns the top element; the stack must not be empty.
     T Pop()
     {
         b2Assert(m_count > 0);
         return m_stack[--m_count];
     }
 
-    int32 GetCount() const { return m_count; } ///< of elements
+    int32 GetCount() const { return m_count; } ///< number of elements
 
 private:
     void Grow()

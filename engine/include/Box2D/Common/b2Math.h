@@ -5,41 +5,41 @@
 
 /// @file
 /// Vectors, matrices, rotations, transforms and sweeps in two dimensions. Small value types, all
-/// inline. Functions of single numbers are in b2Scalar.h.
+/// inline. Scalar functions are in b2Scalar.h.
 
 /// A column vector with two components.
 struct b2Vec2
 {
     constexpr b2Vec2() = default;
-    /// From its components.
+    /// Creates a vector from its components.
     constexpr b2Vec2(float32 x_, float32 y_) : x(x_), y(y_) {}
 
-    /// All components become 0.
+    /// Sets all components to 0.
     constexpr void SetZero() { *this = b2Vec2(); }
-    /// Replaces its components.
+    /// Sets the components.
     constexpr void Set(float32 x_, float32 y_) { *this = b2Vec2(x_, y_); }
 
-    /// The opposite vector.
+    /// Returns the opposite vector.
     constexpr b2Vec2 operator-() const { return {-x, -y}; }
-    /// Component i, 0 or 1.
+    /// Returns component i, 0 or 1.
     constexpr float32 operator()(int32 i) const { return i == 0 ? x : y; }
-    /// Component i, 0 or 1, to be written.
+    /// Returns component i, 0 or 1, as a reference.
     constexpr float32& operator()(int32 i) { return i == 0 ? x : y; }
 
-    /// Adds, component by component.
+    /// Adds a vector per component.
     constexpr void operator+=(const b2Vec2& v) { Set(x + v.x, y + v.y); }
-    /// Subtracts, component by component.
+    /// Subtracts a vector per component.
     constexpr void operator-=(const b2Vec2& v) { Set(x - v.x, y - v.y); }
     /// Multiplies each component.
     constexpr void operator*=(float32 a) { Set(a * x, a * y); }
 
-    /// In the unit of its components.
+    /// Returns the length.
     float32 Length() const { return b2Sqrt(LengthSquared()); }
-    /// Without a root, and so cheaper.
+    /// Returns the squared length; cheaper than Length.
     constexpr float32 LengthSquared() const { return x * x + y * y; }
 
-    /// Makes this a unit vector and returns the former length. A vector shorter than b2_epsilon
-    /// has no direction to keep: it stays as it is and the answer is 0.
+    /// Makes this a unit vector and returns the former length. A vector shorter than b2_epsilon is
+    /// unchanged, and the result is 0.
     float32 Normalize()
     {
         const float32 length = Length();
@@ -51,10 +51,11 @@ struct b2Vec2
         return length;
     }
 
-    /// Whether all components are finite.
+    /// True if all components are finite.
     bool IsValid() const { return b2IsValid(x) && b2IsValid(y); }
 
-    /// The vector turned by a quarter to the left: b2Dot(v.Skew(), w) == b2Cross(v, w).
+    /// Returns the vector rotated by 90 degrees counter-clockwise: b2Dot(v.Skew(), w) == b2Cross(v,
+    /// w).
     constexpr b2Vec2 Skew() const { return {-y, x}; }
 
     float32 x = 0.0f; ///< first component
@@ -65,19 +66,19 @@ struct b2Vec2
 struct b2Vec3
 {
     constexpr b2Vec3() = default;
-    /// From its components.
+    /// Creates a vector from its components.
     constexpr b2Vec3(float32 x_, float32 y_, float32 z_) : x(x_), y(y_), z(z_) {}
 
-    /// All components become 0.
+    /// Sets all components to 0.
     constexpr void SetZero() { *this = b2Vec3(); }
-    /// Replaces its components.
+    /// Sets the components.
     constexpr void Set(float32 x_, float32 y_, float32 z_) { *this = b2Vec3(x_, y_, z_); }
 
-    /// The opposite vector.
+    /// Returns the opposite vector.
     constexpr b2Vec3 operator-() const { return {-x, -y, -z}; }
-    /// Adds, component by component.
+    /// Adds a vector per component.
     constexpr void operator+=(const b2Vec3& v) { Set(x + v.x, y + v.y, z + v.z); }
-    /// Subtracts, component by component.
+    /// Subtracts a vector per component.
     constexpr void operator-=(const b2Vec3& v) { Set(x - v.x, y - v.y, z - v.z); }
     /// Multiplies each component.
     constexpr void operator*=(float32 a) { Set(a * x, a * y, a * z); }
@@ -90,97 +91,97 @@ struct b2Vec3
 /// The origin.
 inline constexpr b2Vec2 b2Vec2_zero{};
 
-/// By components.
+/// Returns the sum.
 constexpr b2Vec2 operator+(const b2Vec2& a, const b2Vec2& b)
 {
     return {a.x + b.x, a.y + b.y};
 }
 
-/// By components.
+/// Returns the difference.
 constexpr b2Vec2 operator-(const b2Vec2& a, const b2Vec2& b)
 {
     return {a.x - b.x, a.y - b.y};
 }
 
-/// Each component times s.
+/// Returns each component times s.
 constexpr b2Vec2 operator*(float32 s, const b2Vec2& a)
 {
     return {s * a.x, s * a.y};
 }
 
-/// Whether both components are.
+/// True if both components are equal.
 constexpr bool operator==(const b2Vec2& a, const b2Vec2& b)
 {
     return a.x == b.x && a.y == b.y;
 }
 
-/// Whether one component differs, or is NaN.
+/// True if a component differs or is NaN.
 constexpr bool operator!=(const b2Vec2& a, const b2Vec2& b)
 {
     return !(a == b);
 }
 
-/// By components.
+/// Returns the sum.
 constexpr b2Vec3 operator+(const b2Vec3& a, const b2Vec3& b)
 {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-/// By components.
+/// Returns the difference.
 constexpr b2Vec3 operator-(const b2Vec3& a, const b2Vec3& b)
 {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/// Each component times s.
+/// Returns each component times s.
 constexpr b2Vec3 operator*(float32 s, const b2Vec3& a)
 {
     return {s * a.x, s * a.y, s * a.z};
 }
 
-/// Their lengths' product times the cosine of the angle between them.
+/// Returns the dot product.
 constexpr float32 b2Dot(const b2Vec2& a, const b2Vec2& b)
 {
     return a.x * b.x + a.y * b.y;
 }
 
-/// Their lengths' product times the cosine of the angle between them.
+/// Returns the dot product.
 constexpr float32 b2Dot(const b2Vec3& a, const b2Vec3& b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// The z component of a x b: positive when b lies to the left of a.
+/// Returns the z component of a x b: positive if b is to the left of a.
 constexpr float32 b2Cross(const b2Vec2& a, const b2Vec2& b)
 {
     return a.x * b.y - a.y * b.x;
 }
 
-/// a x (0, 0, s)
+/// Returns a x (0, 0, s).
 constexpr b2Vec2 b2Cross(const b2Vec2& a, float32 s)
 {
     return {s * a.y, -s * a.x};
 }
 
-/// (0, 0, s) x a: the velocity of a point at a when turning at s.
+/// Returns (0, 0, s) x a: the velocity of a point at a with the angular velocity s.
 constexpr b2Vec2 b2Cross(float32 s, const b2Vec2& a)
 {
     return {-s * a.y, s * a.x};
 }
 
-/// At right angles to both, by the right hand.
+/// Returns the cross product.
 constexpr b2Vec3 b2Cross(const b2Vec3& a, const b2Vec3& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Between two points [m].
+/// Returns the distance of two points [m].
 inline float32 b2Distance(const b2Vec2& a, const b2Vec2& b)
 {
     return (a - b).Length();
 }
 
-/// Between two points, squared [m^2]: no root is taken.
+/// Returns the squared distance of two points [m^2], without a root.
 constexpr float32 b2DistanceSquared(const b2Vec2& a, const b2Vec2& b)
 {
     return (a - b).LengthSquared();
@@ -190,21 +191,21 @@ constexpr float32 b2DistanceSquared(const b2Vec2& a, const b2Vec2& b)
 struct b2Mat22
 {
     constexpr b2Mat22() = default;
-    /// From its columns.
+    /// Creates a matrix from its columns.
     constexpr b2Mat22(const b2Vec2& c1, const b2Vec2& c2) : ex(c1), ey(c2) {}
-    /// Given by rows, as it is written on paper.
+    /// Creates a matrix from its entries, by rows.
     constexpr b2Mat22(float32 a11, float32 a12, float32 a21, float32 a22)
         : ex(a11, a21), ey(a12, a22)
     {}
 
-    /// Replaces its columns.
+    /// Sets the columns.
     constexpr void Set(const b2Vec2& c1, const b2Vec2& c2) { *this = b2Mat22(c1, c2); }
-    /// Becomes what changes nothing.
+    /// Sets the identity.
     constexpr void SetIdentity() { *this = b2Mat22(1.0f, 0.0f, 0.0f, 1.0f); }
-    /// All components become 0.
+    /// Sets all components to 0.
     constexpr void SetZero() { *this = b2Mat22(); }
 
-    /// The inverse; zero when the matrix is singular.
+    /// Returns the inverse; zero when the matrix is singular.
     constexpr b2Mat22 GetInverse() const
     {
         const float32 det = b2Cross(ex, ey);
@@ -212,7 +213,7 @@ struct b2Mat22
         return {s * ey.y, -s * ey.x, -s * ex.y, s * ex.x};
     }
 
-    /// x with A x = b, by Cramer's rule; zero when the matrix is singular.
+    /// Returns x with A x = b, by Cramer's rule; zero when the matrix is singular.
     constexpr b2Vec2 Solve(const b2Vec2& b) const
     {
         const float32 det = b2Cross(ex, ey);
@@ -228,23 +229,23 @@ struct b2Mat22
 struct b2Mat33
 {
     constexpr b2Mat33() = default;
-    /// From its columns.
+    /// Creates a matrix from its columns.
     constexpr b2Mat33(const b2Vec3& c1, const b2Vec3& c2, const b2Vec3& c3) : ex(c1), ey(c2), ez(c3)
     {}
 
-    /// All components become 0.
+    /// Sets all components to 0.
     constexpr void SetZero() { *this = b2Mat33(); }
 
-    /// x with A x = b; zero when the matrix is singular.
+    /// Returns x with A x = b; zero when the matrix is singular.
     b2Vec3 Solve33(const b2Vec3& b) const;
 
-    /// x with A x = b for the upper left 2-by-2 block only; zero when that is singular.
+    /// Returns x with A x = b for the upper left 2-by-2 block only; zero when that is singular.
     b2Vec2 Solve22(const b2Vec2& b) const;
 
     /// Sets M to the inverse of the upper left block, bordered with zeros; zero when singular.
     void GetInverse22(b2Mat33* M) const;
 
-    /// Sets M to the inverse, this matrix being symmetric; zero when singular.
+    /// Sets M to the inverse of this symmetric matrix; zero when singular.
     void GetSymInverse33(b2Mat33* M) const;
 
     b2Vec3 ex; ///< first column
@@ -255,69 +256,69 @@ struct b2Mat33
 /// A rotation, as the sine and cosine of its angle.
 struct b2Rot
 {
-    /// No rotation.
+    /// Creates the identity.
     constexpr b2Rot() = default;
-    /// By an angle [rad], finite.
+    /// Creates a rotation by an angle [rad], finite.
     explicit b2Rot(float32 angle) { Set(angle); }
 
-    /// To an angle [rad], finite.
+    /// Sets the angle [rad], finite.
     void Set(float32 angle) { box2d::SinCos(angle, &s, &c); }
-    /// Becomes what changes nothing.
+    /// Sets the identity.
     constexpr void SetIdentity() { *this = b2Rot(); }
-    /// From -pi to pi [rad].
+    /// Returns the angle, -pi to pi [rad].
     float32 GetAngle() const { return b2Atan2(s, c); }
-    /// The x axis, turned.
+    /// Returns the rotated x axis.
     constexpr b2Vec2 GetXAxis() const { return {c, s}; }
-    /// The y axis, turned.
+    /// Returns the rotated y axis.
     constexpr b2Vec2 GetYAxis() const { return {-s, c}; }
 
     float32 s = 0.0f; ///< sine of the angle
     float32 c = 1.0f; ///< cosine of the angle
 };
 
-/// A v.
+/// Returns A v.
 constexpr b2Vec2 b2Mul(const b2Mat22& A, const b2Vec2& v)
 {
     return {A.ex.x * v.x + A.ey.x * v.y, A.ex.y * v.x + A.ey.y * v.y};
 }
 
-/// The transpose of A times v.
+/// Returns transpose(A) v.
 constexpr b2Vec2 b2MulT(const b2Mat22& A, const b2Vec2& v)
 {
     return {b2Dot(v, A.ex), b2Dot(v, A.ey)};
 }
 
-/// By entries.
+/// Returns the sum.
 constexpr b2Mat22 operator+(const b2Mat22& A, const b2Mat22& B)
 {
     return {A.ex + B.ex, A.ey + B.ey};
 }
 
-/// A B: B is applied first.
+/// Returns A B: B is applied first.
 constexpr b2Mat22 b2Mul(const b2Mat22& A, const b2Mat22& B)
 {
     return {b2Mul(A, B.ex), b2Mul(A, B.ey)};
 }
 
-/// The transpose of A times B.
+/// Returns transpose(A) B.
 constexpr b2Mat22 b2MulT(const b2Mat22& A, const b2Mat22& B)
 {
     return {b2MulT(A, B.ex), b2MulT(A, B.ey)};
 }
 
-/// A v.
+/// Returns A v.
 constexpr b2Vec3 b2Mul(const b2Mat33& A, const b2Vec3& v)
 {
     return v.x * A.ex + v.y * A.ey + v.z * A.ez;
 }
 
-/// The upper left block of A times v.
+/// Returns the upper left block of A times v.
 constexpr b2Vec2 b2Mul22(const b2Mat33& A, const b2Vec2& v)
 {
     return {A.ex.x * v.x + A.ey.x * v.y, A.ex.y * v.x + A.ey.y * v.y};
 }
 
-/// First r, then q.
+/// Returns q r: r is applied first.
 constexpr b2Rot b2Mul(const b2Rot& q, const b2Rot& r)
 {
     b2Rot qr;
@@ -326,7 +327,7 @@ constexpr b2Rot b2Mul(const b2Rot& q, const b2Rot& r)
     return qr;
 }
 
-/// First r, then the inverse of q: r as seen from q.
+/// Returns inverse(q) r: r relative to q.
 constexpr b2Rot b2MulT(const b2Rot& q, const b2Rot& r)
 {
     b2Rot qr;
@@ -335,30 +336,30 @@ constexpr b2Rot b2MulT(const b2Rot& q, const b2Rot& r)
     return qr;
 }
 
-/// The vector turned.
+/// Returns the rotated vector.
 constexpr b2Vec2 b2Mul(const b2Rot& q, const b2Vec2& v)
 {
     return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y};
 }
 
-/// The inverse rotation applied to v.
+/// Returns the vector rotated by the inverse of q.
 constexpr b2Vec2 b2MulT(const b2Rot& q, const b2Vec2& v)
 {
     return {q.c * v.x + q.s * v.y, q.c * v.y - q.s * v.x};
 }
 
-/// A rigid motion: turn by q, then move by p. The position and orientation of a frame.
+/// A rigid motion: rotation by q, then translation by p. The position and orientation of a frame.
 struct b2Transform
 {
-    /// The identity.
+    /// Creates the identity.
     constexpr b2Transform() = default;
-    /// First turns, then moves [m].
+    /// Creates a transform from a position [m] and a rotation.
     constexpr b2Transform(const b2Vec2& position, const b2Rot& rotation) : p(position), q(rotation)
     {}
 
-    /// Becomes what changes nothing.
+    /// Sets the identity.
     constexpr void SetIdentity() { *this = b2Transform(); }
-    /// To a place [m] and an angle [rad].
+    /// Sets the position [m] and the angle [rad].
     void Set(const b2Vec2& position, float32 angle)
     {
         p = position;
@@ -369,71 +370,71 @@ struct b2Transform
     b2Rot q;  ///< the rotation
 };
 
-/// From the frame T to the world.
+/// Transforms from the frame T to the world.
 constexpr b2Vec2 b2Mul(const b2Transform& T, const b2Vec2& v)
 {
     return b2Mul(T.q, v) + T.p;
 }
 
-/// From the world to the frame T.
+/// Transforms from the world to the frame T.
 constexpr b2Vec2 b2MulT(const b2Transform& T, const b2Vec2& v)
 {
     return b2MulT(T.q, v - T.p);
 }
 
-/// First B, then A.
+/// Returns A B: B is applied first.
 constexpr b2Transform b2Mul(const b2Transform& A, const b2Transform& B)
 {
     return {b2Mul(A, B.p), b2Mul(A.q, B.q)};
 }
 
-/// The frame B as seen from A.
+/// Returns the frame B relative to A.
 constexpr b2Transform b2MulT(const b2Transform& A, const b2Transform& B)
 {
     return {b2MulT(A, B.p), b2MulT(A.q, B.q)};
 }
 
-/// Of each component.
+/// Returns the absolute value per component.
 inline b2Vec2 b2Abs(const b2Vec2& a)
 {
     return {b2Abs(a.x), b2Abs(a.y)};
 }
 
-/// Of each entry.
+/// Returns the absolute value per entry.
 inline b2Mat22 b2Abs(const b2Mat22& A)
 {
     return {b2Abs(A.ex), b2Abs(A.ey)};
 }
 
-/// By components.
+/// Returns the minimum per component.
 constexpr b2Vec2 b2Min(const b2Vec2& a, const b2Vec2& b)
 {
     return {b2Min(a.x, b.x), b2Min(a.y, b.y)};
 }
 
-/// By components.
+/// Returns the maximum per component.
 constexpr b2Vec2 b2Max(const b2Vec2& a, const b2Vec2& b)
 {
     return {b2Max(a.x, b.x), b2Max(a.y, b.y)};
 }
 
-/// By components.
+/// Clamps each component to [low, high].
 constexpr b2Vec2 b2Clamp(const b2Vec2& a, const b2Vec2& low, const b2Vec2& high)
 {
     return b2Max(low, b2Min(a, high));
 }
 
-/// The motion of a body during a step: its centre of mass moves on a straight line and it turns
-/// about it at a constant rate.
+/// The motion of a body during a step: its centre of mass moves on a straight line, and it rotates
+/// at a constant rate.
 struct b2Sweep
 {
-    /// The body's transform at beta, 0 to 1, where 0 is alpha0 and 1 the end of the step.
+    /// Computes the body's transform at beta, 0 to 1, where 0 is alpha0 and 1 the end of the step.
     void GetTransform(b2Transform* xf, float32 beta) const;
 
-    /// Moves the start of the sweep forward to the fraction alpha of the step, alpha0 <= alpha < 1.
+    /// Advances the start of the sweep to the fraction alpha of the step, alpha0 <= alpha < 1.
     void Advance(float32 alpha);
 
-    /// Takes whole turns off both angles, so that they stay precise.
+    /// Removes whole turns from both angles, so that they stay precise.
     void Normalize();
 
     b2Vec2 localCenter;    ///< centre of mass in the body's frame [m]
@@ -441,7 +442,7 @@ struct b2Sweep
     b2Vec2 c;              ///< centre of mass at the end of the step, in the world [m]
     float32 a0 = 0.0f;     ///< angle at alpha0 [rad]
     float32 a = 0.0f;      ///< angle at the end of the step [rad]
-    float32 alpha0 = 0.0f; ///< fraction of the step already done, from 0 to 1
+    float32 alpha0 = 0.0f; ///< fraction of the step before the start of the sweep, 0 to 1
 };
 
 inline void b2Sweep::GetTransform(b2Transform* xf, float32 beta) const

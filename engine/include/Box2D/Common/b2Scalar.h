@@ -6,20 +6,19 @@
 #include <cmath>
 
 /// @file
-/// Functions of single numbers, for b2Math.h and everything above it. Only IEEE basic operations
-/// and square roots are used, with sine, cosine and arc tangent of our own, so every compiler and
-/// C library gives the same bits.
+/// Scalar functions. Only IEEE basic operations and square roots are used, with our own sine,
+/// cosine and arc tangent. Every compiler and C library therefore gives the same bits.
 
 namespace box2d
 {
-/// Sine and cosine of an angle [rad]. The single-precision form is correct to 0.51 ulp, the double
-/// form to 3 ulp, for angles to a million; beyond, the error grows with the angle. An angle of zero
-/// gives exactly 0 and 1; one that is not finite gives NaN.
+/// Computes sine and cosine of an angle [rad]. For angles up to a million, the single-precision
+/// form is correct to 0.51 ulp and the double form to 3 ulp. Beyond, the error grows with the
+/// angle. Zero gives exactly 0 and 1; an angle that is not finite gives NaN.
 void SinCos(float angle, float* sine, float* cosine);
 void SinCos(double angle, double* sine, double* cosine);
 
-/// The angle of the vector (x, y), from -pi to pi, to 3 ulp, with the signs and special cases of
-/// std::atan2.
+/// Returns the angle of the vector (x, y) [rad], -pi to pi, to 3 ulp. Signs and special cases are
+/// those of std::atan2.
 double Atan2(double y, double x);
 } // namespace box2d
 
@@ -29,59 +28,59 @@ inline bool b2IsValid(float32 x)
     return std::isfinite(x);
 }
 
-/// The square root, rounded correctly; NaN below 0.
+/// Returns the square root, rounded correctly; NaN below 0.
 inline float32 b2Sqrt(float32 x)
 {
     return std::sqrt(x);
 }
 
-/// 1 / sqrt(x), correct to one rounding of each: there is no approximation to be hidden here.
+/// Returns 1 / sqrt(x), computed with two correct roundings.
 inline float32 b2InvSqrt(float32 x)
 {
     return 1.0f / std::sqrt(x);
 }
 
-/// The angle of the vector (x, y) [rad], from -pi to pi.
+/// Returns the angle of the vector (x, y) [rad], -pi to pi.
 inline float32 b2Atan2(float32 y, float32 x)
 {
     return static_cast<float32>(box2d::Atan2(y, x));
 }
 
-/// Without its sign.
+/// Returns the absolute value.
 template <typename T>
 constexpr T b2Abs(T a)
 {
     return a > T(0) ? a : -a;
 }
 
-/// So that -0 becomes 0 and NaN stays what it is.
+/// Returns the absolute value; -0 becomes 0, NaN stays NaN.
 inline float32 b2Abs(float32 a)
 {
     return std::fabs(a);
 }
 
-/// The smaller one; b when one is NaN.
+/// Returns the minimum; b when one is NaN.
 template <typename T>
 constexpr T b2Min(T a, T b)
 {
     return a < b ? a : b;
 }
 
-/// The larger one; b when one is NaN.
+/// Returns the maximum; b when one is NaN.
 template <typename T>
 constexpr T b2Max(T a, T b)
 {
     return a > b ? a : b;
 }
 
-/// What is nearest to a from low to high.
+/// Clamps a to [low, high].
 template <typename T>
 constexpr T b2Clamp(T a, T low, T high)
 {
     return b2Max(low, b2Min(a, high));
 }
 
-/// Each gets the value of the other.
+/// Exchanges the values.
 template <typename T>
 constexpr void b2Swap(T& a, T& b)
 {
@@ -90,13 +89,13 @@ constexpr void b2Swap(T& a, T& b)
     b = c;
 }
 
-/// Whether x is 1, 2, 4, ...; 0 is none.
+/// True if x is a power of two; false for 0.
 constexpr bool b2IsPowerOfTwo(uint32 x)
 {
     return x != 0 && (x & (x - 1)) == 0;
 }
 
-/// The smallest power of two above x: 1 for 0, 8 for 4 to 7; 0 when there is none in 32 bits.
+/// Returns the smallest power of two above x: 1 for 0, 8 for 4 to 7; 0 on overflow.
 constexpr uint32 b2NextPowerOfTwo(uint32 x)
 {
     uint32 power = 1;

@@ -6,116 +6,116 @@
 #include <cstdint>
 
 /// @file
-/// Types, tolerances, memory, logging and assertions: what every other file of the engine starts
-/// from. Lengths are metres, masses kilograms, times seconds, angles radians. Nothing here is
-/// changed by the engine at run time; the hooks at the end are the program's to set.
+/// Types, tolerances, memory, logging and assertions: the base of all other files of the engine.
+/// Units are metres, kilograms, seconds and radians. The engine changes nothing here at run time;
+/// the program may set the hooks at the end.
 
-/// 8 bits, with a sign.
+/// 8 bits, signed.
 typedef std::int8_t int8;
-/// 16 bits, with a sign.
+/// 16 bits, signed.
 typedef std::int16_t int16;
-/// 32 bits, with a sign.
+/// 32 bits, signed.
 typedef std::int32_t int32;
-/// 8 bits, 0 or more.
+/// 8 bits, unsigned.
 typedef std::uint8_t uint8;
-/// 16 bits, 0 or more.
+/// 16 bits, unsigned.
 typedef std::uint16_t uint16;
-/// 32 bits, 0 or more.
+/// 32 bits, unsigned.
 typedef std::uint32_t uint32;
-/// The engine's numbers: 32 bits of IEEE 754.
+/// IEEE 754 single precision.
 typedef float float32;
-/// 64 bits of IEEE 754, where 32 are too few.
+/// IEEE 754 double precision.
 typedef double float64;
 
-/// Half of a turn [rad].
+/// Half a turn [rad].
 inline constexpr float32 b2_pi = 3.14159265359f;
-/// From 1 to the next number above it.
+/// Difference between 1 and the next larger number.
 inline constexpr float32 b2_epsilon = FLT_EPSILON;
 /// The largest finite number.
 inline constexpr float32 b2_maxFloat = FLT_MAX;
 
 // ---- Collision
 
-/// Two convex shapes touch along a segment at most, so two points carry all of a contact.
+/// Two convex shapes touch along a segment at most, so two points describe a contact.
 inline constexpr int32 b2_maxManifoldPoints = 2;
 
-/// The most corners of a polygon. More makes every polygon larger in memory.
+/// Maximum number of vertices of a polygon. More makes every polygon larger in memory.
 inline constexpr int32 b2_maxPolygonVertices = 8;
 
-/// A proxy's box in the dynamic tree is this much larger on every side [m], so that a body may
-/// move a little before the tree has to change.
+/// Margin of a proxy's box in the dynamic tree on every side [m]. A body may move a little before
+/// the tree must change.
 inline constexpr float32 b2_aabbExtension = 0.1f;
 
-/// A moved proxy's box reaches this many displacements ahead.
+/// The box of a moved proxy is extended by this many displacements.
 inline constexpr float32 b2_aabbMultiplier = 2.0f;
 
-/// A length that is small enough not to be seen and large enough to compute with [m].
+/// A length that is small enough to be invisible and large enough to compute with [m].
 /// Larger shows gaps between resting bodies, smaller makes contacts flicker.
 inline constexpr float32 b2_linearSlop = 0.005f;
 
 /// The same for angles [rad].
 inline constexpr float32 b2_angularSlop = 2.0f / 180.0f * b2_pi;
 
-/// The skin around polygons and edges [m]. Must exceed the slop, for resting skins overlap by it
-/// and the cores must stay apart for continuous collision to work.
+/// The skin around polygons and edges [m]. It must exceed the slop: resting skins overlap by it,
+/// and continuous collision needs separated cores.
 inline constexpr float32 b2_polygonRadius = 2.0f * b2_linearSlop;
 
-/// The most sub-steps a contact may get in the continuous phase of one step.
+/// Maximum number of sub-steps of a contact in the continuous phase of one step.
 inline constexpr int32 b2_maxSubSteps = 8;
 
 // ---- Dynamics
 
-/// The most contacts solved together for one time-of-impact event.
+/// Maximum number of contacts solved together for one time-of-impact event.
 inline constexpr int32 b2_maxTOIContacts = 32;
 
-/// Slower impacts than this do not bounce [m/s]; without it nothing would come to rest.
+/// Slower impacts do not bounce [m/s]; without the threshold, bodies would never come to rest.
 inline constexpr float32 b2_velocityThreshold = 1.0f;
 
-/// The most that one position iteration moves a body [m]; more overshoots.
+/// Maximum linear correction of a position iteration [m]; more overshoots.
 inline constexpr float32 b2_maxLinearCorrection = 0.2f;
 
-/// The most that one position iteration turns a body [rad]; more overshoots.
+/// Maximum angular correction of a position iteration [rad]; more overshoots.
 inline constexpr float32 b2_maxAngularCorrection = 8.0f / 180.0f * b2_pi;
 
-/// The furthest a body may move in one step [m]; at 60 Hz: 120 m/s. In a small step (see
-/// b2World::SetSubStepCount) ten times as far.
+/// Maximum translation of a body in one step [m]; at 60 Hz: 120 m/s. Ten times as much with
+/// sub-steps (see b2World::SetSubStepCount).
 inline constexpr float32 b2_maxTranslation = 2.0f;
-/// Its square [m^2]: what compares needs no root.
+/// Its square [m^2], to compare without a root.
 inline constexpr float32 b2_maxTranslationSquared = b2_maxTranslation * b2_maxTranslation;
 
-/// The furthest a body may turn in one step [rad]; in a small step forty times as far.
+/// Maximum rotation of a body in one step [rad]; forty times as much with sub-steps.
 inline constexpr float32 b2_maxRotation = 0.5f * b2_pi;
 /// Its square [rad^2].
 inline constexpr float32 b2_maxRotationSquared = b2_maxRotation * b2_maxRotation;
 
-/// How much of an overlap one position iteration removes. 1 would be all of it, but overshoots.
+/// Fraction of an overlap that one position iteration removes. 1 would overshoot.
 inline constexpr float32 b2_baumgarte = 0.2f;
 inline constexpr float32 b2_toiBaugarte = 0.75f; ///< the same for time-of-impact events
 
-/// How long a body must be still before it sleeps [s].
+/// Time that a body must be at rest before it sleeps [s].
 inline constexpr float32 b2_timeToSleep = 0.5f;
 
-/// What still means for the velocity [m/s].
+/// Maximum velocity of a body at rest [m/s].
 inline constexpr float32 b2_linearSleepTolerance = 0.01f;
-/// What still means for the rotation [rad/s].
+/// Maximum angular velocity of a body at rest [rad/s].
 inline constexpr float32 b2_angularSleepTolerance = 2.0f / 180.0f * b2_pi;
 
 // ---- Memory
 
-/// Where every large block of the engine comes from and goes back to; `size` in bytes, >= 0. Never
-/// returns null: running out of memory ends the program with a sentence.
+/// Allocates a large block of memory for the engine; `size` in bytes, >= 0. Never returns null: out
+/// of memory ends the program with a message.
 void* b2Alloc(int32 size);
-/// Gives back what b2Alloc returned; null is nothing to give back.
+/// Frees memory from b2Alloc; null is allowed.
 void b2Free(void* memory);
 
-/// Returns memory for so many bytes, aligned as malloc does, or null.
+/// Returns `size` bytes of memory, aligned as malloc does, or null.
 typedef void* (*b2AllocFunction)(std::size_t size);
-/// Takes back what the function beside it returned.
+/// Frees memory from the matching b2AllocFunction.
 typedef void (*b2FreeFunction)(void* memory);
 
-/// Puts the program's memory system behind b2Alloc and b2Free; nulls bring malloc and free back,
-/// and so does, after an assert, a null for one of them. Call it before the first world is made,
-/// for a block must return to where it came from.
+/// Replaces the functions behind b2Alloc and b2Free. Two nulls restore malloc and free; a single
+/// null asserts and restores them too. Call it before the first world is created: a block must
+/// return to the allocator that it came from.
 void b2SetAllocator(b2AllocFunction alloc, b2FreeFunction free);
 
 // ---- Logging
@@ -126,29 +126,29 @@ __attribute__((format(printf, 1, 2)))
 /// Writes formatted text, to standard output unless a sink is set. Only Dump functions use it.
 void b2Log(const char* format, ...);
 
-/// Takes a piece of text, which is gone after the call.
+/// Receives a piece of text, which is valid during the call only.
 typedef void (*b2LogFunction)(const char* text);
 
-/// Sends what b2Log writes to the program; null brings standard output back.
+/// Redirects the output of b2Log; null restores standard output.
 void b2SetLog(b2LogFunction log);
 
 // ---- Version
 
-/// The version whose interface this is: major.minor.revision.
+/// The version of the implemented interface: major.minor.revision.
 struct b2Version
 {
     int32 major;    ///< significant changes
     int32 minor;    ///< incremental changes
-    int32 revision; ///< repairs
+    int32 revision; ///< fixes
 };
 
-/// The manual's: 2.3.0.
+/// The version of the manual: 2.3.0.
 inline constexpr b2Version b2_version = {2, 3, 0};
 
 // ---- Assertions
 
 /// Asserts are on unless NDEBUG is defined; BOXREEL_ASSERTS set to 0 or 1 overrides that. With
-/// asserts off the engine makes the best of a mistake and stays whole.
+/// asserts off, an invalid call has a defined effect and leaves the world consistent.
 #if !defined(BOXREEL_ASSERTS)
 #if defined(NDEBUG)
 #define BOXREEL_ASSERTS 0
@@ -162,7 +162,7 @@ namespace box2d
 /// Prints "file:line: sentence" to standard error and aborts.
 [[noreturn]] void AssertionFailed(const char* sentence, const char* file, int line);
 
-/// What a broken requirement comes to: the end with asserts on, false with asserts off.
+/// Handles a broken requirement: aborts with asserts on, returns false with asserts off.
 inline bool Misuse([[maybe_unused]] const char* sentence, [[maybe_unused]] const char* file,
                    [[maybe_unused]] int line)
 {
@@ -185,12 +185,10 @@ inline bool Misuse([[maybe_unused]] const char* sentence, [[maybe_unused]] const
 #endif
 #endif
 
-/// For what a caller can get wrong: true when the condition holds; otherwise says the sentence and
-/// aborts with asserts on, or is false with asserts off, so that
+/// Checks a condition that the caller can violate. True if it holds; otherwise it prints the
+/// sentence and aborts with asserts on, or is false with asserts off. Usage:
 ///
 ///     if (!B2_REQUIRE(count >= 3, "A polygon needs at least 3 points.")) return;
-///
-/// both explains the mistake and survives it.
 #define B2_REQUIRE(condition, sentence) ((condition) || box2d::Misuse(sentence, __FILE__, __LINE__))
 
 /// Silences the warning about a parameter that only asserts read.

@@ -4,14 +4,15 @@
 #include <Box2D/Common/b2Settings.h>
 
 /// @file
-/// Memory for the length of a step.
+/// The allocator of memory that lives for one step.
 
-inline constexpr int32 b2_stackSize = 100 * 1024; ///< what needs no heap [bytes]
-inline constexpr int32 b2_maxStackEntries = 32;   ///< how many blocks may be out at once
+inline constexpr int32 b2_stackSize = 100 * 1024; ///< size of the buffer; larger needs use the heap
+                                                  ///< [bytes]
+inline constexpr int32 b2_maxStackEntries = 32;   ///< maximum number of blocks at the same time
 
-/// Memory for the length of one step, last out first in. What does not fit its buffer comes from
-/// b2Alloc. The buffer itself is asked for with the first block, so an idle one costs nothing. With
-/// asserts on, freed memory is filled with 0xFD. Not for several threads at once.
+/// Memory for the duration of one step, freed in reverse order. What does not fit into the buffer
+/// comes from b2Alloc. The buffer is allocated with the first block, so an idle allocator needs no
+/// memory. With asserts on, freed memory is filled with 0xFD. Not thread-safe.
 class b2StackAllocator
 {
 public:
@@ -20,13 +21,13 @@ public:
     b2StackAllocator(const b2StackAllocator&) = delete;
     b2StackAllocator& operator=(const b2StackAllocator&) = delete;
 
-    /// Memory aligned for any object. Not initialised.
+    /// Returns uninitialised memory, aligned for any object.
     void* Allocate(int32 size);
 
-    /// Takes back the block that was allocated last.
+    /// Frees the block that was allocated last.
     void Free(void* memory);
 
-    /// The most that was ever out at once [bytes].
+    /// Returns the maximum size in use at the same time [bytes].
     int32 GetMaxAllocation() const { return m_maxAllocation; }
 
 private:
@@ -38,8 +39,8 @@ private:
     };
 
     char* m_data = nullptr;
-    int32 m_used = 0;       ///< of the buffer
-    int32 m_allocation = 0; ///< in all, heap included
+    int32 m_used = 0;       ///< used part of the buffer
+    int32 m_allocation = 0; ///< total in use, heap included
     int32 m_maxAllocation = 0;
     Entry m_entries[b2_maxStackEntries] = {};
     int32 m_entryCount = 0;

@@ -8,14 +8,14 @@
 /// @file
 /// A stopwatch.
 
-/// A stopwatch for profiles. Starts when it is made. Never used for anything that decides a result.
+/// A stopwatch for profiles. Starts on construction. Its values never influence a result.
 class b2Timer
 {
 public:
-    /// Starts again from zero.
+    /// Restarts at zero.
     void Reset() { m_start = std::chrono::steady_clock::now(); }
 
-    /// Time since the start [ms].
+    /// Returns the time since the start [ms].
     float32 GetMilliseconds() const
     {
         const std::chrono::duration<float32, std::milli> elapsed =

@@ -4,7 +4,7 @@
 #include <Box2D/Collision/b2BroadPhase.h>
 
 /// @file
-/// What a world says of its contacts.
+/// A summary of the contacts of a world.
 
 class b2Contact;
 class b2ContactFilter;
@@ -17,7 +17,7 @@ struct b2ContactManager
 {
     b2BroadPhase m_broadPhase;                      ///< the boxes of all fixtures
     b2Contact* m_contactList = nullptr;             ///< newest first
-    int32 m_contactCount = 0;                       ///< of all contacts, touching or not
-    b2ContactFilter* m_contactFilter = nullptr;     ///< the default one unless another is set
+    int32 m_contactCount = 0;                       ///< number of contacts, touching or not
+    b2ContactFilter* m_contactFilter = nullptr;     ///< the default filter unless another is set
     b2ContactListener* m_contactListener = nullptr; ///< null: none
 };

@@ -9,55 +9,56 @@
 class b2World;
 
 /// @file
-/// A world between two steps, for pictures of moments that no step ends at: the remedy for films
-/// and screens whose rate is no divisor of the simulation's (Glenn Fiedler, "Fix Your Timestep!",
-/// 2004). Additions to the manual's interface.
+/// Shows a world at a time between two steps. For films and screens whose frame rate is not a
+/// divisor of the simulation rate (Glenn Fiedler, "Fix Your Timestep!", 2004). Additions to the
+/// manual's interface.
 ///
 ///     b2PoseRecord before;
 ///     before.Save(world);
 ///     world.Step(…);
 ///     {
 ///         const b2PosesBetween between(world, before, 0.25);
-///         world.DrawDebugData(); // a quarter of the step's way
+///         world.DrawDebugData(); // a quarter of the step
 ///     }
 
-/// Where the bodies of a world were: those that can move, static ones are left out.
+/// The poses of the dynamic and kinematic bodies of a world.
 class b2PoseRecord
 {
 public:
-    /// Replaces what was saved. Costs a pass over all bodies.
+    /// Replaces the saved poses. Costs one pass over all bodies.
     void Save(const b2World& world);
 
 private:
     friend class b2PosesBetween;
     struct Entry
     {
-        int32 number = 0; ///< of the body
+        int32 number = 0; ///< number of the body
         box2d::Pose pose;
     };
     std::vector<Entry> m_entries; // newest body first, as in the world's list
     std::uint32_t m_step = 0;     // World::stepNumber
 };
 
-/// For as long as it lives every body has a pose between the saved one and its own: its centre of
-/// mass on the straight line, its angle in proportion. Then each has its own again, to the last
-/// bit. Meanwhile the world may be looked at and drawn, not changed: it is locked. Boxes of the
-/// broad phase and what contacts have found stay those of the step.
+/// During its lifetime, every body has a pose interpolated between the saved and the current one.
+/// The centre of mass moves on a straight line, the angle in proportion. The destructor restores
+/// the exact poses. Meanwhile the world is locked: it may be read and drawn, not changed.
+/// Broad-phase boxes and contact data remain those of the step.
 ///
-/// A body that was not there, or is static, is shown where it is; one that the program has put
-/// somewhere else since, farther than b2_maxTranslation, stays where it was.
+/// A body that was not saved, or is static, keeps its current pose. A body that the program moved
+/// further than b2_maxTranslation since keeps its saved pose.
 class b2PosesBetween
 {
 public:
-    /// `fraction`: 0 shows what was saved, 1 the world as it is. Another, and a world that is
-    /// locked, asserts, and every body stays where it is.
+    /// `fraction`: 0 is the saved pose, 1 the current one. A fraction outside [0, 1] or a locked
+    /// world asserts, and no pose changes.
     b2PosesBetween(b2World& world, const b2PoseRecord& before, double fraction);
     ~b2PosesBetween();
     b2PosesBetween(const b2PosesBetween&) = delete;
     b2PosesBetween& operator=(const b2PosesBetween&) = delete;
 
-    /// No point of any body is shown farther from its place than this [m]. Who draws with
-    /// b2Draw::SetView grows the view by it, for the broad phase finds bodies where they are.
+    /// Returns an upper bound of the distance between a point's drawn and current position [m].
+    /// Callers of b2Draw::SetView enlarge the view by it, because the broad phase uses the current
+    /// positions.
     float32 GetFarthest() const { return m_farthest; }
 
 private:
@@ -72,7 +73,7 @@ private:
     };
     void Show(b2Body& body, const box2d::Pose& pose);
 
-    box2d::World* m_locked = nullptr; // null when the world was locked before
+    box2d::World* m_locked = nullptr; // null if the world was already locked
     std::vector<Own> m_owns;
     float32 m_farthest = 0.0f;
 };

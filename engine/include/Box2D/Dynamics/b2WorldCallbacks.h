@@ -4,8 +4,8 @@
 #include <Box2D/Common/b2Settings.h>
 
 /// @file
-/// The interfaces through which a world speaks to the program. Every function has an empty body or
-/// a sensible default unless it is the point of the interface.
+/// Callback interfaces of a world. Functions have an empty body or a default, except those that are
+/// the purpose of their interface.
 
 struct b2Vec2;
 struct b2Manifold;
@@ -13,14 +13,14 @@ class b2Contact;
 class b2Fixture;
 class b2Joint;
 
-/// Told about joints and fixtures that vanish because a body they were attached to was destroyed.
+/// Called for joints and fixtures that are destroyed with their body.
 class b2DestructionListener
 {
 public:
     virtual ~b2DestructionListener() = default;
-    /// The joint will be destroyed right after.
+    /// Called before the joint is destroyed.
     virtual void SayGoodbye(b2Joint* joint) { (void)joint; }
-    /// The fixture will be destroyed right after.
+    /// Called before the fixture is destroyed.
     virtual void SayGoodbye(b2Fixture* fixture) { (void)fixture; }
 };
 
@@ -29,36 +29,37 @@ class b2ContactFilter
 {
 public:
     virtual ~b2ContactFilter() = default;
-    /// The default: by group when both are in the same one, else by category and mask.
+    /// Returns true if the fixtures may collide. The default uses the group if both have the same
+    /// one, otherwise category and mask.
     virtual bool ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB);
 };
 
-/// The impulses of a contact's points in one step, for b2ContactListener::PostSolve [N s].
+/// The impulses of a contact's points in one step [N s], for b2ContactListener::PostSolve.
 struct b2ContactImpulse
 {
-    float32 normalImpulses[b2_maxManifoldPoints] = {};  ///< that keep the shapes apart
-    float32 tangentImpulses[b2_maxManifoldPoints] = {}; ///< of friction
-    int32 count = 0;                                    ///< of points, 0 to b2_maxManifoldPoints
+    float32 normalImpulses[b2_maxManifoldPoints] = {};  ///< non-penetration impulses
+    float32 tangentImpulses[b2_maxManifoldPoints] = {}; ///< friction impulses
+    int32 count = 0;                                    ///< number of points, 0 to
+                                                        ///< b2_maxManifoldPoints
 };
 
-/// Told about contacts. The world is locked inside these functions: it cannot be changed from
-/// there.
+/// Called for contacts. The world is locked inside these functions and cannot be changed.
 class b2ContactListener
 {
 public:
     virtual ~b2ContactListener() = default;
-    /// Two fixtures begin to touch. Only inside a step.
+    /// Two fixtures begin to touch. Called only inside a step.
     virtual void BeginContact(b2Contact* contact) { (void)contact; }
-    /// Two fixtures cease to touch. May come outside a step, when a body is destroyed.
+    /// Two fixtures cease to touch. Called outside a step too, when a body is destroyed.
     virtual void EndContact(b2Contact* contact) { (void)contact; }
-    /// After a contact was updated, before it is solved: the place to disable it for this step. Not
-    /// called for sensors. `oldManifold` is that of the step before.
+    /// Called after a contact was updated and before it is solved; it can be disabled here for this
+    /// step. Not called for sensors. `oldManifold` is that of the previous step.
     virtual void PreSolve(b2Contact* contact, const b2Manifold* oldManifold)
     {
         (void)contact;
         (void)oldManifold;
     }
-    /// After a contact was solved, with its impulses.
+    /// Called after a contact was solved, with its impulses.
     virtual void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse)
     {
         (void)contact;
@@ -71,7 +72,7 @@ class b2QueryCallback
 {
 public:
     virtual ~b2QueryCallback() = default;
-    /// True goes on, false ends the query.
+    /// Returns true to continue the query, false to end it.
     virtual bool ReportFixture(b2Fixture* fixture) = 0;
 };
 
@@ -80,9 +81,9 @@ class b2RayCastCallback
 {
 public:
     virtual ~b2RayCastCallback() = default;
-    /// The ray meets `fixture` at `point` [m], where the surface's unit `normal` is, after
-    /// `fraction` of its way, 0 to 1. Returns how to go on: -1 ignore this fixture, 0 end,
-    /// `fraction` clip the ray here, 1 go on as if nothing had been hit.
+    /// Called for a hit at `point` [m] with the unit `normal` of the surface, at `fraction` of the
+    /// ray, 0 to 1. The return value controls the cast: -1 ignores this fixture, 0 ends the cast,
+    /// `fraction` clips the ray here, 1 continues.
     virtual float32 ReportFixture(b2Fixture* fixture, const b2Vec2& point, const b2Vec2& normal,
                                   float32 fraction) = 0;
 };

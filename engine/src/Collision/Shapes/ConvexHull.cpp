@@ -5,8 +5,8 @@ namespace box2d
 {
 namespace
 {
-// A corner that sticks out less than this cannot be seen, but would split a side in two faces
-// between which contacts would change to and fro [m].
+// A corner that protrudes less than this is invisible [m]. It would split a side into two faces
+// between which contacts would alternate.
 constexpr double kFlat = 0.1 * b2_linearSlop;
 
 double DistanceSquared(const b2Vec2& a, const b2Vec2& b)
@@ -16,8 +16,8 @@ double DistanceSquared(const b2Vec2& a, const b2Vec2& b)
     return x * x + y * y;
 }
 
-// (a - o) x (b - o), positive when o, a, b turn left. Differences and products of single-precision
-// numbers are exact in double precision, so the sign is right.
+// Returns (a - o) x (b - o), positive when o, a, b turn left. Differences and products of
+// single-precision numbers are exact in double precision, so the sign is exact.
 double Turn(const b2Vec2& o, const b2Vec2& a, const b2Vec2& b)
 {
     const double ox = o.x;
@@ -44,7 +44,7 @@ int32 Weld(const b2Vec2* points, int32 count, b2Vec2* welded)
     return kept;
 }
 
-// Gift wrapping (Jarvis 1973): from each corner go to the point that has all others on its left.
+// Gift wrapping (Jarvis 1973): the next corner has all other points on its left.
 void Wrap(const b2Vec2* points, int32 count, ConvexHull* hull)
 {
     int32 start = 0;
@@ -74,7 +74,7 @@ void Wrap(const b2Vec2* points, int32 count, ConvexHull* hull)
     } while (corner != start && hull->count < count);
 }
 
-// Takes away the flattest corner as long as there is one that does not stick out.
+// Removes the flattest corner while there is one that does not protrude.
 void RemoveFlatCorners(ConvexHull* hull)
 {
     while (hull->count >= 3)

@@ -16,7 +16,7 @@ bool b2CircleShape::TestPoint(const b2Transform& transform, const b2Vec2& p) con
 }
 
 // The ray p1 + t d meets the circle where |s + t d| = r, with s = p1 - centre. The quadratic's
-// discriminant is r^2 d.d - (s x d)^2; in this form far rays lose no digits.
+// discriminant is r^2 d.d - (s x d)^2; this form avoids cancellation for distant rays.
 bool b2CircleShape::RayCast(b2RayCastOutput* output, const b2RayCastInput& input,
                             const b2Transform& transform, int32 childIndex) const
 {

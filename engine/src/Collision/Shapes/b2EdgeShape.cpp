@@ -38,8 +38,8 @@ bool b2EdgeShape::TestPoint(const b2Transform& transform, const b2Vec2& p) const
     return false;
 }
 
-// The ray meets the edge when the ends lie on different sides of its line. Edges that share a
-// vertex compute the same number for it, so that no ray slips through between them. Then
+// The ray hits the edge if its vertices are on different sides of the ray's line. Edges with a
+// common vertex compute the same number for it, so that no ray passes between them. Then
 //   p1 + t d = v1 + s e   =>   t = (v1 - p1) x e / d x e
 bool b2EdgeShape::RayCast(b2RayCastOutput* output, const b2RayCastInput& input,
                           const b2Transform& xf, int32 childIndex) const
@@ -55,7 +55,7 @@ bool b2EdgeShape::RayCast(b2RayCastOutput* output, const b2RayCastInput& input,
         (side1 > 0.0f && side2 > 0.0f) || (side1 < 0.0f && side2 < 0.0f) || side1 == side2;
     if (areSameSide)
     {
-        return false; // or the ray runs along the edge, which has no thickness to hit
+        return false; // also if the ray is parallel to the edge, which has no thickness
     }
 
     const b2Vec2 e = m_vertex2 - m_vertex1;

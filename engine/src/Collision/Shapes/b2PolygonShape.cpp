@@ -8,7 +8,7 @@
 
 namespace
 {
-// The smallest box around the points that are finite, but never smaller than a slop each way.
+// Sets the bounding box of the finite points, with a minimum size of a slop per axis.
 void SetAsBoxAround(b2PolygonShape* polygon, const b2Vec2* points, int32 count)
 {
     b2AABB box;
@@ -28,7 +28,7 @@ void SetAsBoxAround(b2PolygonShape* polygon, const b2Vec2* points, int32 count)
 
 float32 UsableHalfSize(float32 half)
 {
-    // A negative size is taken for a sign slip.
+    // The sign of a negative size is ignored.
     return b2IsValid(half) && half != 0.0f ? b2Abs(half) : b2_linearSlop;
 }
 } // namespace
@@ -135,10 +135,11 @@ bool b2PolygonShape::TestPoint(const b2Transform& transform, const b2Vec2& p) co
     return m_count > 0;
 }
 
-// A polygon is where all its half-planes overlap. Each cuts the ray p1 + t d at
+// A polygon is the intersection of its half-planes. Each clips the ray p1 + t d at
 //   t = n.(v - p1) / n.d
-// and keeps what comes after when the ray enters it (n.d < 0), before when it leaves (Cyrus and
-// Beck 1978). What is left is the part inside; it must begin within the ray, at a face entered.
+// and keeps the part after it if the ray enters (n.d < 0), before it if the ray leaves (Cyrus and
+// Beck 1978). The remaining part is inside. It is a hit if it starts at an entered face within the
+// ray.
 bool b2PolygonShape::RayCast(b2RayCastOutput* output, const b2RayCastInput& input,
                              const b2Transform& xf, int32 childIndex) const
 {

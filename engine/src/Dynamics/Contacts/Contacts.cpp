@@ -22,7 +22,7 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kContactGrain = 32; ///< contacts that one thread takes at a time
+constexpr int32 kContactGrain = 32; ///< contacts per part of a parallel loop
 
 /// True if a joint keeps its two bodies from colliding.
 bool JointForbids(b2Body& a, const b2Body& b)
@@ -47,7 +47,7 @@ const b2FixtureProxy& ProxyB(const ContactData& c)
     return FixtureAccess::Proxies(*c.fixtureB)[c.childB];
 }
 
-/// Points that touch with the same features keep their impulses, to start the solver from.
+/// Copies the impulses of points with the same features, to warm start the solver.
 void CarryImpulses(b2Manifold& manifold, const b2Manifold& old)
 {
     for (int32 i = 0; i < manifold.pointCount; ++i)
@@ -99,7 +99,7 @@ bool IsSame(const b2Manifold& a, const b2Manifold& b)
     return same;
 }
 
-/// The older body's fixture comes first, whichever of the two moved.
+/// The older body's fixture comes first, independent of which one moved.
 b2Contact* MakeContact(World& world, const b2FixtureProxy& one, const b2FixtureProxy& another)
 {
     const bool inOrder =
@@ -176,7 +176,7 @@ void FindNewContacts(World& world)
         world.threads.get(), isWanted, isKnown, [&world](b2FixtureProxy* a, b2FixtureProxy* b) {
             if (!ShouldCollide(*world.filter, *a->fixture, *b->fixture))
             {
-                return; // the filter is the program's, and asked on its thread
+                return; // the program's filter must be called on its thread
             }
             b2Contact* contact = MakeContact(world, *a, *b);
             UpdateActivity(world, *contact);
@@ -211,7 +211,7 @@ void ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& 
         CarryImpulses(c.manifold, old);
         touching = c.manifold.pointCount > 0;
     }
-    // A circle's manifold is computed in no time.
+    // A circle's manifold is cheap to compute.
     const bool kept = touching && !c.IsSensor() && shapeB.GetType() == b2Shape::e_polygon;
     c.flags &= ~std::uint32_t(kContactMeets | kContactKept);
     c.flags |= (touching ? kContactMeets : 0u) | (kept ? kContactKept : 0u);
@@ -269,7 +269,7 @@ void FinishContact(World& world, b2Contact& contact, const b2Manifold& old)
             world.listener->PreSolve(&contact, &old);
             if (!IsSame(before, c.manifold))
             {
-                c.flags &= ~std::uint32_t(kContactKept); // what it changed lasts for one step
+                c.flags &= ~std::uint32_t(kContactKept); // its change lasts for one step
             }
         }
     }

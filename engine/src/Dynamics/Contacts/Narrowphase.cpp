@@ -16,7 +16,7 @@ bool IsThin(b2Shape::Type type)
     return type == b2Shape::e_edge || type == b2Shape::e_chain;
 }
 
-// Thin before polygon before circle.
+// Edges and chains, then polygons, then circles.
 int32 Rank(b2Shape::Type type)
 {
     return IsThin(type) ? 0 : (type == b2Shape::e_polygon ? 1 : 2);

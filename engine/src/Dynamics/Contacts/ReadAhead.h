@@ -7,9 +7,8 @@
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
-/// Loops over contacts know long before their turn which come next. Those that have lived for a
-/// while lie anywhere in memory, which has answered by then when it is asked ahead. It changes
-/// nothing but time.
+/// Prefetching for loops over contacts, which know the following elements in advance. Older
+/// contacts are scattered in memory. Prefetching affects only time.
 namespace box2d
 {
 
@@ -20,7 +19,7 @@ inline void Prefetch([[maybe_unused]] const void* memory)
 #endif
 }
 
-/// Asks for what a step reads of a contact to come, and of the bodies of one that comes sooner.
+/// Prefetches a later contact, and the bodies of a nearer one.
 inline void ReadAhead(const Array<b2Contact*>& contacts, std::size_t present)
 {
     constexpr std::size_t ahead = 12;

@@ -11,9 +11,9 @@
 
 #include <cmath>
 
-/// The ways of bodies during a step, and cheap questions about them: where a body is at a time, how
-/// far it goes, whether two could touch at all. Continuous collision asks them before it looks for
-/// the time of an impact; none of this changes a body.
+/// The paths of bodies during a step, and cheap tests on them: the pose at a time, the length, and
+/// whether two bodies could touch. Continuous collision uses them before computing a time of
+/// impact. Bodies are not changed.
 namespace box2d
 {
 
@@ -23,7 +23,7 @@ inline Pose Between(const Pose& from, const Pose& to, double share)
                 from.angle + share * (to.angle - from.angle)};
 }
 
-/// The body's pose at a fraction of the step that its way still covers.
+/// Returns the body's pose at a fraction of the step within its path.
 inline Pose PoseAt(const BodyData& body, float32 time)
 {
     if (body.sweepStart >= 1.0f || time >= 1.0f)
@@ -38,7 +38,8 @@ inline Pose PoseAt(const BodyData& body, float32 time)
     return Between(body.previous, body.pose, share);
 }
 
-/// The rest of the way as a sweep from 0 to 1, seen from `origin`, with angles near zero.
+/// Returns the rest of the path as a sweep from 0 to 1, relative to `origin`, with angles near
+/// zero.
 inline b2Sweep SweepFrom(const BodyData& body, const Pose& start, const Pose& origin)
 {
     constexpr double turn = 2.0 * 3.14159265358979323846;
@@ -53,7 +54,7 @@ inline b2Sweep SweepFrom(const BodyData& body, const Pose& start, const Pose& or
     return sweep;
 }
 
-/// The box around a circle that moves straight on.
+/// Returns the box around a circle that moves straight.
 inline b2AABB BoxOfWay(const b2Vec2& from, const b2Vec2& to, float32 radius)
 {
     const b2Vec2 reach(radius, radius);
@@ -70,8 +71,8 @@ inline bool IsWide(double turn)
     return std::abs(turn) > 1.01 * double(b2_maxRotation);
 }
 
-/// The box around a shape at the start and at the end of a sweep; of one that turns far, around the
-/// circle that holds its body, as far as `maxExtent` [m].
+/// Returns the box around a shape at the start and end of a sweep. For a wide rotation it is the
+/// box of the body's circle, with radius `maxExtent` [m].
 inline b2AABB SweptBox(const b2Shape& shape, int32 child, const b2Sweep& sweep, float32 maxExtent)
 {
     if (IsWide(double(sweep.a - sweep.a0)))
@@ -81,7 +82,7 @@ inline b2AABB SweptBox(const b2Shape& shape, int32 child, const b2Sweep& sweep, 
     if (shape.GetType() == b2Shape::e_circle && sweep.localCenter == b2Vec2_zero &&
         static_cast<const b2CircleShape&>(shape).m_p == b2Vec2_zero)
     {
-        // A circle about the centre turns in place.
+        // A circle about the centre of mass is invariant under rotation.
         return BoxOfWay(sweep.c0, sweep.c, shape.m_radius);
     }
     b2Transform from;
@@ -104,8 +105,8 @@ inline float32 Way(const BodyData& body)
            b2Abs(float32(body.pose.angle - body.previous.angle)) * body.maxExtent;
 }
 
-/// Whether the body can be stopped where it is at that time. A platform that sleeps stands still,
-/// and no impact wakes it: what is left of its way must begin at 0 in the next step too.
+/// True if the body can be stopped at that time. A sleeping platform does not move, and no impact
+/// wakes it: the rest of its path must start at 0 in the next step too.
 inline bool CanAdvance(const BodyData& body, float32 time)
 {
     const bool moves = body.mobility == Mobility::Dynamic ||
@@ -118,8 +119,8 @@ inline bool IsFast(const BodyData& body)
     return body.IsDynamic() && Way(body) > kFastShare * body.minExtent;
 }
 
-/// How far apart two centres may be for the bodies to touch: a slop and a little more than the
-/// circles around them, for what rounding adds.
+/// Returns the maximum distance of two centres at which the bodies can touch: the radii of their
+/// circles, a slop, and a margin for rounding.
 inline float32 Reach(const BodyData& a, const BodyData& b)
 {
     return 1.00001f * (a.maxExtent + b.maxExtent) + b2_linearSlop;
@@ -127,11 +128,11 @@ inline float32 Reach(const BodyData& a, const BodyData& b)
 
 inline bool IsWithin(const b2Vec2& offset, float32 reach)
 {
-    return !(offset.LengthSquared() > reach * reach); // what is no number counts as near
+    return !(offset.LengthSquared() > reach * reach); // NaN counts as near
 }
 
-/// Whether two bodies on their straight ways come as near to each other as their circles reach:
-/// nothing of them can touch else. The ways go from the given poses to the present ones.
+/// True if the circles of two bodies meet on their straight paths, from the given poses to the
+/// current ones; otherwise the bodies cannot touch.
 inline bool CirclesMeet(const BodyData& a, const Pose& fromA, const BodyData& b, const Pose& fromB)
 {
     const b2Vec2 start(float32(fromB.x - fromA.x), float32(fromB.y - fromA.y));
@@ -139,7 +140,7 @@ inline bool CirclesMeet(const BodyData& a, const Pose& fromA, const BodyData& b,
     const b2Vec2 way = end - start;
     const float32 along = -b2Dot(start, way);
     const float32 square = way.LengthSquared();
-    // Where on the way, from 0 to 1, the centres are nearest.
+    // Fraction of the path, 0 to 1, at which the centres are closest.
     const float32 share = along <= 0.0f || square == 0.0f ? 0.0f : b2Min(along / square, 1.0f);
     const b2Vec2 nearest = start + share * way;
     return IsWithin(nearest, Reach(a, b));
@@ -152,13 +153,13 @@ inline bool IsRoundAbout(const BodyData& body, const b2Shape& shape)
            static_cast<const b2CircleShape&>(shape).m_p == body.localCenter;
 }
 
-/// The time of impact of two such circles, in closed form: the share of their ways, which go from
-/// the given poses to the present ones, after which their centres are as near as b2TimeOfImpact
-/// lets shapes come (its target and its tolerance); 1 when they never are.
+/// Returns the time of impact of two such circles in closed form, as a fraction of their paths from
+/// the given poses to the current ones. It uses the target and tolerance of b2TimeOfImpact; 1 if
+/// there is no impact.
 inline float32 CircleImpact(const BodyData& a, const Pose& fromA, const BodyData& b,
                             const Pose& fromB, float32 radii)
 {
-    // With d0 from centre to centre at the start and w the way of B as seen from A
+    // With d0 from centre to centre at the start and w the displacement of B relative to A
     //   |d0 + t w| = D,  t = (d0^2 - D^2) / (-d0.w + sqrt((d0.w)^2 - w^2 (d0^2 - D^2)))
     const double d0x = fromB.x - fromA.x;
     const double d0y = fromB.y - fromA.y;
@@ -170,7 +171,7 @@ inline float32 CircleImpact(const BodyData& a, const Pose& fromA, const BodyData
     const double outside = square - D * D;
     if (outside < 0.0)
     {
-        return square > 0.0 ? 0.0f : 1.0f; // there is no way out for the same centre
+        return square > 0.0 ? 0.0f : 1.0f; // coincident centres have no separating direction
     }
     const double along = d0x * wx + d0y * wy;
     const double root = along * along - (wx * wx + wy * wy) * outside;
@@ -181,7 +182,7 @@ inline float32 CircleImpact(const BodyData& a, const Pose& fromA, const BodyData
     return float32(b2Min(outside / (std::sqrt(root) - along), 1.0));
 }
 
-/// How far a point is from the line of an edge, or beyond one of its ends along it.
+/// Returns the distance of a point from the line of an edge, or beyond one of its ends along it.
 inline float32 InFrontOfEdge(const b2Vec2& v1, const b2Vec2& v2, const b2Vec2& point)
 {
     b2Vec2 along = v2 - v1;
@@ -191,8 +192,8 @@ inline float32 InFrontOfEdge(const b2Vec2& v1, const b2Vec2& v2, const b2Vec2& p
     return b2Max(b2Abs(b2Cross(along, offset)), b2Max(-way, way - length));
 }
 
-/// How far a point is in front of a face of the shape, in the shape's frame: the most of all faces,
-/// and no more than its distance from the shape's core. A circle has no faces.
+/// Returns the distance of a point in front of a face, in the shape's frame. It is the maximum over
+/// all faces, at most the distance from the core. Circles have no faces.
 inline float32 InFront(const b2Shape& shape, int32 child, const b2Vec2& point)
 {
     float32 most = -b2_maxFloat;
@@ -217,10 +218,10 @@ inline float32 InFront(const b2Shape& shape, int32 child, const b2Vec2& point)
     return most;
 }
 
-/// Whether the other body, all of its circle, stays in front of one face of the shape for all of
-/// its way, farther than a time of impact looks. Many small bodies near a large one do. It is
-/// enough to know the end, where the rotation is known, and how far the other's centre can have
-/// come from: as seen from the body it goes its way, and turns about the body against its turn.
+/// True if the other body's circle stays in front of one face of the shape for its whole path, out
+/// of reach of an impact. Typical for many small bodies near a large one. The test uses the end
+/// pose and a bound of the other centre's displacement. Relative to the body this is its path plus
+/// the arc of the body's rotation.
 inline bool StaysInFront(const BodyData& body, const Pose& from, const b2Shape& shape, int32 child,
                          const BodyData& other, const Pose& otherFrom)
 {
@@ -230,7 +231,7 @@ inline bool StaysInFront(const BodyData& body, const Pose& from, const b2Shape& 
     const float32 way =
         (end - start).Length() + b2Abs(float32(body.pose.angle - from.angle)) * away;
     const b2Vec2 center = b2MulT(body.rotation, end) + body.localCenter;
-    // The last part is for what rounding adds.
+    // The last term is a margin for rounding.
     const float32 reach = way + other.maxExtent + shape.m_radius + 2.0f * b2_linearSlop +
                           0.00001f * (away + way + body.maxExtent + other.maxExtent);
     return InFront(shape, child, center) > reach;

@@ -48,7 +48,8 @@ void b2Contact::ResetFriction()
 {
     const float32 mixed =
         b2MixFriction(m_data.fixtureA->GetFriction(), m_data.fixtureB->GetFriction());
-    m_data.friction = b2Min(mixed, b2_maxFloat); // the product overflows before its root is taken
+    m_data.friction = b2Min(mixed, b2_maxFloat); // the product can overflow before its root is
+                                                 // taken
 }
 
 void b2Contact::ResetRestitution()

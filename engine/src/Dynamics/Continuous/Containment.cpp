@@ -27,7 +27,8 @@ namespace box2d
 namespace
 {
 
-/// In the body's frame. Edges and chains have no inside: they go with the centre of mass.
+/// Returns the centre in the body's frame. Edges and chains have no inside and use the centre of
+/// mass.
 b2Vec2 CentreOf(const b2Shape& shape, const BodyData& body)
 {
     if (shape.GetType() == b2Shape::e_circle)
@@ -41,8 +42,8 @@ b2Vec2 CentreOf(const b2Shape& shape, const BodyData& body)
     return body.localCenter;
 }
 
-/// Where the body at that pose has a point that is `offset` from its centre of mass, seen from
-/// another body's centre.
+/// Returns a point of the body at that pose, `offset` from its centre of mass, relative to another
+/// body's centre.
 b2Vec2 PointAt(const Pose& pose, const b2Vec2& offset, const Pose& origin)
 {
     const b2Vec2 centre(float32(pose.x - origin.x), float32(pose.y - origin.y));
@@ -97,7 +98,7 @@ bool Containment::Hold(ImpactJoints& joints)
     for (b2Contact* contact : m_world.awakeContacts)
     {
         const ContactData& c = Data(*contact);
-        // Only of what touches has a listener been asked.
+        // A listener was called only for touching contacts.
         const bool letThrough = c.IsTouching() && !c.IsEnabled();
         if ((c.flags & kContactObstacle) != 0 && !letThrough && !c.IsSensor())
         {
@@ -107,10 +108,10 @@ bool Containment::Hold(ImpactJoints& joints)
     return any;
 }
 
-/// Null for what has woken since.
+/// Null for bodies that have woken since.
 ImpactStart* Containment::NotedStart(const BodyData& body) const
 {
-    const auto index = std::size_t(body.awakeIndex); // of what is not awake, beyond all
+    const auto index = std::size_t(body.awakeIndex); // out of range for bodies that are not awake
     return index < m_starts.size() && m_starts[index].body == &body ? &m_starts[index] : nullptr;
 }
 
@@ -120,7 +121,7 @@ const Pose& Containment::StartOf(const BodyData& body) const
     return start != nullptr ? start->pose : body.previous;
 }
 
-/// Whether the centre of what moves gets into what stands still, or through it, between two times.
+/// True if the centre of the moving part enters or passes through the static one between two times.
 bool Containment::Crosses(const Part& moved, const Part& still, const Moment& from,
                           const Moment& to, Crossing& crossing)
 {
@@ -130,7 +131,7 @@ bool Containment::Crosses(const Part& moved, const Part& still, const Moment& fr
         return pose.angle == wall.pose.angle ? wall.rotation : b2Rot(float32(pose.angle));
     };
     const b2Vec2 offset = CentreOf(*moved.shape, body) - body.localCenter;
-    b2RayCastInput way; // in the wall's frame, which moves with it
+    b2RayCastInput way; // in the wall's moving frame
     way.p1 =
         b2MulT(rotationAt(from.still), PointAt(from.moved, offset, from.still)) + wall.localCenter;
     way.p2 = b2MulT(rotationAt(to.still), PointAt(to.moved, offset, to.still)) + wall.localCenter;
@@ -146,7 +147,7 @@ bool Containment::Crosses(const Part& moved, const Part& still, const Moment& fr
     return true;
 }
 
-/// The first of the step.
+/// Finds the first crossing of the step.
 bool Containment::FindCrossing(const Part& moved, const Part& still, Crossing& crossing) const
 {
     const BodyData& body = Data(*moved.body);
@@ -191,7 +192,7 @@ bool Containment::Hold(const ContactData& c, ImpactJoints& joints)
     }
     if (ImpactStart* start = NotedStart(body))
     {
-        start->lastTurn = crossing.turn; // its way ends here
+        start->lastTurn = crossing.turn; // its path ends here
     }
     joints.NoteStarts();
     joints.NoteStopped(body);

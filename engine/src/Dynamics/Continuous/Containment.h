@@ -27,31 +27,31 @@ class Containment
 public:
     explicit Containment(World& world);
 
-    /// Before the first impact, which moves the starts of ways.
+    /// Records the starts of all paths; call before the first impact, which moves them.
     void NoteStarts();
-    /// After an impact, that the body's way goes on from where it has stopped the body.
+    /// Records that the body's path continues from where an impact stopped it.
     void NoteTurn(const BodyData& body);
-    /// Takes bodies back to the walls that their shapes' centres have crossed in the step, and the
-    /// speed at which they went there. Whether there were any.
+    /// Moves bodies back to the walls that the centres of their shapes crossed in the step, and
+    /// removes the velocity into the wall. Returns true if there were any.
     bool Hold(ImpactJoints& joints);
 
 private:
-    /// A shape's child and the body that it belongs to.
+    /// A child of a shape, and its body.
     struct Part
     {
         b2Body* body;
         const b2Shape* shape;
         int32 child;
     };
-    /// Where two bodies are at a time.
+    /// The poses of two bodies at a time.
     struct Moment
     {
         Pose moved, still;
     };
     struct Crossing
     {
-        b2Vec2 place, normal; // in the axes of what stands still, from its centre of mass
-        int32 turn;           // the last before it
+        b2Vec2 place, normal; // in the static body's axes, from its centre of mass
+        int32 turn;           // the last one before it
     };
 
     bool Hold(const ContactData& c, ImpactJoints& joints);
@@ -62,7 +62,7 @@ private:
     const Pose& StartOf(const BodyData& body) const;
 
     World& m_world;
-    Array<ImpactStart>& m_starts; // by awake body, when there was an impact
+    Array<ImpactStart>& m_starts; // by awake body, if there was an impact
     Array<ImpactTurn>& m_turns;
 };
 

@@ -26,44 +26,44 @@
 #include <algorithm>
 #include <mutex>
 
-/// Continuous collision: impacts that the discrete step went through are found in the order of
-/// their times, the two bodies are taken back to the impact, solved there with what they touch, and
-/// moved on for what is left of the step (Catto, "Continuous Collision", GDC 2013). An event
-/// changes the ways of its own bodies only, so only their contacts are looked at again.
+/// Continuous collision: impacts that the discrete step missed are found in the order of their
+/// times. The two bodies are moved back to the impact, solved with the contacts they touch, and
+/// advanced for the rest of the step (Catto, "Continuous Collision", GDC 2013). An event changes
+/// only the paths of its own bodies, so only their contacts are tested again.
 namespace box2d
 {
 
 namespace
 {
 
-constexpr int32 kMostRounds = 4;    ///< of closing joints and holding bodies on their side
-constexpr int32 kContactGrain = 64; ///< contacts that one thread takes at a time
+constexpr int32 kMostRounds = 4;    ///< rounds of closing joints and containment
+constexpr int32 kContactGrain = 64; ///< contacts per part of a parallel loop
 
 bool IsLater(const ImpactEvent& a, const ImpactEvent& b)
 {
     return a.time != b.time ? a.time > b.time : a.order > b.order;
 }
 
-/// Bodies that continuous collision stops at: immovable ones, or anything when a bullet is
+/// True for bodies that stop continuous collision: static and kinematic ones, or any if a bullet is
 /// involved.
 bool IsObstacle(const BodyData& body)
 {
     return !body.IsDynamic() || (body.flags & kBodyBullet) != 0;
 }
 
-/// The separation at which b2TimeOfImpact finds an impact, and its tolerance [m]. It is the overlap
-/// that positions are solved to, so that what rests has no impacts.
+/// The separation at which b2TimeOfImpact reports an impact, and its tolerance [m]. It is the
+/// overlap to which positions are solved, so that resting bodies have no impacts.
 constexpr float32 kImpactSeparation = -3.0f * b2_linearSlop;
 constexpr float32 kImpactTolerance = 0.25f * b2_linearSlop;
 
-/// How a point of the body, at `arm` from where its centre is now, has moved since then [m].
+/// Returns the displacement since then of a body's point, at `arm` from its current centre [m].
 b2Vec2 MoveOf(const BodyData& body, const Pose& since, const b2Vec2& arm)
 {
     const b2Vec2 way(float32(body.pose.x - since.x), float32(body.pose.y - since.y));
     return way + b2Cross(float32(body.pose.angle - since.angle), arm);
 }
 
-/// [m], negative in an overlap.
+/// [m], negative for an overlap.
 float32 Deepest(const b2WorldManifold& manifold, int32 points)
 {
     return *std::min_element(manifold.separations, manifold.separations + points);
@@ -82,7 +82,7 @@ public:
     }
 
     void Run();
-    /// Adds what the searches counted to the public numbers.
+    /// Adds the counts of the searches to the public numbers.
     void PublishCounts() const
     {
         if (m_counts.toiCalls > 0)
@@ -111,16 +111,16 @@ private:
     World& m_world;
     ImpactMemory& m_memory;
     float32 m_timeStep;
-    Impact m_impact; // the present event
+    Impact m_impact; // the current event
     ImpactJoints m_joints;
     Containment m_containment;
-    Array<ImpactEvent>& m_events; // a heap, the earliest first
+    Array<ImpactEvent>& m_events; // a heap, earliest first
     int32 m_order = 0;
-    Array<b2Body*>& m_bodies;      // of the present event
-    Array<ImpactBackup>& m_before; // the same bodies as they were
-    Array<b2Contact*>& m_contacts; // of the present event
+    Array<b2Body*>& m_bodies;      // of the current event
+    Array<ImpactBackup>& m_before; // backup of these bodies
+    Array<b2Contact*>& m_contacts; // of the current event
     SearchCounts m_counts;
-    std::mutex m_countsMutex; // held while threads add theirs
+    std::mutex m_countsMutex; // held while threads add their counts
 };
 
 void ContinuousCollision::Run()
@@ -155,7 +155,7 @@ void ContinuousCollision::Run()
             return;
         }
     }
-    // What is drawn back may get across a wall, and what is taken back from there open its joints.
+    // Closing joints may move bodies through a wall, and containment may open joints.
     (void)m_containment.Hold(m_joints);
     for (int32 i = 0; i < kMostRounds && m_joints.Close(); ++i)
     {
@@ -213,7 +213,7 @@ void ContinuousCollision::LookAt(b2Body& body)
 
 bool ContinuousCollision::IsCandidate(const ContactData& c) const
 {
-    // The bodies are not even looked at where the contact alone decides.
+    // Bodies are not read if the contact alone decides.
     if (((c.flags & kContactObstacle) == 0 && !m_world.hasBullets) || c.IsSensor() ||
         !c.IsEnabled() || c.toiCount >= b2_maxSubSteps)
     {
@@ -225,14 +225,14 @@ bool ContinuousCollision::IsCandidate(const ContactData& c) const
     {
         return false;
     }
-    // What touched at the start of the step was solved there; only a fast body can get through it.
+    // Contacts that touched at the start of the step were solved there; only a fast body can pass
+    // through.
     return !c.IsTouching() || IsFast(a) || IsFast(b) || Sinks(c);
 }
 
-/// Whether a body that touched the ground has gone deeper into it within the step, to where an
-/// impact is found: the iterations of one step do not hold up what is hit hard from above. With
-/// sub-steps they do. Of two dynamic bodies neither is ground: a bullet that stopped at each of the
-/// bodies it pushes would lose its way.
+/// True if a body that touched the ground has sunk to the separation of an impact within the step.
+/// The iterations of one step do not support a hard impact from above; with sub-steps they do. Not
+/// for two dynamic bodies: a bullet that stopped at each body it pushes would lose too much time.
 bool ContinuousCollision::Sinks(const ContactData& c) const
 {
     const BodyData& a = Data(*c.bodyA);
@@ -279,7 +279,7 @@ float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& co
     const b2Shape& shapeB = *c.fixtureB->GetShape();
     if (IsRoundAbout(a, shapeA) && IsRoundAbout(b, shapeB))
     {
-        ++counts.toiCalls; // in closed form, without an iteration
+        ++counts.toiCalls; // in closed form, without iterations
         const float32 t = CircleImpact(a, fromA, b, fromB, shapeA.m_radius + shapeB.m_radius);
         return b2Min(start + (1.0f - start) * t, 1.0f);
     }
@@ -379,8 +379,8 @@ ImpactBackup ContinuousCollision::Save(b2Body& body) const
                         data.rotation,   data.transform,      data.worldCenter};
 }
 
-/// A kinematic body goes on as it did, so what was found about it still holds, unless a listener
-/// changed its velocity.
+/// A kinematic body continues unchanged, so results about it stay valid, unless a listener changed
+/// its velocity.
 bool ContinuousCollision::HasNewWay(std::size_t index) const
 {
     const BodyData& data = Data(*m_bodies[index]);
@@ -405,7 +405,7 @@ void ContinuousCollision::Restore(const ImpactBackup& backup)
     data.worldCenter = backup.worldCenter;
 }
 
-/// Stops the body where it is at that time.
+/// Stops the body at its pose at that time.
 void ContinuousCollision::Advance(BodyData& body, float32 time)
 {
     if (!CanAdvance(body, time))
@@ -419,7 +419,7 @@ void ContinuousCollision::Advance(BodyData& body, float32 time)
     SynchronizePose(body);
 }
 
-/// False when it turned out that nothing touches, or that the contact was switched off.
+/// False if the shapes do not touch, or the contact was disabled.
 bool ContinuousCollision::Resolve(const ImpactEvent& event)
 {
     ContactData& c = Data(*event.contact);
@@ -470,7 +470,7 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
     return true;
 }
 
-/// Whether a body could touch another that was not known to be part of the event.
+/// True if a body could touch another that is not known to be part of the event.
 bool ContinuousCollision::IsNear(const BodyData& body, const BodyData& other, bool known,
                                  float32 time)
 {
@@ -479,8 +479,8 @@ bool ContinuousCollision::IsNear(const BodyData& body, const BodyData& other, bo
     return IsWithin(offset, Reach(body, other));
 }
 
-// What the body touches at the time of the impact takes part, except ordinary dynamic bodies: they
-// are not swept, and would get the impulse a second time.
+// Adds the bodies touched at the time of the impact, except ordinary dynamic bodies. These are not
+// swept, and would receive the impulse twice.
 void ContinuousCollision::AddNeighbours(b2Body& body, float32 time)
 {
     if (!Data(body).IsDynamic())
@@ -501,7 +501,7 @@ void ContinuousCollision::AddNeighbours(b2Body& body, float32 time)
         const bool known = std::find(m_bodies.begin(), m_bodies.end(), &other) != m_bodies.end();
         if (!c.IsTouching() && !IsNear(Data(body), Data(other), known, time))
         {
-            c.flags |= kContactEnabled; // as every contact that is looked at
+            c.flags |= kContactEnabled; // as for every tested contact
             continue;
         }
         const ImpactBackup backup = Save(other);

@@ -21,17 +21,17 @@ namespace box2d
 namespace
 {
 
-/// Iterations of moving apart at an impact, at most. They end at 1.5 slops of overlap: half of the
-/// three at which impacts are found, so that the next search does not find the same one.
-/// One contact alone is there after one or two iterations (0.75 each); up to 32 share an impact.
+/// Maximum number of position iterations at an impact. They end at 1.5 slops of overlap, half of
+/// the three at which impacts are found, so that the next search does not find the same impact. A
+/// single contact needs one or two iterations (0.75 each); up to 32 contacts share an impact.
 constexpr int32 kImpactPositionIterations = 20;
 
-/// Newton's restitution at all points at once keeps the energy of what bounces without friction, if
-/// it is solved (the LCP of Smith et al., "Reflections on Simultaneous Impact", 2012). Between two
-/// walls one body is swept over until nothing changes any more, this often at most.
+/// Newton's restitution at all points at once conserves the energy of frictionless bounces, if it
+/// is solved (the LCP of Smith et al., "Reflections on Simultaneous Impact", 2012). For one body
+/// between two walls the solver iterates until convergence, at most this often.
 constexpr int32 kCornerIterations = 64;
 
-/// What rounding adds to a kinetic energy, as a share of it.
+/// Relative rounding error of a kinetic energy.
 constexpr double kRounding = 1e-5;
 
 bool IsWithGround(const ContactData& c)
@@ -54,8 +54,8 @@ Impact::Impact(World& world, float32 timeStep, int32 velocityIterations)
       m_bouncedImpulses(m_memory.bouncedImpulses), m_depths(m_memory.depths)
 {}
 
-/// Of a body that flies freely through a step of small ones; there only the speed is known at every
-/// time of the step.
+/// With sub-steps a freely falling body's path is a parabola; only the velocity is known at every
+/// time.
 b2Vec2 Impact::AccelerationOf(const BodyData& body) const
 {
     const bool known = m_world.subStepCount > 1 && body.IsDynamic() && body.awakeIndex != -1 &&
@@ -65,9 +65,9 @@ b2Vec2 Impact::AccelerationOf(const BodyData& body) const
                  : b2Vec2(0.0f, 0.0f);
 }
 
-/// Whether a contact of the body has had all the impacts of a step that it may have. The body then
-/// stays where it is for the rest of the step, or else it would go through what it was held off
-/// eight times; it loses time, but no speed.
+/// True if a contact of the body has reached its maximum number of impacts in this step. The body
+/// then stays at its pose for the rest of the step, because otherwise it would pass through the
+/// obstacle. It loses time, but no velocity.
 bool Impact::IsSpent(b2Body& body)
 {
     for (b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)
@@ -129,8 +129,8 @@ void Impact::Prepare()
     }
 }
 
-/// How deep a point of a contact of the event is below the surfaces [m]; negative above. Skins
-/// around polygons and edges are no part of them.
+/// Returns the depth of a point of an event's contact below the surfaces [m]; negative above. The
+/// skins of polygons and edges are not included.
 float32 Impact::DepthOf(std::size_t contact, int32 point) const
 {
     const OverlapConstraint& o = m_memory.overlaps[contact];
@@ -156,7 +156,7 @@ void Impact::NoteDepths()
     }
 }
 
-/// Returns the energy that this adds at most.
+/// Returns the maximum energy that this adds.
 double Impact::CorrectBounces()
 {
     double added = 0.0;
@@ -167,9 +167,9 @@ double Impact::CorrectBounces()
     return added;
 }
 
-/// An impact is found, and resolved, a little below the surfaces. Freely falling bodies have won
-/// speed there since they met, and lose it again: with the depths d before and d' after overlaps
-/// were pushed apart, and a the acceleration with which the bodies come together,
+/// An impact is found and resolved a little below the surfaces. Freely falling bodies have gained
+/// speed since they met, and lose it again. With the depths d before and d' after position
+/// correction, and a the relative acceleration:
 ///   u^2 = v^2 - 2 a d,    v'^2 = e^2 u^2 + 2 a d'.
 double Impact::CorrectBounce(std::size_t index)
 {
@@ -195,7 +195,8 @@ double Impact::CorrectBounce(std::size_t index)
     return added;
 }
 
-/// For the rest of the step. In small steps, which allow higher speeds, the way is a parabola.
+/// Advances for the rest of the step. With sub-steps, which allow higher speeds, the path is a
+/// parabola.
 void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const
 {
     if (m_world.subStepCount == 1)
@@ -211,8 +212,8 @@ void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLe
     body.v += 0.5f * timeLeft * acceleration;
 }
 
-/// An impact is found a little below the surfaces; what is deeper started there, and other impacts
-/// of the step push it as well.
+/// An impact is found a little below the surfaces. Deeper overlaps existed before, and other
+/// impacts of the step push the body as well.
 void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
 {
     const float32 most = kFarthestPush * m_timeStep;
@@ -280,8 +281,7 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
     }
 }
 
-/// Whether one body bounces between things that stand still; more sweeps than were asked for cost
-/// little there.
+/// True if one body bounces between static ones; additional iterations are cheap there.
 bool Impact::IsInCorner() const
 {
     return m_world.subStepCount > 1 && m_contacts.size() > 1 &&
@@ -325,8 +325,7 @@ double Impact::KineticEnergyOfAll() const
     return sum;
 }
 
-/// Whether restitution could make more energy than there was. What moves by itself, a platform or a
-/// conveyor belt, may give some.
+/// True if restitution must not add energy. Kinematic bodies and conveyor belts may add some.
 bool Impact::KeepsEnergy() const
 {
     const bool driven = std::any_of(m_bodies.begin(), m_bodies.end(), [](const b2Body* body) {
@@ -339,11 +338,12 @@ bool Impact::KeepsEnergy() const
                        [](const ContactConstraint& c) { return c.tangentSpeed == 0.0f; });
 }
 
-/// Newton's restitution together with friction can win energy (Kane and Levinson, "Dynamics: Theory
-/// and Applications", 1985). Without any bounce it never does, and a mixture of the two outcomes
-/// keeps all that is asked of contacts. With the share s of the bounce the energy is
+/// Newton's restitution together with friction can add energy (Kane and Levinson, "Dynamics: Theory
+/// and Applications", 1985). Without restitution it never does, and a mixture of both results
+/// satisfies all contact constraints. With the fraction s of restitution the energy is
 ///   T0 + s (T1 - T0 - D) + s^2 D,
-/// D that of the difference of the velocities: the largest share that wins none is taken.
+/// where D is that of the difference of the velocities. The largest fraction that adds no energy is
+/// used.
 void Impact::BounceLess(double most)
 {
     const double bouncedEnergy = KineticEnergyOfAll();
@@ -399,8 +399,8 @@ void Impact::MoveOn(std::size_t index, float32 time)
     const ImpactBackup& before = m_memory.before[index];
     if (!data.IsDynamic() && data.linearVelocity == before.v && data.angularVelocity == before.w)
     {
-        // To where it was on its way: the rest of a step that was broken off may be called with
-        // another length, and the sum of the parts rounds otherwise than the whole.
+        // Restored exactly: the rest of an interrupted step may have another length, and the sum of
+        // its parts rounds differently.
         data.pose = before.pose;
         SynchronizePose(data);
         return;
@@ -414,7 +414,7 @@ void Impact::MoveOn(std::size_t index, float32 time)
     }
     if (!IsFinite(s))
     {
-        s = SolverBody(); // it stops rather than vanish
+        s = SolverBody(); // stop instead of becoming non-finite
     }
     data.linearVelocity = s.v;
     data.angularVelocity = s.w;
@@ -424,7 +424,7 @@ void Impact::MoveOn(std::size_t index, float32 time)
     SynchronizePose(data);
 }
 
-/// What the body would have ended the step with.
+/// Returns how the body would have ended the step.
 EnergyGuard::Way Impact::WayOf(std::size_t index, float32 time) const
 {
     const BodyData& data = Data(*m_bodies[index]);
@@ -434,7 +434,7 @@ EnergyGuard::Way Impact::WayOf(std::size_t index, float32 time) const
             data.angularVelocity};
 }
 
-// Impulses are not kept: the contact is solved for the time that is left only.
+// Impulses are not stored: the contact is solved for the remaining time only.
 void Impact::SolveVelocities(float32 time)
 {
     Prepare();

@@ -6,9 +6,9 @@
 
 #include <Box2D/Common/Array.h>
 
-/// One impact within a step: bodies that have been taken to its time and their contacts there are
-/// given speeds with which they part, and moved on for what is left of the step. Continuous
-/// collision, which finds impacts, fills it anew for each.
+/// One impact within a step. Its bodies have been moved to its time; their contacts get separating
+/// velocities, and the bodies advance for the rest of the step. Continuous collision fills it again
+/// for each impact.
 namespace box2d
 {
 
@@ -25,13 +25,13 @@ public:
     Array<b2Body*>& Bodies() { return m_bodies; }
     Array<b2Contact*>& Contacts() { return m_contacts; }
 
-    /// Pushes overlaps of the two bodies that meet apart; only they are moved.
+    /// Reduces the overlaps of the two bodies; only they move.
     void SolvePositions(b2Body& bodyA, b2Body& bodyB);
-    /// And moves on. The time: as a fraction of the step.
+    /// Solves velocities and advances the bodies. The time is a fraction of the step.
     void SolveVelocities(float32 time);
 
-    /// Of a body that flies freely through a step of small ones; there only the speed is known at
-    /// every time of the step. Else 0 [m/s^2].
+    /// Returns the acceleration of a freely falling body in a step with sub-steps, where only the
+    /// velocity is known at every time. Otherwise 0 [m/s^2].
     b2Vec2 AccelerationOf(const BodyData& body) const;
 
 private:

@@ -37,8 +37,8 @@ bool Leans(const BodyData& body)
 
 } // namespace
 
-/// Poses are final: bodies' ways start here. What has woken or fallen asleep since is in the list
-/// of joints by its order of coming; systems are built from the sorted list.
+/// Resets the paths: poses are final. Bodies that woke or fell asleep changed the order of the
+/// joints; systems are built from the sorted list.
 SolverContext ImpactJoints::ClearWays() const
 {
     m_world.graph.SortJoints();
@@ -104,7 +104,7 @@ bool ImpactJoints::Close()
     return true;
 }
 
-/// What springs of a part store by its ways [J].
+/// Returns the energy that springs of a component store through its displacement [J].
 double ImpactJoints::WoundUp(int32 part, const SolverContext& context) const
 {
     double stored = 0.0;
@@ -117,8 +117,8 @@ double ImpactJoints::WoundUp(int32 part, const SolverContext& context) const
     return stored;
 }
 
-/// Of the speeds of a part: what it is lifted by costs as much. Negative when springs would be
-/// wound up by more than it has.
+/// Returns the factor of a component's velocities that pays for lifting it. Negative if springs
+/// would store more than it has.
 float32 ImpactJoints::ShareLeft(int32 part, const SolverContext& context) const
 {
     const double stored = WoundUp(part, context);

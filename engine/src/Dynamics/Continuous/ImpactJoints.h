@@ -3,11 +3,11 @@
 
 #include "../State/Solver.h"
 
-/// Joints of what an impact within a step has stopped, in small steps. An impact knows its two
-/// bodies only: they stay where they met, while what hangs on them has gone on to the end of the
-/// step. It is drawn back to them, by poses alone, and what it is lifted by that, or winds up in
-/// springs, costs it speed. What leans on something that does not move hardly gives way either.
-/// Used by continuous collision.
+/// Joints of bodies stopped by an impact, with sub-steps. An impact knows only its two bodies. They
+/// stay where they met, while bodies joined to them have moved to the end of the step. These are
+/// pulled back by changing poses only. The energy that this lifts or stores in springs is taken
+/// from their velocity. Bodies supported by something static hardly move. Used by continuous
+/// collision.
 namespace box2d
 {
 
@@ -19,11 +19,11 @@ class ImpactJoints
 public:
     explicit ImpactJoints(World& world) : m_world(world) {}
 
-    /// Before the first body is stopped: how far joints are open.
+    /// Records the joint errors; call before the first body is stopped.
     void NoteStarts();
-    /// That the body has come elsewhere than the step had brought it.
+    /// Records that the body is no longer at its pose of the step.
     void NoteStopped(const BodyData& body);
-    /// Draws what hangs on bodies that were stopped back to them. Whether there was anything.
+    /// Pulls connected bodies back to stopped ones. Returns true if there were any.
     bool Close();
 
 private:

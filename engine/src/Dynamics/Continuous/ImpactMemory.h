@@ -10,40 +10,40 @@
 namespace box2d
 {
 
-/// An impact that is to come.
+/// A future impact.
 struct ImpactEvent
 {
     float32 time; // fraction of the step
-    int32 order;  // of discovery, to decide between equal times
+    int32 order;  // order of discovery, to break ties
     b2Contact* contact;
-    uint32 versionA, versionB; // of the ways it was computed from
+    uint32 versionA, versionB; // of the paths it was computed from
 };
 
-/// Whether an impact has stopped a body. Its place among the awake is another's once a listener has
-/// put one to sleep, so it says whose it is.
+/// True if an impact has stopped a body. The entry names its body, because a listener that puts one
+/// to sleep changes the awake indices.
 struct ImpactFate
 {
     const BodyData* body;
     bool isStopped;
 };
 
-/// Where a body was before all impacts; the same holds of its place.
+/// The pose of a body before all impacts; the index may change as above.
 struct ImpactStart
 {
     const BodyData* body;
     Pose pose;
-    int32 lastTurn = -1; ///< of its way, among all; -1 when it goes straight on
+    int32 lastTurn = -1; ///< last turn of its path; -1 if it is straight
 };
 
-/// Where an impact has turned a body's way.
+/// A point where an impact changed a body's path.
 struct ImpactTurn
 {
     Pose pose;
-    float32 time; ///< as a fraction of the step
-    int32 before; ///< the same body's turn before this, or -1
+    float32 time; ///< fraction of the step
+    int32 before; ///< the same body's previous turn, or -1
 };
 
-/// A body as it was before an impact.
+/// The state of a body before an impact.
 struct ImpactBackup
 {
     b2Body* body;
@@ -51,21 +51,21 @@ struct ImpactBackup
     float32 sweepStart;
     b2Vec2 v;
     float32 w;
-    b2Rot rotation; // and what else is made of the pose
+    b2Rot rotation; // and values derived from the pose
     b2Transform transform;
     b2Vec2 worldCenter;
 };
 
-/// The memory of the search for impacts, and of one impact.
+/// Scratch memory of the search for impacts, and of one impact.
 struct ImpactMemory
 {
     Array<float32> times;              ///< by awake contact
-    Array<ImpactEvent> events;         ///< a heap, the earliest first
-    Array<ImpactFate> fates;           ///< by awake body, of sub-steps: see ImpactJoints
+    Array<ImpactEvent> events;         ///< a heap, earliest first
+    Array<ImpactFate> fates;           ///< by awake body, with sub-steps: see ImpactJoints
     Array<ImpactStart> starts;         ///< by awake body: before all impacts
     Array<ImpactTurn> turns;           ///< of all bodies, by time
     Array<b2Body*> bodies;             ///< of one impact
-    Array<ImpactBackup> before;        ///< the same bodies as they were
+    Array<ImpactBackup> before;        ///< backup of these bodies
     Array<b2Contact*> contacts;        ///< of one impact
     Array<ContactConstraint> impulses; ///< of one impact
     Array<OverlapConstraint> overlaps;

@@ -19,7 +19,7 @@ constexpr int32 kMostRounds = 8;
 /// (docs/notes/tuned-constants.md).
 constexpr double kBurst = 30.0;
 
-/// Limits that differ by less than this share are the same.
+/// Limits with a smaller relative difference are equal.
 constexpr double kSameLimit = 0.01;
 
 double Limited(double value, double least, double most)
@@ -33,7 +33,7 @@ double SpeedFrom(const JointRows::Column& c, int32 row, const SolverBody& s)
            double(c.w[row]) * double(s.w);
 }
 
-/// The speed that bodies give a row which are moved by nothing.
+/// Returns the speed that bodies with infinite mass give to a row.
 double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context)
 {
     double speed = 0.0;
@@ -76,8 +76,8 @@ void BoundedSystem::Minimize(const SolverContext& context, double tolerance)
     }
 }
 
-/// Lets go of rows that are at a bound and should not be: their speed shows that less would do.
-/// Whether there were any.
+/// Releases rows that should not be at a bound: their speed shows that a smaller impulse suffices.
+/// Returns true if there were any.
 bool BoundedSystem::Release(const SolverContext& context, double tolerance)
 {
     bool any = false;
@@ -110,7 +110,7 @@ bool BoundedSystem::Limit(const SolverContext& context, std::size_t index, int32
     item.most.at[row] = most;
     double& impulse = item.impulse.at[row];
     const bool held = (item.active >> row & 1) != 0;
-    // What is held at a bound goes along with it.
+    // A component at its bound follows the change.
     const double inside = held ? Limited(impulse, -most, most) : (impulse < 0.0 ? -most : most);
     if (inside == impulse)
     {
@@ -176,7 +176,8 @@ bool BoundedSystem::HasBurst(const SolverContext& context) const
     return Fastest(context) > kBurst * b2Max(m_markedFastest, double(b2_velocityThreshold));
 }
 
-/// Of all points of the bodies, and of all that is wanted or given [m/s].
+/// Returns the maximum speed of all points of the bodies, and of all target and prescribed speeds
+/// [m/s].
 double BoundedSystem::Fastest(const SolverContext& context) const
 {
     double fastest = FastestGiven(context);
@@ -195,7 +196,7 @@ double BoundedSystem::Fastest(const SolverContext& context) const
     return fastest;
 }
 
-/// False when no bound was met: that is the solution.
+/// False if no bound was reached: this is the solution.
 bool BoundedSystem::Improve(const SolverContext& context)
 {
     for (std::size_t i = 0; i < m_items.size(); ++i)
@@ -216,7 +217,7 @@ bool BoundedSystem::Improve(const SolverContext& context)
     double energy = Energy(context);
     if (met && energy > m_energy)
     {
-        // Straight on to the first bound it can only fall.
+        // Up to the first bound the energy can only decrease.
         Restore(context);
         (void)Move(context, ShareWithin());
         energy = Energy(context);
@@ -226,8 +227,8 @@ bool BoundedSystem::Improve(const SolverContext& context)
     return met;
 }
 
-/// Changes all impulses by a share of what was found, as far as their bounds let them; what meets
-/// one is not active any more. Whether anything has.
+/// Changes all impulses by a fraction of the solution, within their bounds. Rows that reach one
+/// become inactive. Returns true if any did.
 bool BoundedSystem::Move(const SolverContext& context, double share)
 {
     bool met = false;
@@ -268,7 +269,7 @@ bool BoundedSystem::MoveItem(std::size_t index, double share, Vector3& change)
     return met;
 }
 
-/// The largest share of what was found that takes no impulse beyond a bound.
+/// Returns the largest fraction of the solution that exceeds no bound.
 double BoundedSystem::ShareWithin() const
 {
     double share = 1.0;
@@ -289,7 +290,8 @@ double BoundedSystem::ShareWithin() const
     return share;
 }
 
-/// What the right impulses make least: the bodies' energy, less what belts and platforms put in.
+/// Returns the function that the correct impulses minimize: the energy of the bodies minus the work
+/// of belts and platforms.
 double BoundedSystem::Energy(const SolverContext& context) const
 {
     double sum = 0.0;

@@ -20,10 +20,10 @@ class BoundedSystem
 public:
     struct Item
     {
-        Vector3 speeds{};  ///< wanted, of each row
-        Vector3 impulse{}; ///< that has been given
+        Vector3 speeds{};  ///< target speed of each row
+        Vector3 impulse{}; ///< applied impulse
         Vector3 least{}, most{};
-        uint8 active = 0; ///< rows that are not held at a bound
+        uint8 active = 0; ///< rows that are not at a bound
     };
 
     void Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination);
@@ -33,22 +33,23 @@ public:
     Item& At(std::size_t item) { return m_items[item]; }
     const Array<const BodyData*>& Bodies() const { return m_system.Bodies(); }
 
-    /// After rows and items have been filled, and again when bounds have been changed. Changes the
-    /// velocities, the items' impulses and what is active. A row that is held at a bound may be off
-    /// by `tolerance` [m/s] the wrong way.
+    /// Call after rows and items are filled, and again after a change of bounds. Changes
+    /// velocities, impulses and the active set. An inactive row may violate its condition by
+    /// `tolerance` [m/s].
     void Minimize(const SolverContext& context, double tolerance);
-    /// Gives a row other bounds, from -most to most, and takes its impulse into them. Whether that
-    /// changed something worth solving for again.
+    /// Sets the bounds of a row to -most and most, and clamps its impulse. Returns true if the
+    /// change requires another solution.
     bool Limit(const SolverContext& context, std::size_t item, int32 row, double most);
-    /// Remembers velocities and impulses, and goes back to them if the energy is higher, or has no
-    /// least value.
+    /// Mark stores velocities and impulses; Restore returns to them if the energy is higher or has
+    /// no minimum.
     void Mark(const SolverContext& context);
     void KeepIfBetter(const SolverContext& context);
-    /// Whether speeds are beyond all that was marked or wanted: rows contradict each other, and
-    /// the more impulse the less the energy.
+    /// True if speeds are far above all marked or target speeds: rows contradict each other, and
+    /// the energy decreases without bound.
     bool HasBurst(const SolverContext& context) const;
     void GoBack(const SolverContext& context);
-    /// The largest that a body which nothing moves, such as a platform, gives to a row [m/s].
+    /// Returns the maximum speed that a body with infinite mass, such as a platform, gives to a row
+    /// [m/s].
     double FastestGiven(const SolverContext& context) const;
 
 private:

@@ -13,7 +13,7 @@ namespace box2d
 namespace
 {
 
-/// For which a body has room from the start, so that lists do not grow one by one.
+/// Initial capacity of each neighbour list, to avoid repeated growth.
 constexpr std::size_t kFewNeighbours = 8;
 
 std::size_t At(int32 index)
@@ -110,7 +110,7 @@ void Elimination::ConnectBodies(const Array<RowSides>& constraints)
     }
 }
 
-/// One way.
+/// Adds one direction of the connection.
 void Elimination::Connect(int32 body1, int32 body2)
 {
     Array<int32>& list = m_neighbours[At(body1)];
@@ -145,7 +145,7 @@ void Elimination::Offer(int32 body)
     std::push_heap(m_candidates.begin(), m_candidates.end());
 }
 
-/// False when it costs too much.
+/// False if it exceeds the cost limit.
 bool Elimination::Eliminate(int32 mostUpdates)
 {
     m_candidates.clear();
@@ -163,7 +163,7 @@ bool Elimination::Eliminate(int32 mostUpdates)
         const std::size_t degree = m_neighbours[At(next.body)].size();
         if (m_placeOf[At(next.body)] != -1 || next.degree != degree)
         {
-            continue; // it has been offered again since
+            continue; // outdated entry: it was added again since
         }
         updates += degree * (degree + 1) / 2;
         if (updates > At(mostUpdates) * m_component.size())
@@ -198,7 +198,7 @@ void Elimination::Take(int32 body)
     }
 }
 
-/// From bodies to places in the order.
+/// Replaces bodies by indices in the elimination order.
 void Elimination::NumberRows()
 {
     for (const int32 eliminated : m_order)
@@ -234,7 +234,7 @@ void Elimination::ListTargets()
     m_pattern->columns.back().firstTarget = int32(m_pattern->targets.size());
 }
 
-/// The place of one of its bodies, -1 if none is moved, -2 if it is not in the system.
+/// Returns the index of one of its bodies; -1 if none moves, -2 if it is not in the system.
 int32 Elimination::PlaceOf(const RowSides& constraint) const
 {
     for (const BodyData* body : constraint.sides)
@@ -261,7 +261,7 @@ void Elimination::NumberComponents()
     }
 }
 
-/// Component by component, in each in the order of the list.
+/// Lists the items by component, each in the order of the list.
 void Elimination::ListItems(const Array<RowSides>& constraints)
 {
     m_members.clear();
@@ -283,7 +283,7 @@ void Elimination::ListItems(const Array<RowSides>& constraints)
     {
         RowPattern::Component* c = m_pattern->components.data() + i;
         c->firstItem = int32(m_pattern->items.size());
-        int32 ties = 0; // a tree that may be tied down once has one to each body
+        int32 ties = 0; // a tree, possibly attached once to the world, has one tie per body
         for (; member != m_members.end() && member->component == int32(i); ++member)
         {
             const RowSides& constraint = constraints[At(member->item)];

@@ -8,19 +8,19 @@
 
 class b2Joint;
 
-/// Where the system of RowSystem is not zero, and in which order its bodies are eliminated: it
-/// follows from which constraints share which bodies alone.
+/// The sparsity pattern of the system in RowSystem, and the elimination order of its bodies. Both
+/// follow from which constraints share which bodies.
 namespace box2d
 {
 
-/// Whether joints and contacts can move it now.
+/// True if joints and contacts can currently move it.
 inline bool IsMoved(const BodyData& body)
 {
     return body.IsDynamic() && body.awakeIndex != -1;
 }
 
-/// The bodies of a constraint that the solver moves, each once, nullptr where the others are: by
-/// side, as in ConstraintRows.
+/// The bodies of a constraint that the solver moves, each once; nullptr for the others. By side, as
+/// in ConstraintRows.
 struct RowSides
 {
     const BodyData* sides[4] = {};
@@ -32,56 +32,55 @@ struct RowSides
 
 RowSides SidesOf(b2Joint& joint);
 
-/// A body's column of the system's lower triangle; place in the order of elimination.
+/// A body's column of the system's lower triangle; index is the elimination order.
 struct RowPattern
 {
     struct Column
     {
         const BodyData* body;
-        int32 firstEntry, firstTarget; ///< of this column; the next one's end them
+        int32 firstEntry, firstTarget; ///< of this column; those of the next one are the ends
     };
-    /// A side of a constraint whose body is moved.
+    /// A side of a constraint with a moving body.
     struct Side
     {
         int32 side;
-        int32 place; ///< of its body
+        int32 place; ///< index of its body
     };
-    /// Two of these sides: the entry in which their bodies meet.
+    /// Two of these sides: the entry of the two bodies.
     struct Meeting
     {
-        int32 side1, side2; ///< row and column of the entry: places in `sides`
+        int32 side1, side2; ///< row and column of the entry: indices into `sides`
         int32 entry;
     };
     /// A constraint of the system.
     struct Item
     {
-        int32 item;                    ///< which of the list
-        int32 firstSide, firstMeeting; ///< the next one's end them
+        int32 item;                    ///< index in the list
+        int32 firstSide, firstMeeting; ///< those of the next one are the ends
     };
     /// A connected component.
     struct Component
     {
-        int32 firstColumn, firstItem; ///< the next one's end them
-        bool hasLoops;                ///< bodies are held in more than one way
+        int32 firstColumn, firstItem; ///< those of the next one are the ends
+        bool hasLoops;                ///< contains cycles of constraints
     };
 
-    void Clear();                                 ///< and keeps the memory
-    int32 EntryAt(int32 row, int32 column) const; ///< places; -1 when there is none
+    void Clear();                                 ///< keeps the memory
+    int32 EntryAt(int32 row, int32 column) const; ///< index; -1 if there is none
 
-    Array<Column> columns; ///< in the order of elimination, and one more for the end
-    Array<int32> rows;     ///< of each entry below the diagonal: its place, rising in a column
-    /// What each pair of a column's entries is subtracted from: an entry, or -1 - a place on the
-    /// diagonal.
+    Array<Column> columns; ///< in elimination order, with one more for the end
+    Array<int32> rows;     ///< row index of each entry below the diagonal, ascending in a column
+    /// The target of each pair of a column's entries: an entry, or -1 - index on the diagonal.
     Array<int32> targets;
-    Array<Component> components; ///< and one more for the end, like the following two
+    Array<Component> components; ///< with one more for the end, as in the following two
     Array<Item> items;
     Array<Side> sides;
     Array<Meeting> meetings;
-    Array<int32> swept;            ///< constraints of systems that would cost too much
-    Array<const BodyData*> bodies; ///< all that are moved, swept ones too
+    Array<int32> swept;            ///< constraints of systems above the cost limit
+    Array<const BodyData*> bodies; ///< all moving bodies, including those solved iteratively
 };
 
-/// Makes patterns, and keeps the memory that it works in from one to the next.
+/// Computes patterns, and reuses its memory.
 class Elimination
 {
 public:
@@ -91,7 +90,7 @@ public:
     void Run(const Array<RowSides>& constraints, int32 mostUpdates, RowPattern& pattern);
 
 private:
-    struct Candidate // the first to be eliminated is on top of a heap
+    struct Candidate // heap element; the next to eliminate is on top
     {
         std::size_t degree;
         int32 body;
@@ -104,7 +103,7 @@ private:
     {
         int32 component;
         int32 item;
-        // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 means the operator.
+        // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misinterprets the operator.
         auto operator<=>(const Member&) const = default;
     };
 
@@ -122,16 +121,16 @@ private:
     void ListItems(const Array<RowSides>& constraints);
     void ListItem(const RowSides& constraint, int32 index);
 
-    RowPattern* m_pattern = nullptr; ///< that is being made
-    /// Of each body those not yet eliminated, rising; of one that has been, its column, in the end
-    /// by places. As many as the largest system had.
+    RowPattern* m_pattern = nullptr; ///< under construction
+    /// Per body: neighbours not yet eliminated, ascending. For an eliminated body: its column,
+    /// finally by index. The size is that of the largest system.
     Array<Array<int32>> m_neighbours;
-    Array<int32> m_placeOf; ///< of each body, -1: not yet, or left out
+    Array<int32> m_placeOf; ///< per body; -1: not yet, or skipped
     Array<uint8> m_seen;
-    Array<int32> m_component; ///< bodies that hang together
+    Array<int32> m_component; ///< bodies of the current component
     Array<Candidate> m_candidates;
-    Array<int32> m_order;       ///< bodies, as they are eliminated
-    Array<int32> m_componentOf; ///< by place
+    Array<int32> m_order;       ///< bodies in elimination order
+    Array<int32> m_componentOf; ///< by index
     Array<Member> m_members;
 };
 

@@ -11,9 +11,8 @@ namespace box2d
 namespace
 {
 
-/// The factors of a symmetric positive definite matrix, in its own place: L below the diagonal,
-/// the inverse of D on it. No inverse is made of the whole, which would lose the stiff directions
-/// among the soft ones.
+/// Factors a symmetric positive definite matrix in place: L below the diagonal, the inverse of D on
+/// it. A full inverse would lose stiff directions among soft ones.
 void FactorInPlace(Block3& m)
 {
     auto& a = m.at;
@@ -128,7 +127,7 @@ void AddSquare(Block3& m, const double (&u)[3][3], const Vector3& weights, int32
     }
 }
 
-/// J M^-1 J^T of a row with itself.
+/// Returns J M^-1 J^T of a single row.
 double OwnOf(const JointRows& rows, int32 row)
 {
     double sum = 0.0;
@@ -143,7 +142,7 @@ double OwnOf(const JointRows& rows, int32 row)
     return sum;
 }
 
-/// The factors of J M^-1 J^T, of one item's active rows.
+/// Returns the factors of J M^-1 J^T of one item's active rows.
 Block3 FactorsOfOwn(const JointRows& rows, uint8 active)
 {
     const auto holds = [&](int32 row) { return row < rows.rows && (active >> row & 1) != 0; };
@@ -241,15 +240,16 @@ double RowSystem::SquaredFrequency(int32 component) const
     return highest;
 }
 
-/// A force F at an arm r turns the body back by F.r for each radian.
+/// A force F at an arm r gives the torque -F.r per radian.
 void RowSystem::Stiffness::AddPoint(const JointRows& rows, const JointRows::Column& column)
 {
     turning += double(rows.impulse[0]) * double(column.w[1]) -
                double(rows.impulse[1]) * double(column.w[0]);
 }
 
-/// A pull T along a line of length L holds its end back by T / L for each metre across it, at the
-/// body's own arm too, and twice as much when the other end goes the other way.
+/// Tension T along a line of length L gives the restoring force T / L per metre of lateral
+/// displacement, also at the body's arm. It is twice as large if the other end moves in the
+/// opposite direction.
 void RowSystem::Stiffness::AddLine(const JointRows& rows, const JointRows::Column& column)
 {
     const double pull = -double(rows.impulse[0]);
@@ -278,7 +278,7 @@ void RowSystem::Factor(int32 component, double compliance)
     }
 }
 
-/// With the masses, and the entries with nothing.
+/// Sets the diagonal to the masses, and the other entries to zero.
 void RowSystem::FillDiagonal(const RowPattern::Component* component)
 {
     for (int32 i = component[0].firstColumn; i < component[1].firstColumn; ++i)
@@ -297,7 +297,7 @@ void RowSystem::FillDiagonal(const RowPattern::Component* component)
     std::fill(m_entries.begin() + first, m_entries.begin() + last, Block3{});
 }
 
-/// Adds an item, given by its place.
+/// Adds an item, given by its index.
 void RowSystem::Fill(std::size_t place, double compliance)
 {
     const RowPattern::Item* item = m_pattern.items.data() + place;

@@ -6,22 +6,22 @@
 
 #include "../Joints/JointRows.h"
 
-/// Constraints that are all to hold at once, solved exactly. Which changes u of velocity with the
-/// least energy bring the rows to the speeds that are wanted, J (v + u) = s ? Those that make
+/// Solves a system of equality constraints directly. The velocity change u with the least energy
+/// that gives the rows their target speeds, J (v + u) = s, minimizes
 ///   u^T M u / 2 + |J u - r|^2 / (2 e),   r = s - J v,
-/// least as e goes to 0; with a small e they follow from
+/// as e goes to 0. With a small e it follows from
 ///   (M + J^T J / e) u = J^T r / e,   and the impulses are  lambda = (r - J u) / e.
-/// This matrix has a block for each body and one for each two that a constraint joins. It is
-/// positive definite whatever the constraints are, and be it that many hold the same; its factors
-/// L D L^T take a time linear in the size of a chain or a tree (as in Baraff, "Linear-Time Dynamics
-/// using Lagrange Multipliers", SIGGRAPH 1996), and for loops what they fill in. Where that would
-/// be too much, constraints are swept over (Gauss-Seidel).
+/// This matrix has a block per body and one per pair of joined bodies. It is positive definite for
+/// any constraints, including redundant ones. Its factors L D L^T take linear time for chains and
+/// trees (as in Baraff, "Linear-Time Dynamics using Lagrange Multipliers", SIGGRAPH 1996); loops
+/// add fill-in. Components above a cost limit use Gauss-Seidel iterations instead.
 namespace box2d
 {
 
 struct SnapshotAccess;
 
-/// In double precision: e is small, and a ball of a thousand on a chain of twenty costs six digits.
+/// In double precision, because e is small: a ball of a thousand times the mass at the end of a
+/// chain of twenty costs six digits.
 struct Block3
 {
     double at[3][3];
@@ -32,9 +32,9 @@ struct Vector3
     double at[3];
 };
 
-/// The speed of each row.
+/// Returns the speed of each row.
 Vector3 SpeedOf(const SolverContext& context, const JointRows& rows);
-/// Gives an impulse along the rows, and adds it to theirs.
+/// Applies an impulse along the rows and adds it to theirs.
 void Push(const SolverContext& context, JointRows& rows, const Vector3& impulse);
 
 class RowSystem
@@ -46,7 +46,7 @@ public:
     JointRows& Rows(std::size_t item) { return m_rows[item]; }
     const JointRows& Rows(std::size_t item) const { return m_rows[item]; }
     bool IsExact() const { return m_pattern.swept.empty(); }
-    /// All that are moved.
+    /// Returns all moving bodies.
     const Array<const BodyData*>& Bodies() const { return m_pattern.bodies; }
     /// A connected component, which can be solved by itself, from any thread.
     int32 Components() const { return int32(m_pattern.components.size()) - 1; }
@@ -73,55 +73,52 @@ public:
             function(*m_pattern.columns[std::size_t(i)].body, std::size_t(i));
         }
     }
-    /// Whether an item is solved exactly, and not swept over.
+    /// True if an item is solved directly, false if iteratively.
     bool IsExact(std::size_t item) const { return m_exact[item] != 0; }
 
     /// Which rows of an item are to hold, a bit each [all, after Build].
     void SetActive(std::size_t item, uint8 rows) { m_active[item] = rows; }
 
-    /// The largest, of a body that turns back and forth, or sways between the lines that hold it,
-    /// under the impulses that rows give to its points, times the time in which they were given
-    /// [1/s].
+    /// Returns the maximum squared frequency [1/s] times the duration of the impulses. Considered
+    /// are rotations of a body, and its lateral motion between the lines that hold it.
     double SquaredFrequency(int32 component) const;
 
-    /// After the rows have been filled. The compliance is e, as a share of what a row feels of its
-    /// own impulse: the share of its error that is left.
+    /// Call after the rows are filled. The compliance is e relative to the row's own J M^-1 J^T:
+    /// the fraction of its error that remains.
     void Factor(int32 component, double compliance = kCompliance);
     void Factor();
     static constexpr double kCompliance = 1e-9;
-    /// Makes the body at a place harder to move in what is factored from now on, by so much mass
-    /// and moment of inertia.
+    /// Adds mass and moment of inertia to the body at an index in later factorizations.
     void SetBallast(std::size_t place, double mass, double inertia)
     {
         m_ballast[place] = {mass, inertia};
     }
-    /// What is missing of the speed that each row should have.
+    /// Returns the residual of each row: its target speed minus its speed.
     Vector3& Lack(std::size_t item) { return m_lack[item]; }
-    /// Finds the impulses that give it.
+    /// Computes the impulses that remove the residuals.
     void Solve(int32 component);
     void Solve();
     const Vector3& Found(std::size_t item) const { return m_found[item]; }
-    /// Gives them, and adds them to those of the rows.
+    /// Applies the impulses and adds them to those of the rows.
     void Apply(int32 component, const SolverContext& context);
-    /// Gives them as if they had been given before the bodies moved for `timeStep`; without keeping
-    /// them and the velocities, if so wanted.
+    /// Applies the impulses as if the bodies had moved with them for `timeStep`. Without `keep`,
+    /// impulses and velocities are not stored.
     void Apply(int32 component, const SolverContext& context, float32 timeStep, bool keep);
 
-    /// Constraints that are not solved exactly, to be swept over one by one: after Factor, what
-    /// each of them is to give.
+    /// Returns the constraints that are solved iteratively instead; call after Factor.
     const Array<int32>& Swept() const { return m_pattern.swept; }
     void FactorSwept(std::size_t item);
     void SolveSwept(std::size_t item);
 
 private:
     friend struct SnapshotAccess;
-    struct Side // of an item, see RowPattern
+    struct Side // side of an item, see RowPattern
     {
-        double rows[3][3]; // by x, y, and turning
+        double rows[3][3]; // by x, y, and rotation
     };
 
-    /// Of what pulls at a body against its turning [Nm s] and its swaying to and fro [Ns/m], times
-    /// the time in which it pulls.
+    /// Resistance of a body to rotation [Nm s] and lateral motion [Ns/m], times the duration of the
+    /// forces.
     struct Stiffness
     {
         double turning = 0.0, swaying = 0.0;
@@ -140,18 +137,18 @@ private:
     void Substitute(const RowPattern::Component* component);
 
     RowPattern m_pattern;
-    Array<JointRows> m_rows; // of each item
+    Array<JointRows> m_rows; // per item
     Array<uint8> m_active;
-    Array<Vector3> m_weights; // 1 / e of its rows, 0 where not active
+    Array<Vector3> m_weights; // 1 / e of its rows, 0 if inactive
     Array<Vector3> m_lack, m_found;
     Array<Side> m_sides;
-    Array<uint8> m_exact;                 // of each item
-    mutable Array<Stiffness> m_stiffness; // by place
-    Array<Vector3> m_x;                   // by place: right side, then change of velocity
-    Array<Block3> m_diagonal;             // by place; factors once eliminated
+    Array<uint8> m_exact;                 // per item
+    mutable Array<Stiffness> m_stiffness; // by index
+    Array<Vector3> m_x;                   // by index: right-hand side, then change of velocity
+    Array<Block3> m_diagonal;             // by index; factors after elimination
     Array<Block3> m_entries;
-    Array<Ballast> m_ballast; // by place
-    Array<Block3> m_own;      // of each swept item: the factors of J M^-1 J^T
+    Array<Ballast> m_ballast; // by index
+    Array<Block3> m_own;      // per iterative item: the factors of J M^-1 J^T
 };
 
 } // namespace box2d

@@ -17,24 +17,24 @@ namespace box2d
 namespace
 {
 
-/// Of the scale. With less, truncation would slow down what keeps its energy in the long run; with
-/// more a body could be seen to speed up by itself.
+/// Fraction of the scale. Smaller: truncation errors would slow down motions that conserve energy
+/// in the long run. Larger: a body could visibly speed up by itself.
 constexpr double kTolerance = 0.01;
-/// The most credit, of the scale. A bridge of planks that boxes fall on gives back up to three
-/// times what it moves with; with more, what has been braked for long could burst.
+/// Maximum credit as a multiple of the scale. A bridge of planks under falling boxes returns up to
+/// three times its kinetic energy; with more, a long deceleration could be followed by a burst.
 constexpr double kMostCredit = 3.0;
-/// The largest debt that is kept, of the scale; what owes so much is bursting and pays at once.
-/// With five times as much some random worlds win energy, with a tenth small debts stop what moves.
+/// Maximum stored debt as a fraction of the scale; a larger one is paid at once. With five times as
+/// much some random worlds gain energy; with a tenth small debts stop motions.
 constexpr double kMaxDebt = 0.1;
-/// How fast the scale decays [1/s], and debts with it.
+/// Decay rate of the scale and of debts [1/s].
 constexpr double kFade = 0.1;
-/// What corrections may put into springs although nothing moves [J/kg]: as much as makes 1 m/s.
-/// Something at rest on springs that is pushed out of the ground needs a hundredth of it.
+/// Energy that corrections may store in springs of bodies at rest [J/kg], equivalent to 1 m/s. A
+/// body on springs that is pushed out of the ground needs a hundredth of it.
 constexpr double kMostFromRest = 0.5;
-/// The scale is at least that of a fall by so much [m]: joints are closed to within a slop, and
-/// lifting something by that, a hundredth of this, is no gain.
+/// Minimum scale, as the energy of a fall by this distance [m]. Joints are closed to within a slop;
+/// lifting a body by that, a hundredth of this energy, is not a gain.
 constexpr float32 kLeastFall = b2_linearSlop / float32(kTolerance);
-/// So that no sum can leave the range of numbers [J].
+/// Keeps all sums in the range of float [J].
 constexpr float32 kMostScale = 1e30f;
 
 bool MovesByItself(const b2Body& body)
@@ -43,15 +43,15 @@ bool MovesByItself(const b2Body& body)
            (body.GetLinearVelocity() != b2Vec2_zero || body.GetAngularVelocity() != 0.0f);
 }
 
-/// Whether it moves or has been moved, so that what is held by it or touches it is carried along.
+/// True if it moves or was moved by the user, so that bodies that it holds or touches move too.
 bool Carries(const b2Body& body)
 {
     return MovesByItself(body) || Data(body).world->IsRecent(Data(body).movedAt);
 }
 
-/// Whether something may give the body energy that no account knows of: what moves by itself, and
-/// the hand of the program, which puts bodies elsewhere, shortens ropes and shifts limits. What it
-/// gives as velocity, force, weight or mass, to springs and to motors, is in the account.
+/// True if energy may enter that the account does not include: kinematic bodies, and user changes
+/// of poses, rope lengths and limits. User changes of velocity, force, gravity scale and mass, and
+/// of springs and motors, are included.
 bool IsDriven(const b2Body& body)
 {
     if (Carries(body))
@@ -90,7 +90,7 @@ bool IsIslandDriven(const b2Body& first)
     return false;
 }
 
-/// Kinetic, at the start of the step [J].
+/// Returns the kinetic energy at the start of the step [J].
 double EnergyAtStart(const b2Body& first)
 {
     double sum = 0.0;
@@ -105,7 +105,7 @@ double EnergyAtStart(const b2Body& first)
     return sum;
 }
 
-/// The largest kinetic energy of late, when the present one counts.
+/// Returns the decaying maximum of the kinetic energy, including the current one.
 float32 ScaleOf(float32 past, const BodyData& body, const SolverBody& s)
 {
     const auto kinetic = float32(KineticEnergy(s, double(body.mass), double(body.inertia)));
@@ -152,7 +152,7 @@ void EnergyGuard::Begin(const World& world, const SolverMemory& solver, float32 
     m_subSteps = world.subStepCount;
     m_gravity = world.gravity;
     m_leastFall = kLeastFall * m_gravity.Length();
-    // Cleared above only where there was an account: most islands may be asleep.
+    // Cleared above only for islands with an account: most islands may be asleep.
     m_accountOf.resize(b2Max(m_accountOf.size(), std::size_t(world.islands.Size())), -1);
     for (const b2Joint* joint : m_risky)
     {
@@ -184,7 +184,7 @@ void EnergyGuard::Begin(const World& world, const SolverMemory& solver, float32 
     }
 }
 
-/// Anew when joints have come, gone or fallen asleep, or masses have changed.
+/// Repeated when joints were added, removed or fell asleep, or masses changed.
 void EnergyGuard::FindRisks(const ConstraintGraph& graph)
 {
     if (m_version == graph.JointVersion())
@@ -238,15 +238,16 @@ void EnergyGuard::Balance(const World& world, SolverMemory& solver)
     ShareOut(world, solver);
 }
 
-/// What a body has won above the work of gravity and forces along its way, corrections of its pose
-/// included [J]: where these lift something again and again that sinks, nothing is won.
+/// Returns the energy that a body gained beyond the work of gravity and forces along its path,
+/// including corrections of its pose [J]. A correction that lifts a body which keeps sinking is
+/// therefore no gain.
 double EnergyGuard::Won(const BodyData& body, const SolverBody& s) const
 {
     const b2Vec2 a = body.gravityScale * m_gravity + body.invMass * body.force;
     const float32 alpha = body.invInertia * body.torque;
     const float32 push = b2Dot(a, s.d);
     const float32 twist = alpha * s.angle;
-    // Differences first: they are small, and so is their rounding.
+    // Differences first: they are small, and so are their rounding errors.
     const float32 linear = 0.5f * b2Dot(s.v - body.linearVelocity, s.v + body.linearVelocity);
     const float32 angular = 0.5f * (s.w - body.angularVelocity) * (s.w + body.angularVelocity);
     return double(body.mass) * double(linear - push) +
@@ -297,9 +298,9 @@ void EnergyGuard::AddJoints(const World& world, const SolverMemory& solver)
     }
 }
 
-/// Takes at once what was won in this step. Of the energy that the island had before, it takes the
-/// share that the debt is of the largest one: a small debt slows the motion down over many steps,
-/// it does not stop it.
+/// Removes at once what was gained in this step. Of the energy that the island had before, it
+/// removes the fraction that the debt is of the maximum debt. A small debt slows the motion down
+/// over many steps and does not stop it.
 void EnergyGuard::Collect(const World& world, SolverMemory& solver, Account& account)
 {
     const b2Body& first = *world.islands.At(account.island).first;
@@ -308,10 +309,11 @@ void EnergyGuard::Collect(const World& world, SolverMemory& solver, Account& acc
         account.owed = 0.0;
         return;
     }
-    const double free = kTolerance * account.past; // what it moves with now is not its own
+    const double free = kTolerance * account.past; // from the energy before, because the current
+                                                   // one contains the gain
     const IslandMotion found(first, solver.bodies.data());
     const double payable = free + found.Energy() + kMostFromRest * found.Mass();
-    for (const float32 time : {m_timeStep, 0.0f}) // without corrections, then not at all
+    for (const float32 time : {m_timeStep, 0.0f}) // first without corrections, then without motion
     {
         if (m_subSteps == 1 && account.owed > payable)
         {
@@ -331,9 +333,9 @@ void EnergyGuard::Collect(const World& world, SolverMemory& solver, Account& acc
     }
 }
 
-/// When springs have been wound up: as far as velocities alone bring the island in that time [s].
-/// Joints that corrections should have closed stay open. In no time at all where it is velocities
-/// that wind springs up, for those velocities are then lost.
+/// For springs that gained energy: moves the island by its velocities only, for that time [s].
+/// Joints that corrections should have closed stay open. The time is 0 if velocities store the
+/// energy in springs; those velocities are then lost.
 void EnergyGuard::MoveAgain(const b2Body& first, SolverMemory& solver, Account& account,
                             float32 time)
 {
@@ -372,9 +374,9 @@ void EnergyGuard::MoveAgain(const b2Body& first, SolverMemory& solver, Account& 
     account.owed -= saved;
 }
 
-/// As shares of the scale. Debts fade with it. Credit does not: where joints have opened under
-/// load, it is what closing them gives back, however late; only its largest value falls with the
-/// scale.
+/// Stores the account in shares of the bodies, relative to the scale. Debts decay with the scale.
+/// Credit does not: it is what closing loaded joints returns, at any later time. Only its maximum
+/// decreases with the scale.
 void EnergyGuard::ShareOut(const World& world, const SolverMemory& solver)
 {
     const auto fade = float32(1.0 / (1.0 + kFade * double(m_timeStep)));
@@ -400,7 +402,7 @@ void EnergyGuard::ShareOut(const World& world, const SolverMemory& solver)
 
 void EnergyGuard::NoteImpact(BodyData& body, const Way& before) const
 {
-    // Islands may have merged since, but then both bodies of an impact are in the same.
+    // Islands may have merged since, but both bodies of an impact are then in the same one.
     if (!body.IsDynamic() || body.island == -1 || std::size_t(body.island) >= m_accountOf.size() ||
         AccountOf(body) == -1)
     {
@@ -424,7 +426,7 @@ void EnergyGuard::ChargeImpacts()
         body.energyOwed +=
             float32(StoredBetween(spring.before, end) - StoredBetween(spring.before, spring.after));
     }
-    m_springs.clear(); // a joint may be gone before the next step begins
+    m_springs.clear(); // a joint may be destroyed before the next step
 }
 
 } // namespace box2d

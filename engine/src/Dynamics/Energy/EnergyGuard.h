@@ -4,24 +4,24 @@
 #include "../Joints/JointEnergy.h"
 #include "../State/Solver.h"
 
-/// The last resort of a step: what hangs together by joints keeps no energy that nothing gave it.
-/// Sweeps that have not converged, corrections of poses, and impacts within a step, in which joints
-/// have no part, can win some, and light bodies on long levers win without end.
+/// Prevents islands with joints from gaining energy, as the last stage of a step. Iterations that
+/// have not converged, pose corrections, and impacts that ignore joints can add energy, without
+/// bound for light bodies on long levers.
 ///
-/// An account is kept island by island: kinetic energy, the work of gravity and forces along the
-/// ways that bodies really went, what springs store; motors may give what they can at most. All
-/// else only takes. What an island wins it owes. A little of that is truncation, and goes up and
-/// down. More is taken away: corrections of poses when they have wound up springs, all of the way
-/// when velocities that cannot be paid for have; then velocity, at first what there is of it within
-/// the island, which leaves the momentum as it is. What was won long ago is taken back slowly.
-/// What was lost counts as credit: a loaded chain of joints that sweeps do not hold rigidly gives
-/// back what stopping it took, and joints that were pulled open lift their bodies when they close.
-/// Bodies carry their island's account in shares, so that islands may merge and come apart.
+/// Each island has an account. It contains the kinetic energy, the work of gravity and forces along
+/// the actual paths, the energy of springs, and the maximum work of motors. Everything else only
+/// dissipates. A gain is a debt of the island. A small one is truncation error, and fluctuates. A
+/// larger one is removed in this order: pose corrections that loaded springs; the whole
+/// displacement, if velocities loaded springs that they cannot pay for; then velocity. Relative
+/// velocity within the island is removed first, because that conserves momentum. Old gains are
+/// removed slowly. Losses count as credit. A loaded chain that iterations do not hold rigidly
+/// returns the energy of stopping it, and opened joints lift their bodies when they close. Bodies
+/// store their island's account in shares, so that islands can merge and split.
 ///
-/// Where everything is as it should be nothing is changed, not a bit. Only islands with joints that
-/// are at risk (IsAtRisk) have accounts; what a platform, a conveyor belt or a restitution above 1
-/// drives is not taken from, nor is what the program moves by hand: SetTransform of a body that
-/// belongs to it, holds it or touches it, limits, lengths and ratios of its joints.
+/// Correct motion is not changed by a single bit. Only islands with joints at risk (IsAtRisk) have
+/// accounts. Nothing is removed from islands driven by a platform, a conveyor belt or a restitution
+/// above 1. The same holds for user changes: SetTransform of a connected or touching body, and
+/// limits, lengths and ratios of joints.
 namespace box2d
 {
 
@@ -34,23 +34,23 @@ class World;
 class EnergyGuard
 {
 public:
-    /// Before anything is solved: the bodies' velocities are those of the start, with or without
-    /// the first kick.
+    /// Call before the solver: velocities are those of the start of the step, with or without the
+    /// first sub-step's impulse.
     void Begin(const World& world, const SolverMemory& solver, float32 timeStep);
-    /// Velocities and ways being final, before they are written back.
+    /// Call when velocities and paths are final, before they are written back.
     void Balance(const World& world, SolverMemory& solver);
     bool HasAccounts() const { return !m_accounts.empty(); }
-    /// The end of a body's step.
+    /// The state of a body at the end of the step.
     struct Way
     {
         Pose end;
         b2Vec2 v;
         float32 w;
     };
-    /// After an impact within the step has changed it. In one step a body that is taken back to
-    /// where it met another keeps the speed of its whole fall.
+    /// Call after an impact changed the body. In a step without sub-steps, a body moved back to an
+    /// impact keeps the velocity of its whole fall.
     void NoteImpact(BodyData& body, const Way& before) const;
-    /// After impacts: what they have brought into springs is owed in the next step.
+    /// Call after impacts: energy that they stored in springs is charged in the next step.
     void ChargeImpacts();
 
 private:
@@ -59,21 +59,21 @@ private:
     {
         b2Joint* joint;
         int32 account;
-        SpringState before, after; ///< the step
+        SpringState before, after; ///< of the step
     };
     struct Motor
     {
         const b2Joint* joint;
         int32 account;
-        double work; ///< at most, as it looks at the start of the step [J]
+        double work; ///< maximum, estimated at the start of the step [J]
     };
-    /// Of an island.
+    /// The account of an island.
     struct Account
     {
         int32 island = -1;
         double owed = 0.0;  ///< negative: credit [J]
-        double past = 0.0;  ///< the largest kinetic energy of late, before the step [J]
-        double scale = 0.0; ///< the same after it
+        double past = 0.0;  ///< decaying maximum of the kinetic energy, before the step [J]
+        double scale = 0.0; ///< the same after the step
     };
 
     int32 AccountOf(const BodyData& body) const;
@@ -88,10 +88,10 @@ private:
     void MoveAgain(const b2Body& first, SolverMemory& solver, Account& account, float32 time);
     void ShareOut(const World& world, const SolverMemory& solver);
 
-    Array<const b2Joint*> m_risky;   // whose islands have accounts
-    Array<const b2Joint*> m_sliding; // that may become so at any time
-    int32 m_version = -1;            // of the graph's list
-    Array<int32> m_accountOf;        // by island; -1: none, as of all that m_accounts does not name
+    Array<const b2Joint*> m_risky;   // joints at risk, whose islands have accounts
+    Array<const b2Joint*> m_sliding; // joints that may become so at any time
+    int32 m_version = -1;            // of the graph's joint list
+    Array<int32> m_accountOf;        // by island; -1: none
     Array<Account> m_accounts;
     Array<Spring> m_springs;
     Array<Motor> m_motors;

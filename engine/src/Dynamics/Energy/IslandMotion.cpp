@@ -37,7 +37,7 @@ bool IsHeld(const b2Body& body)
     return false;
 }
 
-/// What to multiply velocities by, so that of an energy there is so much left.
+/// Returns the velocity factor that leaves the energy `left`.
 float32 ShareOf(double energy, double left)
 {
     return energy > 0.0 ? float32(std::sqrt(std::max(left, 0.0) / energy)) : 0.0f;

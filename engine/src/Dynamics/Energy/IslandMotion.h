@@ -8,20 +8,18 @@ class b2Body;
 namespace box2d
 {
 
-/// How an island moves as a whole, and what moves within it, while a step has not been written
-/// back.
+/// The rigid and the relative motion of an island, before a step is written back.
 class IslandMotion
 {
 public:
-    /// The island's first body; velocities and ways by solver index.
+    /// Takes the island's first body, and velocities and displacements by solver index.
     IslandMotion(const b2Body& first, SolverBody* bodies);
 
-    double Energy() const { return m_all; } ///< kinetic [J]
+    double Energy() const { return m_all; } ///< kinetic energy [J]
     double Mass() const { return m_mass; }
-    /// Takes kinetic energy away, no more than there is. Of a free island what moves within is
-    /// slowed down first: its momentum and angular momentum stay as they are for as long as that is
-    /// enough. What is held or touched by something immovable has none of its own to keep, and
-    /// slowing all of it down alike opens no joint.
+    /// Removes kinetic energy, at most what there is. For a free island the relative motion is
+    /// removed first, which conserves momentum and angular momentum. An island held or touched by a
+    /// static body has no momentum to conserve, and a uniform reduction opens no joint.
     void Lose(double energy);
 
 private:
@@ -34,9 +32,9 @@ private:
     SolverBody* m_bodies;
     double m_mass = 0.0; // [kg]
     double m_all = 0.0;  // [J]
-    // As if it were rigid; nothing when it is held.
+    // Energy of the rigid motion; 0 when the island is held.
     double m_rigid = 0.0; // [J]
-    b2Vec2 m_centre;      // seen from the first body's at the start of the step
+    b2Vec2 m_centre;      // relative to the first body's at the start of the step
     b2Vec2 m_velocity;
     float32 m_spin = 0.0f;
 };

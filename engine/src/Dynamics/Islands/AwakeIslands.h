@@ -4,9 +4,9 @@
 #include <Box2D/Common/Array.h>
 #include <Box2D/Dynamics/Internal/BodyData.h>
 
-/// The islands that are awake in a step, numbered from 0 on: what is kept by island in a step is as
-/// large as they are many. Arrays over all islands, which would have to be cleared in each step,
-/// make what sleeps cost time.
+/// Numbers the islands that are awake in a step from 0 on, so that arrays by island are as small as
+/// possible. Arrays over all islands would have to be cleared in each step, at a cost for sleeping
+/// bodies.
 namespace box2d
 {
 
@@ -15,7 +15,7 @@ class World;
 class AwakeIslands
 {
 public:
-    /// Once a step. The numbers are right until an island changes.
+    /// Call once per step. The numbers are valid until an island changes.
     void Find(const World& world);
 
     int32 Count() const { return int32(m_islands.size()); }
@@ -24,14 +24,14 @@ public:
     {
         return std::size_t(island) < m_numberOf.size() ? m_numberOf[std::size_t(island)] : -1;
     }
-    /// By solver index of a body; -1: of none.
+    /// Returns the number by solver index of a body; -1 without an island.
     int32 Of(int32 body) const { return m_ofBody[std::size_t(body)]; }
-    /// The island with this number.
+    /// Returns the island with this number.
     int32 At(int32 number) const { return m_islands[std::size_t(number)]; }
 
 private:
     Array<int32> m_islands;
-    Array<int32> m_numberOf; // by island; only those of m_islands are not -1
+    Array<int32> m_numberOf; // by island; -1 except for those of m_islands
     Array<int32> m_ofBody;   // by solver index
 };
 

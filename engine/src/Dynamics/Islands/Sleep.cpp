@@ -227,7 +227,7 @@ void WakeNeighbours(World& world, b2Body& bodyA, b2Body& bodyB)
     {
         Wake(world, bodyB);
     }
-    // A moving platform never lets what it carries fall asleep.
+    // A moving platform keeps the bodies on it awake.
     if (IsMovingPlatform(a))
     {
         b.sleepTime = 0.0f;

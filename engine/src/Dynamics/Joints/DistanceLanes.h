@@ -17,39 +17,39 @@ struct DistanceLanes
     static constexpr bool kHoldsPositions = true;
     enum Features : uint8
     {
-        kSpring = 1, ///< for which the positions are not held
-        kLimits = 2  ///< of the length
+        kSpring = 1, ///< positions are not corrected
+        kLimits = 2  ///< lower and upper limits
     };
     static constexpr uint8 kVelocityFeatures = kLimits;
     enum Form : uint8
     {
         kRodForm,
         kSpringForm,
-        kLimitedForm, ///< with a spring between the limits, or without
+        kLimitedForm, ///< limits, with or without a spring
     };
 
     F impulse; ///< of the rod or spring, along the axis [N s]
     Vector<F> axis;
     Vector<F> armA, armB; ///< at the start of the step [m]
     Vector<F> offset;     ///< from centre of mass A to B [m]
-    F mass;               ///< effective, along the axis
+    F mass;               ///< effective mass along the axis
     F bias, gamma;        ///< of a spring
-    F length;             ///< that it shall have [m]
+    F length;             ///< rest length [m]
     F form;               ///< a Form
 
-    /// Written of lanes with limits only.
+    /// Only for lanes with limits.
     struct Limits
     {
-        F lowerImpulse, upperImpulse; ///< [N s], never negative
-        F mass;                       ///< effective, along the axis
+        F lowerImpulse, upperImpulse; ///< [N s], >= 0
+        F mass;                       ///< effective mass along the axis
         F lower, upper;               ///< [m]
         F lowerSpeed, upperSpeed;     ///< that reach the limits in this step [m/s]
     };
     Limits limits;
     static constexpr int kLimitNumbers = int(sizeof(Limits) / sizeof(F));
-    static constexpr int kPlainNumbers = 14; ///< in front of them
+    static constexpr int kPlainNumbers = 14; ///< before the limits
     static constexpr int kPlainImpulses = 1;
-    static constexpr int kImpulses = kPlainNumbers + 2; ///< the last of which are of limits
+    static constexpr int kImpulses = kPlainNumbers + 2; ///< the last two are those of the limits
 
     auto HasLimits() const { return AtLeast(form, F::Set(float32(kLimitedForm))); }
 
@@ -89,7 +89,7 @@ struct DistanceLanes
         limits.upperImpulse = Select(active, down, limits.upperImpulse);
     }
 
-    /// Of limits, where there are any.
+    /// Applies the limits, if there are any.
     void ApplyAlongAxis(MovingPair<F>& pair, F change) const
     {
         MovingPair<F> pushed = pair;

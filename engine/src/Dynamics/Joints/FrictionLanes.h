@@ -21,7 +21,7 @@ struct FrictionLanes
 
     Vector<F> impulse;                      ///< [N s]
     F angularImpulse;                       ///< [N m s]
-    F most, mostAngular;                    ///< of them
+    F most, mostAngular;                    ///< their maximum
     Vector<F> armA, armB;                   ///< at the start of the step [m]
     typename PairMasses<F>::Matrix inverse; ///< of the matrix of the point
     F angularMass;

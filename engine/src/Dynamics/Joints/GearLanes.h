@@ -34,7 +34,7 @@ struct GearLanes
         {
             return pair.SpeedAlong(axis, armFrame, armBody);
         }
-        /// How far the coordinate has come in this step.
+        /// Returns the change of the coordinate in this step.
         F Way(const PlacedPair<F>& pair) const
         {
             const Vector<F> d = pair.Offset(offset) + pair.b.Turn(armB) - pair.a.Turn(armA);
@@ -66,7 +66,7 @@ struct GearKernels
                    : LoadMoving<F>(block.bodyC + lane, block.bodyD + lane, numbers + kSecond + lane,
                                    bodies);
     }
-    /// One side after the other, for they may share a body.
+    /// One side after the other, because they may share a body.
     static void Apply(const JointBlock& block, int lane, const Gears& gears, F impulse,
                       const float32* numbers, float32* bodies)
     {

@@ -17,7 +17,7 @@ namespace box2d
 {
 
 inline constexpr int kJointLanes = 8;
-/// Numbers of a lane that belong to its bodies: their masses.
+/// Number of rows for the bodies' masses.
 inline constexpr int kMassNumbers = 4;
 
 struct JointKernels;
@@ -25,20 +25,19 @@ struct JointKernels;
 struct JointBlock
 {
     b2JointType type;
-    uint8 features = 0;           ///< of its lanes together; see JointLane::features
-    uint8 movesA = 0, movesB = 0; ///< a bit for each lane whose body can be pushed or turned
-    uint8 movesC = 0, movesD = 0; ///< of the second joint of a gear
-    int32 width;                  ///< lanes, 1 or 8
-    int32 count = 0;              ///< used; the others belong to bodies 0 without mass
+    uint8 features = 0;           ///< union of its lanes; see JointLane::features
+    uint8 movesA = 0, movesB = 0; ///< bit mask of lanes whose body can move or rotate
+    uint8 movesC = 0, movesD = 0; ///< for the second joint of a gear
+    int32 width;                  ///< number of lanes, 1 or 8
+    int32 count = 0;              ///< used lanes; the others have bodies 0 without mass
     int32 bodyA[kJointLanes] = {}, bodyB[kJointLanes] = {}; ///< solver index
     int32 bodyC[kJointLanes] = {}, bodyD[kJointLanes] = {};
-    std::size_t numbers;                   ///< the first of its numbers
+    std::size_t numbers;                   ///< index of the first of its numbers
     const JointKernels* kernels = nullptr; ///< of the step
     b2Joint* joint[kJointLanes] = {};
 };
 
-/// Blocks of one kind and width that are solved one after the other: calls and what they save are
-/// paid once for all links of a chain.
+/// Consecutive blocks of one type and width: the cost of a call is shared by all links of a chain.
 struct JointRun
 {
     const JointBlock* first;
@@ -50,15 +49,15 @@ struct JointRun
     float32* NumbersOf(const JointBlock& block) const { return numbers + block.numbers; }
 };
 
-/// A lane as its joint sees it: where the joint writes its numbers at the start of a step, and
-/// finds its impulses at the end.
+/// A lane from the view of its joint, which writes its numbers at the start of a step and reads its
+/// impulses at the end.
 struct JointLane
 {
-    float32* first;     ///< of the kind's numbers
-    int32 stride;       ///< from one number to the next
-    uint8 features = 0; ///< what has to be solved: bits of the kind's own
+    float32* first;     ///< numbers of the type
+    int32 stride;       ///< distance of two numbers
+    uint8 features = 0; ///< bits of the type: parts to solve
 
-    /// `Lanes` being those of the kind, with float32 for numbers; the first `count` of them.
+    /// Writes the first `count` numbers of `Lanes`, the type's lanes with float32 as number.
     template <class Lanes>
     void Write(const Lanes& lanes, std::size_t count = sizeof(Lanes) / sizeof(float32))
     {
@@ -77,17 +76,17 @@ struct JointLane
     float32 operator[](int32 number) const { return first[number * stride]; }
 };
 
-/// What is done to blocks of one kind and width.
+/// The functions for blocks of one type and width.
 struct JointKernels
 {
     int32 numberCount;
     void (*warmStart)(const JointRun& run, float32* bodies);
     void (*solveVelocities)(const JointRun& run, float32* bodies);
-    /// Whether all errors were below the tolerance.
+    /// Returns true if all errors are below the tolerance.
     bool (*solvePositions)(const JointRun& run, float32* bodies);
 };
 
-/// For the widest instructions that this processor has; see UseWideInstructions.
+/// Returns the functions for the widest instructions of this processor; see UseWideInstructions.
 const JointKernels& KernelsOf(const JointBlock& block);
 
 } // namespace box2d

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled for AVX2 and used where the processor has it; see ContactBlocksAvx2.cpp.
+// Compiled for AVX2, used if the processor supports it; see ContactBlocksAvx2.cpp.
 #include "JointKernels.h"
 
 namespace box2d

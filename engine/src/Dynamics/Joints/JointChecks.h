@@ -5,8 +5,8 @@
 
 #include <Box2D/Common/b2Math.h>
 
-/// What the numbers of a joint must be, for its definition and for its setters alike. Each says the
-/// sentence and ends the program with asserts on, or is false with asserts off.
+/// Checks of a joint's numbers, for definitions and setters. Each prints its sentence and aborts
+/// with asserts on, or is false with asserts off.
 namespace box2d
 {
 
@@ -60,7 +60,7 @@ inline bool AreLimits(bool enabled, float32 lower, float32 upper)
                       "A joint's limits must be finite, the lower limit not above the upper one.");
 }
 
-/// The largest force may be infinite: a motor that nothing stops.
+/// The maximum force may be infinite, for a motor that cannot be stopped.
 inline bool IsMotor(float32 speed, float32 largest)
 {
     return B2_REQUIRE(b2IsValid(speed) && largest >= 0.0f,

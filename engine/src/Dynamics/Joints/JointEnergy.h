@@ -22,7 +22,7 @@ struct SpringState
     double most = std::numeric_limits<double>::infinity(); ///< [N] or [N m]
 
     double Energy() const { return EnergyAt(error); }
-    /// k x^2 / 2, and a straight line beyond `most` / k [J].
+    /// Returns k x^2 / 2, and a linear function beyond `most` / k [J].
     double EnergyAt(double x) const;
 };
 
@@ -89,22 +89,21 @@ double StoredBetween(const SpringState& before, const SpringState& after);
 /// masses of 10:1 and bodies on levers much longer than they are, half as long where a rod or a
 /// rope pulls.
 bool IsAtRisk(const b2Joint& joint);
-/// Whether that depends on the pose too.
+/// True if that also depends on the pose.
 bool HasChangingLevers(const b2Joint& joint);
-/// Whether what the joint does to a body acts on it farther from its centre than so many of its
-/// radii of gyration.
+/// True if the joint acts on the body further from its centre than `radii` radii of gyration.
 bool HasLeverOnA(const b2Joint& joint, float32 radii);
 bool HasLeverOnB(const b2Joint& joint, float32 radii);
 
 bool HasSpring(const b2Joint& joint);
-/// Of one that has. Bodies by solver index, with what has moved since the start of the step; null
-/// when nothing has.
+/// Returns the state of a joint's spring. `bodies` by solver index, with the displacements since
+/// the start of the step; null without displacements.
 SpringState SpringOf(const b2Joint& joint, const SolverBody* bodies);
 
 /// True if it has a motor that is on.
 bool HasMotor(const b2Joint& joint);
-/// What it can do at most in a step of so many small ones, as things are at present: what goes
-/// forward as fast as it wants it to is not pushed any more [J].
+/// Returns the maximum work of the motor in a step with sub-steps, from the current state [J]. At
+/// its target speed the motor does no more work.
 double MostMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 timeStep,
                      int32 subSteps);
 

@@ -8,8 +8,7 @@
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 #include <Box2D/Dynamics/b2Body.h>
 
-/// What every joint needs of its two bodies: their places in the solver and their inverse masses.
-/// Made on the spot, never kept.
+/// The two bodies of a joint: solver indices and inverse masses. Temporary, never stored.
 namespace box2d
 {
 
@@ -21,7 +20,7 @@ struct JointFrame
           iA(dataA.SolverInvInertia()), mB(dataB.SolverInvMass()), iB(dataB.SolverInvInertia())
     {}
 
-    /// From the centre of mass to a point given in the body's frame, in world axes.
+    /// Returns the vector from the centre of mass to a point in the body's frame, in world axes.
     b2Vec2 ArmA(const b2Vec2& local) const
     {
         return b2Mul(dataA.rotation, local - dataA.localCenter);
@@ -36,7 +35,7 @@ struct JointFrame
     const BodyData& dataB;
     SolverBody& a;
     SolverBody& b;
-    float32 mA, iA, mB, iB; ///< inverse
+    float32 mA, iA, mB, iB; ///< inverse masses and inertias
 };
 
 /// A spring as a soft constraint (Catto, "Soft Constraints", GDC 2011): with stiffness k, damping c
@@ -70,7 +69,7 @@ inline float32 InverseOrZero(float32 value)
     return value > 0.0f ? 1.0f / value : 0.0f;
 }
 
-/// For a kind's numbers; see JointBlocks.h.
+/// Converts for the numbers of a type; see JointBlocks.h.
 inline Vector<float32> InLanes(const b2Vec2& v)
 {
     return {v.x, v.y};
@@ -81,7 +80,7 @@ inline float32 Flag(bool flag)
     return flag ? 1.0f : 0.0f;
 }
 
-/// How an impulse along `axis` changes the relative speed along it:
+/// Returns the response of the relative speed along `axis` to an impulse along it:
 ///   K = mA + mB + iA (rA x n)^2 + iB (rB x n)^2.
 inline float32 AxisMatrix(const JointFrame& f, const b2Vec2& axis, const b2Vec2& rA,
                           const b2Vec2& rB)
@@ -91,27 +90,28 @@ inline float32 AxisMatrix(const JointFrame& f, const b2Vec2& axis, const b2Vec2&
     return f.mA + f.mB + f.iA * crossA * crossA + f.iB * crossB * crossB;
 }
 
-/// The largest impulse a force can give in a step, as a bound on a vector.
+/// Limits a vector to the maximum impulse of a force in a step.
 inline b2Vec2 ClampLength(const b2Vec2& v, float32 limit)
 {
     const float32 squared = v.LengthSquared();
     return squared > limit * limit ? (limit / b2Sqrt(squared)) * v : v;
 }
 
-/// The share of the last step's impulses that a step starts with.
+/// Returns the warm starting factor of a step.
 inline float32 CarryOver(const SolverContext& context)
 {
     return context.warmStarting ? context.stepRatio : 0.0f;
 }
 
-/// The same for a joint at points of its bodies. None where a body turns so far in a step, on a
-/// lever, that the impulses no longer point where they should: a few iterations do not take them
-/// back, so bodies gain energy and the impulses grow from step to step.
+/// As above, for a joint with anchors. 0 if a body with a lever rotates so far in a step that the
+/// impulses have the wrong direction. A few iterations do not correct that, so that bodies gain
+/// energy and impulses grow from step to step.
 inline float32 CarryOver(const SolverContext& context, const b2Joint& joint)
 {
-    // A pendulum's pull is off by half of itself then. With 1 rad some random worlds burst.
+    // The direction of a pendulum's tension is then off by half of itself. With 1 rad some random
+    // worlds gain energy without bound.
     constexpr float32 kMaxTurn = 0.5f; // [rad]
-    constexpr float32 kRadii = 1.0f;   // on shorter levers the body hardly turns with the joint
+    constexpr float32 kRadii = 1.0f;   // on shorter levers the joint hardly rotates the body
     const auto turns = [&context](const b2Body& body) {
         return b2Abs(context.timeStep * context.bodies[Data(body).SolverIndex()].w) > kMaxTurn;
     };
@@ -120,7 +120,7 @@ inline float32 CarryOver(const SolverContext& context, const b2Joint& joint)
     return isStale ? 0.0f : CarryOver(context);
 }
 
-/// Keeps that share of an impulse; one that is not finite is forgotten.
+/// Scales an impulse; resets one that is not finite.
 inline void Carry(float32& impulse, float32 share)
 {
     impulse = b2IsValid(impulse) ? share * impulse : 0.0f;
@@ -132,7 +132,7 @@ inline void Carry(b2Vec2& impulse, float32 share)
     Carry(impulse.y, share);
 }
 
-/// The lines every joint's Dump starts with.
+/// Writes the first lines of every joint's Dump.
 inline void DumpBodies(const char* definition, const b2Body& a, const b2Body& b,
                        bool collideConnected)
 {
@@ -162,7 +162,7 @@ inline void DumpEnd(int32 number)
     b2Log("  joints[%d] = m_world->CreateJoint(&jd);\n", number);
 }
 
-/// How an impulse on B's point changes the relative velocity of the two points: the matrix
+/// Returns the response of the relative velocity of the two points to an impulse at B's point:
 ///   K = (mA + mB) E - iA [rA][rA] - iB [rB][rB],   [r] the cross-product matrix of r.
 inline b2Mat22 PointMatrix(const JointFrame& f, const b2Vec2& rA, const b2Vec2& rB)
 {
@@ -173,7 +173,7 @@ inline b2Mat22 PointMatrix(const JointFrame& f, const b2Vec2& rA, const b2Vec2& 
     return b2Mat22(k11, k12, k12, k22);
 }
 
-/// For what the lanes calculate too: of one lane.
+/// For calculations shared with the lanes: a single lane.
 inline PairMasses<simd::Float1> MassesOf(const JointFrame& f)
 {
     return {{f.mA}, {f.iA}, {f.mB}, {f.iB}};
@@ -183,7 +183,7 @@ inline HeldRow<float32> NumbersOf(const HeldRow<simd::Float1>& row)
     return {row.mass.v, {row.reaction.x.v, row.reaction.y.v}};
 }
 
-/// The inverse of a symmetric matrix, or zero where it is singular.
+/// Returns the inverse of a symmetric matrix, or zero if it is singular.
 inline PairMasses<float32>::Matrix InverseInLanes(const b2Mat22& m)
 {
     const float32 determinant = b2Cross(m.ex, m.ey);

@@ -16,8 +16,8 @@
 #include "WeldLanes.h"
 #include "WheelLanes.h"
 
-/// What is done to blocks, for numbers F of 1, 4 or 8 lanes. Included by one source for each
-/// instruction set; nothing in it has external linkage.
+/// The functions for blocks, for numbers F of 1, 4 or 8 lanes. One source per instruction set
+/// includes it, so it has no external linkage.
 namespace box2d
 {
 namespace
@@ -27,10 +27,11 @@ template <class Joints, class F>
 struct PairKernels
 {
     static constexpr int kWidth = F::kLanes == 1 ? 1 : kJointLanes;
-    static constexpr int kFirst = kMassNumbers * kWidth; ///< of the kind's own numbers
+    static constexpr int kFirst = kMassNumbers * kWidth; ///< first number of the type
     static constexpr bool kHasPlainForm = Joints::kPlainImpulses != Joints::kImpulses;
 
-    /// Calls for each F of lanes, with their bodies in motion and the joints' numbers.
+    /// Calls the function for each F of lanes, with their bodies' velocities and the joints'
+    /// numbers.
     template <class Function>
     BOX2D_INLINE static void ForMoving(const JointBlock& block, float32* numbers, float32* bodies,
                                        Function&& function)
@@ -55,7 +56,7 @@ struct PairKernels
                       });
         }
     }
-    /// `Impulses` of each joint being written back.
+    /// Writes `Impulses` numbers of each joint back.
     template <int Impulses>
     static void SolveVelocities(const JointBlock& block, float32* numbers, float32* bodies,
                                 uint8 features)
@@ -75,7 +76,7 @@ struct PairKernels
         }
         return 0xFF;
     }
-    /// Without features, the most common case, most numbers need not be read.
+    /// Without features, the most common case, most numbers are not read.
     static void SolveVelocities(const JointRun& run, float32* bodies)
     {
         for (const JointBlock& block : run)
@@ -123,7 +124,7 @@ struct PairKernels
     }
 };
 
-/// For what has no positions to hold, a friction or a motor joint.
+/// For types without position constraints: friction and motor joints.
 inline bool HoldsNoPositions(const JointRun&, float32*)
 {
     return true;

@@ -7,22 +7,22 @@
 #include <type_traits>
 #include <utility>
 
-/// What the lanes of all kinds of joints share: the two bodies of each lane, with their velocities
-/// or their places, and the matrices of a point and of a direction. For numbers F of 1, 4 or 8
-/// lanes. Nothing in it has external linkage, for it is included by sources of every instruction
-/// set.
+/// Common parts of the lanes of all joint types. These are the two bodies of each lane, with
+/// velocities or poses, and the matrices of a point and of a direction. For numbers F of 1, 4 or 8
+/// lanes. It has no external linkage, because sources of every instruction set include it.
 namespace box2d
 {
 namespace
 {
 
-/// Of the bodies of a lane; the first numbers of a block. All inverse [1/kg], [1/(kg m^2)].
+/// Inverse masses and inertias of a lane's bodies, the first numbers of a block [1/kg], [1/(kg
+/// m^2)].
 template <class F>
 struct PairMasses
 {
     F mA, iA, mB, iB;
 
-    /// Lanes that are not used cannot.
+    /// False for unused lanes.
     auto CanMove() const { return Not(AtLeast(F::Set(0.0f), mA + iA + mB + iB)); }
 
     /// K with  d(vB - vA at the point) = K impulse:  (mA + mB) E - iA [rA][rA] - iB [rB][rB],  [r]
@@ -50,7 +50,7 @@ struct PairMasses
                 -iA * armA.x * armA.y - iB * armB.x * armB.y,
                 mass + iA * armA.x * armA.x + iB * armB.x * armB.x};
     }
-    /// Along a direction, whose moments about the centres are these.
+    /// Along a direction with these moments about the centres.
     BOX2D_INLINE F AxisMatrix(F leverA, F leverB) const
     {
         return mA + mB + iA * leverA * leverA + iB * leverB * leverB;
@@ -62,20 +62,20 @@ struct PairMasses
     }
 };
 
-/// A row that may be inactive, a motor or a limit, beside two rows that always hold. Solved
-/// together (their Schur complement): an impulse along this row comes with the impulses of the two
-/// that keep them satisfied.
+/// A row that may be inactive, a motor or a limit, combined with two rows that are always active
+/// (their Schur complement). An impulse along this row is applied with the impulses of the two that
+/// keep them satisfied.
 template <class F>
 struct HeldRow
 {
-    F mass;             ///< effective, while the two hold
+    F mass;             ///< effective mass while the two are held
     Vector<F> reaction; ///< impulses of the two for an impulse of 1
 
-    /// The angle between two bodies whose points are held. With K of the three rows and the masses
-    /// a = iA / (mA + mB), b = iB / (mA + mB)
+    /// The relative angle of two bodies with a common point. With K of the three rows and the
+    /// masses a = iA / (mA + mB), b = iB / (mA + mB)
     ///   |K point| / (mA + mB)^2 = 1 + a rA^2 + b rB^2 + a b (rA x rB)^2
     ///   |K|       / (mA + mB)^3 = a + b + a b (rA - rB)^2
-    /// Sums of what is not negative: long arms lose no digits, as they would in a difference.
+    /// All terms are >= 0, so long arms cause no cancellation.
     static HeldRow AngleOfPoint(const PairMasses<F>& pair, const Vector<F>& rA, const Vector<F>& rB)
     {
         const F reduced = InverseOrZero(pair.mA + pair.mB);
@@ -90,7 +90,7 @@ struct HeldRow
     }
 };
 
-/// The bodies of lanes with their velocities, from a block and back.
+/// Bodies of lanes with their velocities, loaded from a block and stored back.
 template <class F>
 struct MovingPair : PairMasses<F>
 {
@@ -99,7 +99,7 @@ struct MovingPair : PairMasses<F>
     Vector<F> vB;
     F wB, angleB;
 
-    /// Velocity of B's point seen from A's.
+    /// Returns the velocity of B's point relative to A's.
     BOX2D_INLINE Vector<F> PointSpeed(const Vector<F>& armA, const Vector<F>& armB) const
     {
         return vB + Cross(wB, armB) - vA - Cross(wA, armA);
@@ -116,7 +116,7 @@ struct MovingPair : PairMasses<F>
         wA = wA - this->iA * impulse;
         wB = wB + this->iB * impulse;
     }
-    /// Along a direction, whose moments about the centres are these.
+    /// Along a direction with these moments about the centres.
     BOX2D_INLINE void ApplyAlong(const Vector<F>& direction, F leverA, F leverB, F impulse)
     {
         vA = vA - (this->mA * impulse) * direction;
@@ -128,7 +128,7 @@ struct MovingPair : PairMasses<F>
     {
         return Dot(direction, vB - vA) + leverB * wB - leverA * wA;
     }
-    /// Where `active`, what `solved` has made of it.
+    /// Replaces the state by `solved` where `active`.
     template <class M>
     BOX2D_INLINE void Take(M active, const MovingPair& solved)
     {
@@ -139,7 +139,7 @@ struct MovingPair : PairMasses<F>
     }
 };
 
-/// The same with their places: moved and turned since the start of the step.
+/// Bodies of lanes with their poses: displacement and rotation since the start of the step.
 template <class F>
 struct PlacedPair : PairMasses<F>
 {
@@ -154,8 +154,8 @@ struct PlacedPair : PairMasses<F>
         {
             return {c * v.x - s * v.y, s * v.x + c * v.y};
         }
-        /// By a small angle: to first order, then back to unit length. A body that cannot be
-        /// turned keeps its bits, however many joints it has.
+        /// Rotates by a small angle: to first order, then normalized. A body that cannot rotate
+        /// keeps its bits with any number of joints.
         template <class M>
         BOX2D_INLINE void Rotate(M turns, F delta)
         {
@@ -169,7 +169,8 @@ struct PlacedPair : PairMasses<F>
     };
     Place a, b;
 
-    /// From the centre of mass of A to that of B; `offset` at the start of the step.
+    /// Returns the vector from the centre of mass of A to that of B; `offset` is its value at the
+    /// start of the step.
     BOX2D_INLINE Vector<F> Offset(const Vector<F>& offset) const { return offset + b.d - a.d; }
 
     BOX2D_INLINE void Move(const Vector<F>& impulse, const Vector<F>& armA, const Vector<F>& armB)
@@ -184,7 +185,7 @@ struct PlacedPair : PairMasses<F>
         b.d = b.d + (this->mB * impulse) * direction;
         Turn(-this->iA * leverA * impulse, this->iB * leverB * impulse);
     }
-    /// By these angular impulses.
+    /// Applies these angular impulses.
     BOX2D_INLINE void Rotate(F onA, F onB) { Turn(-this->iA * onA, this->iB * onB); }
     BOX2D_INLINE void Turn(F angleA, F angleB)
     {
@@ -218,9 +219,9 @@ auto IsSet(F flag)
     return AtLeast(flag, F::Set(1.0f));
 }
 
-/// The total impulse of a pair of limits, positive at the lower one, that keeps a speed from
-/// exceeding -lowerSpeed and upperSpeed, which are not negative. Of the two terms at most one is
-/// not zero: at most one limit pushes.
+/// Returns the total impulse of a pair of limits, positive at the lower one. It keeps a speed
+/// between -lowerSpeed and upperSpeed, which are >= 0. At most one of the two terms is not zero,
+/// because only one limit can push.
 template <class F>
 F LimitImpulse(F impulse, F mass, F speed, F lowerSpeed, F upperSpeed)
 {
@@ -229,15 +230,15 @@ F LimitImpulse(F impulse, F mass, F speed, F lowerSpeed, F upperSpeed)
            Min(impulse - mass * (speed - upperSpeed), zero);
 }
 
-/// How far to move what is beyond its limits back towards them: not all the way, for what is within
-/// the slop trembles where contacts push it out again.
+/// Returns the correction of a violated limit. Not complete, because within the slop contacts would
+/// push back, and the body would tremble.
 template <class F>
 F BackTowards(F lower, F upper, F value, F slop, F most)
 {
     return Clamp(Clamp(value, lower - slop, upper + slop) - value, -most, most);
 }
 
-/// The largest impulse that a force can give in a step, as a bound on a vector.
+/// Limits a vector to the maximum impulse of a force in a step.
 template <class F>
 Vector<F> ClampLength(const Vector<F>& v, F limit)
 {
@@ -247,7 +248,7 @@ Vector<F> ClampLength(const Vector<F>& v, F limit)
     return Select(within, v, (limit / length) * v);
 }
 
-/// What is carried of a block's numbers in registers: T is made of nothing but numbers F.
+/// Loads a block's numbers into registers: T consists of numbers F only.
 template <class T, class F>
 BOX2D_INLINE T LoadNumbers(const float32* numbers)
 {
@@ -262,7 +263,7 @@ BOX2D_INLINE T LoadNumbers(const float32* numbers)
     return loaded;
 }
 
-/// The first of them, its impulses, back.
+/// Stores the first of them, the impulses.
 template <int Count, class T, class F>
 BOX2D_INLINE void StoreNumbers(float32* numbers, const T& from)
 {
@@ -308,7 +309,7 @@ template <class F>
 BOX2D_INLINE void StoreMoving(const MovingPair<F>& pair, const int32* a, const int32* b,
                               uint32 movesA, uint32 movesB, float32* bodies)
 {
-    if constexpr (F::kLanes == 1) // what does not change need not be written
+    if constexpr (F::kLanes == 1) // unchanged numbers are not written
     {
         StoreNumbersOf(bodies, *a, movesA, {pair.vA.x, pair.vA.y, pair.wA});
         StoreNumbersOf(bodies, *b, movesB, {pair.vB.x, pair.vB.y, pair.wB});

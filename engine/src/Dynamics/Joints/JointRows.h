@@ -13,16 +13,16 @@ namespace box2d
 struct JointRows
 {
     static constexpr int32 kMostRows = 3;
-    static constexpr int32 kMostBodies = 4; ///< a gear holds four
+    static constexpr int32 kMostBodies = 4; ///< a gear has four
 
-    /// Of one body: how each row depends on the velocity of its centre and on its turning.
+    /// Derivatives of each row by one body's velocity and angular velocity.
     struct Column
     {
         const BodyData* data = nullptr;
         int32 body = 0; ///< solver index
         float32 invMass = 0.0f, invInertia = 0.0f;
         float32 x[kMostRows] = {}, y[kMostRows] = {}, w[kMostRows] = {};
-        float32 reach = 0.0f; ///< of a line: from the centre of mass to its end, along it [m]
+        float32 reach = 0.0f; ///< for a line: from the centre of mass to its end, along it [m]
 
         void AddTo(int32 row, const b2Vec2& direction, float32 lever)
         {
@@ -32,7 +32,7 @@ struct JointRows
         }
     };
 
-    /// The column of a body; a body that takes part twice has one.
+    /// Returns the column of a body; a body that is used twice has one.
     Column& Of(const BodyData& body)
     {
         for (int32 i = 0; i < bodies; ++i)
@@ -51,37 +51,37 @@ struct JointRows
         return column;
     }
 
-    /// How a row gives way: its speed is to be `wanted` - softness * impulse, as far as an impulse
-    /// of `most` does it, but at any cost not below `slowest` and not above `fastest`.
+    /// The law of a bounded row. Its target speed is `wanted` - softness * impulse, with an impulse
+    /// of at most `most`. Independent of the impulse, the speed is between `slowest` and `fastest`.
     struct Law
     {
         float32 wanted = 0.0f;   ///< [m/s] or [rad/s]
         float32 softness = 0.0f; ///< [1/kg] or [1/(kg m^2)]
         float32 most = b2_maxFloat;
         float32 slowest = -b2_maxFloat, fastest = b2_maxFloat;
-        float32 place = 0.0f; ///< where it is, of one that has a slowest or fastest [m] or [rad]
+        float32 place = 0.0f; ///< position of a row with a slowest or fastest speed [m] or [rad]
 
-        /// A motor that is against a limit all it can.
+        /// True if a motor pushes against its limit with its maximum force.
         bool DrivesBelow() const { return wanted < slowest - kSameSpeed; }
         bool DrivesAbove() const { return wanted > fastest + kSameSpeed; }
-        /// The motor's share of an impulse, which is its own and the limit's.
+        /// Returns the motor's part of an impulse, which also contains the limit's.
         float32 Within(float32 all) const
         {
             return DrivesBelow() ? -most : DrivesAbove() ? most : b2Clamp(all, -most, most);
         }
     };
-    /// Speeds count as the same within this [m/s], [rad/s]: rounding must not let go of a limit.
+    /// Tolerance of speeds [m/s], [rad/s]: rounding must not release a limit.
     static constexpr float32 kSameSpeed = 1e-5f;
 
     int32 Rigid() const { return rows - giving; }
-    /// Whether a row gives way to more than a limit: to a motor, a spring, or friction.
+    /// True if the row has a motor, a spring, or friction in addition to a limit.
     bool IsDriven() const
     {
         return std::any_of(laws + Rigid(), laws + rows,
                            [](const Law& law) { return law.most > 0.0f; });
     }
 
-    /// As if it were new, at less than the cost: columns are cleared when they are added.
+    /// Resets the rows at low cost: columns are cleared when they are added.
     void Clear()
     {
         if (giving > 0)
@@ -96,20 +96,20 @@ struct JointRows
     }
     void SetImpulse(const float32 (&value)[kMostRows]) { std::copy_n(value, kMostRows, impulse); }
 
-    int32 rows = 0;     ///< 0 to 3; the rest of the arrays is zero
-    int32 giving = 0;   ///< the last of them
-    bool point = false; ///< the first two hold a point
-    /// The first two give way together: `most` is for the length of both impulses.
+    int32 rows = 0;     ///< 0 to 3; the remaining array elements are zero
+    int32 giving = 0;   ///< number of bounded rows, the last ones
+    bool point = false; ///< the first two rows hold a point
+    /// The first two rows are bounded together: `most` limits the length of both impulses.
     bool disc = false;
-    float32 length = 0.0f; ///< of the line between two points along which the first one holds them
-    int32 bodies = 0;      ///< columns
+    float32 length = 0.0f; ///< length of the line for the first row
+    int32 bodies = 0;      ///< number of columns
     Column columns[kMostBodies];
     Law laws[kMostRows];
-    float32 error[kMostRows] = {};   ///< [m] or [rad], of what holds rigidly
+    float32 error[kMostRows] = {};   ///< [m] or [rad], of rigid rows
     float32 impulse[kMostRows] = {}; ///< [Ns] or [Nms]
 };
 
-/// A joint's frame together with its rows.
+/// A joint's frame with its rows.
 struct RowFiller
 {
     RowFiller(const b2Body& bodyA, const b2Body& bodyB, const SolverContext& stepContext,
@@ -118,22 +118,22 @@ struct RowFiller
           b(rows.Of(f.dataB))
     {}
 
-    // As JointFrame has them, but after what has moved so far in the step.
+    // As in JointFrame, but after the displacements so far in the step.
 
     b2Vec2 ArmA(const b2Vec2& local) const { return b2Mul(f.a.q, f.ArmA(local)); }
     b2Vec2 ArmB(const b2Vec2& local) const { return b2Mul(f.b.q, f.ArmB(local)); }
     b2Vec2 Offset() const { return f.Offset() + f.b.d - f.a.d; }
-    /// Of B against A [rad].
+    /// Returns the angle of B relative to A [rad].
     double Angle() const
     {
         return f.dataB.pose.angle - f.dataA.pose.angle + double(f.b.angle) - double(f.a.angle);
     }
 
-    /// From the joint's point of A to that of B.
+    /// The vector from the joint's point of A to that of B.
     struct Line
     {
         b2Vec2 armA, armB;
-        b2Vec2 axis; ///< a unit vector, or zero where there is no direction to push in
+        b2Vec2 axis; ///< unit vector, or zero without a direction
         float32 length;
     };
     Line Between(const b2Vec2& localAnchorA, const b2Vec2& localAnchorB) const
@@ -148,14 +148,14 @@ struct RowFiller
         return line;
     }
 
-    /// An axis that turns with A, and where the point of B is along it.
+    /// An axis that rotates with A, and the position of B's point along it.
     struct Slide
     {
         b2Vec2 axis;
         b2Vec2 reachA, armB; ///< from the centres of mass to the point of B
         float32 translation;
     };
-    /// A row that holds the points together across the axis.
+    /// Adds a row that holds the points together perpendicular to the axis.
     Slide AddSlide(const b2Vec2& localAnchorA, const b2Vec2& localAnchorB, const b2Vec2& localAxisA)
     {
         Slide slide;
@@ -169,15 +169,15 @@ struct RowFiller
         return slide;
     }
 
-    /// A row that holds two points along a direction, a unit vector. `reachA` goes from the centre
-    /// of mass A to the point of B when the direction turns with A, to A's own point when not.
+    /// Adds a row that holds two points along a unit vector. `reachA` goes from the centre of mass
+    /// A to B's point if the direction rotates with A, otherwise to A's own point.
     void AddAlong(const b2Vec2& direction, const b2Vec2& reachA, const b2Vec2& armB, float32 error)
     {
         a.AddTo(rows.rows, -direction, -b2Cross(reachA, direction));
         b.AddTo(rows.rows, direction, b2Cross(armB, direction));
         rows.error[rows.rows++] = error;
     }
-    /// The first row, along a line that turns with the points at its ends.
+    /// Adds the first row, along a line between two points.
     void AddLine(const Line& line, float32 error)
     {
         AddAlong(line.axis, line.armA, line.armB, error);
@@ -185,16 +185,16 @@ struct RowFiller
         a.reach = b2Dot(line.armA, line.axis);
         b.reach = -b2Dot(line.armB, line.axis);
     }
-    /// A row that does nothing, and keeps the place of one that does.
+    /// Adds a row without effect, to keep the positions of later rows.
     void AddNothing() { ++rows.rows; }
-    /// Two rows that hold two points together.
+    /// Adds two rows that hold two points together.
     void AddPoint(const b2Vec2& armA, const b2Vec2& armB, const b2Vec2& error)
     {
         rows.point = rows.rows == 0;
         AddAlong(b2Vec2(1.0f, 0.0f), armA, armB, error.x);
         AddAlong(b2Vec2(0.0f, 1.0f), armA, armB, error.y);
     }
-    /// A row that holds the angle between the bodies.
+    /// Adds a row that holds the relative angle.
     void AddAngle(float32 error)
     {
         a.AddTo(rows.rows, b2Vec2(0.0f, 0.0f), -1.0f);
@@ -202,7 +202,7 @@ struct RowFiller
         rows.error[rows.rows++] = error;
     }
 
-    // The last row gives way.
+    // The following make the last row a bounded one.
 
     JointRows::Law& Give()
     {
@@ -215,7 +215,7 @@ struct RowFiller
         law.wanted = speed;
         law.most = context.timeStep * mostForce;
     }
-    /// After a motor, which may have no force. The largest number on either side: no limit there.
+    /// Call after a motor, which may have no force. The largest number means no limit on that side.
     void GiveToLimit(float32 place, float32 lower, float32 upper)
     {
         JointRows::Law& law = rows.laws[rows.rows - 1];
@@ -232,22 +232,22 @@ struct RowFiller
         rows.laws[0].most = rows.laws[1].most = context.timeStep * mostForce;
         rows.laws[2].most = context.timeStep * mostTorque;
     }
-    /// Of the oscillator that moves 1 / `inverseMass`, or as much as the row does.
+    /// Uses the oscillator with the mass 1 / `inverseMass`, or with the effective mass of the row.
     void GiveToSpring(float32 error, float32 frequencyHz, float32 dampingRatio)
     {
         GiveToSpring(error, frequencyHz, dampingRatio, InverseMassOf(rows.rows - 1));
     }
     void GiveToSpring(float32 error, float32 frequencyHz, float32 dampingRatio,
                       float32 inverseMass);
-    /// The speed with which a limit at a distance, negative beyond it, may be approached: as it
-    /// would be reached in the drift. What is beyond comes back slower.
+    /// Returns the maximum approach speed for a limit at a distance, negative beyond it: it is
+    /// reached in the drift. Beyond the limit the return is slower.
     float32 SpeedTowards(float32 distance) const
     {
         return distance >= 0.0f ? distance * context.inverseStep
                                 : b2Max(kReturn * distance * context.inverseStep, -kFastestReturn);
     }
 
-    /// How an impulse along a row changes its speed.
+    /// Returns the response of a row's speed to an impulse along it.
     float32 InverseMassOf(int32 row) const
     {
         const auto of = [row](const JointRows::Column& c) {
@@ -276,16 +276,16 @@ struct RowFiller
     JointRows::Column& b;
 };
 
-/// A spring k and a damper c, at the kick of duration t before a drift of h (half of it at either
+/// A spring k and a damper c, in the kick of duration t before a drift of h (half of it at either
 /// end of a step), with the speeds u before and v after the kick:
 ///   impulse = -t k C - h^2 k / 4 (v - u) - t c (p v + (1 - p) u)
 /// The first two terms are Newmark's method with beta = 1/4 (1959; Hairer, Lubich, Wanner,
-/// "Geometric Numerical Integration", 2006, XIII.8): of second order, it keeps a spring's energy
-/// and is stable whatever its frequency f, which comes out too low by the share (2 pi f h)^2 / 12.
-/// With p = (1 + z) / (2 + z), z = t c / m, a damper by itself slows down by 1 / (1 + z + z^2 / 2),
-/// the Pade approximant (0, 2) of exp(-z). Where h no longer resolves the spring, c grows with
-/// sqrt(1 + (h omega / 4)^2), or else stiff springs would ring; and what would swing in less than
-/// two drifts counts as if it swung in two.
+/// "Geometric Numerical Integration", 2006, XIII.8). It is of second order, conserves a spring's
+/// energy and is stable for any frequency f, which is too low by the fraction (2 pi f h)^2 / 12.
+/// With p = (1 + z) / (2 + z), z = t c / m, a damper alone reduces the speed by 1 / (1 + z + z^2 /
+/// 2), the Pade approximant (0, 2) of exp(-z).
+/// If h does not resolve the spring, c is multiplied by sqrt(1 + (h omega / 4)^2), because stiff
+/// springs would ring. Periods below two drifts count as two drifts.
 inline void RowFiller::GiveToSpring(float32 error, float32 frequencyHz, float32 dampingRatio,
                                     float32 inverseMass)
 {

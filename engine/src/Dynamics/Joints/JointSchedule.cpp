@@ -18,12 +18,12 @@ namespace box2d
 namespace
 {
 
-/// Fewer of a kind than this are solved one by one: a block costs as much as that.
+/// Fewer joints of a type are solved one by one: a block costs as much as this many.
 constexpr std::ptrdiff_t kLeastLanes = 3;
-/// Blocks that one thread takes at a time.
+/// Blocks per part of a parallel loop.
 constexpr int32 kBlockGrain = 8;
 
-/// The bodies that a joint moves, two or four; some may be the same.
+/// The two or four bodies that a joint moves; some may be equal.
 struct JointBodies
 {
     explicit JointBodies(b2Joint& joint)
@@ -81,7 +81,7 @@ void JointSchedule::Build(const Array<b2Joint*>& joints)
     {
         for (b2Body* body : JointBodies(*joint))
         {
-            Data(*body).jointLevel = 0; // the first that is free
+            Data(*body).jointLevel = 0; // the first free level
         }
     }
     m_levelOf.clear();
@@ -105,7 +105,7 @@ void JointSchedule::Build(const Array<b2Joint*>& joints)
     SortInto(joints);
 }
 
-/// Level by level, in each in the order of creation (counting sort).
+/// Sorts by level, then by creation order (counting sort).
 void JointSchedule::SortInto(const Array<b2Joint*>& joints)
 {
     m_blocks.clear();
@@ -181,7 +181,7 @@ void JointSchedule::ForBlocks(int32 begin, int32 end, ThreadPool* threads, Funct
     });
 }
 
-/// `one` is called with runs, in order; on several threads, with those of a level at one time.
+/// Calls `one` with runs, in order; on several threads, the runs of a level concurrently.
 template <class Function>
 void JointSchedule::ForRuns(ThreadPool* threads, Function&& one)
 {
@@ -211,7 +211,7 @@ void JointSchedule::ForRuns(ThreadPool* threads, Function&& one)
 namespace
 {
 
-/// Puts the bodies of a pair into a lane, their masses being the first of the lane's numbers.
+/// Writes the bodies of a pair into a lane; their masses are its first numbers.
 void FillPair(const b2Body& bodyA, const b2Body& bodyB, int lane, int32* a, int32* b, uint8& movesA,
               uint8& movesB, float32 (&masses)[4])
 {
@@ -282,7 +282,7 @@ void JointSchedule::StoreImpulses(ThreadPool* threads)
     });
 }
 
-/// Puts the impulses of a block back into its joints.
+/// Stores the impulses of a block in its joints.
 void JointSchedule::Keep(const JointBlock& block)
 {
     float32* own = NumbersOf(block) + kMassNumbers * block.width;

@@ -19,16 +19,16 @@ class ThreadPool;
 class JointSchedule
 {
 public:
-    /// Follows the graph's list of joints; costs nothing while that stays the same.
+    /// Follows the graph's list of joints; free while that is unchanged.
     void Update(const ConstraintGraph& graph);
     bool IsEmpty() const { return m_levels.empty(); }
-    /// What is solved at one time, level by level.
+    /// Returns the joints, level by level.
     Array<Array<b2Joint*>> Levels() const;
 
     void Prepare(const SolverContext& context, ThreadPool* threads);
     /// One iteration.
     void SolveVelocities(const SolverContext& context, ThreadPool* threads);
-    /// Puts the impulses back into the joints.
+    /// Stores the impulses in the joints.
     void StoreImpulses(ThreadPool* threads);
     /// One iteration; whether all errors were below the tolerance.
     bool SolvePositions(const SolverContext& context, ThreadPool* threads);
@@ -48,12 +48,12 @@ private:
 
     Array<JointBlock> m_blocks; // level by level
     Array<float32> m_numbers;   // of the blocks
-    Array<int32> m_levels;      // their first blocks, and one more for the end
-    int32 m_version = -1;       // of the graph's list
-    // Scratch of Build, for joints come and go whenever islands wake and sleep.
-    Array<int32> m_levelOf;   // of each joint
-    Array<int32> m_counts;    // of each level
-    Array<int32> m_ends;      // of each level
+    Array<int32> m_levels;      // first block of each level, with one more for the end
+    int32 m_version = -1;       // version of the graph's list
+    // Scratch of Build, kept because joints change whenever islands wake and sleep.
+    Array<int32> m_levelOf;   // per joint
+    Array<int32> m_counts;    // per level
+    Array<int32> m_ends;      // per level
     Array<b2Joint*> m_sorted; // by level
 };
 

@@ -19,7 +19,7 @@ struct MotorLanes
     static constexpr bool kHoldsPositions = false;
 
     FrictionLanes<F> friction;
-    Vector<F> bias; ///< speed at which the place is left [m/s]
+    Vector<F> bias; ///< correction speed of the position [m/s]
     F angularBias;  ///< [rad/s]
 
     void WarmStart(MovingPair<F>& pair, uint8 features) const

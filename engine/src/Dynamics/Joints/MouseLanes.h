@@ -17,11 +17,12 @@ struct MouseLanes
     static constexpr int kImpulses = 2;
     static constexpr int kPlainImpulses = kImpulses;
     static constexpr bool kHoldsPositions = false;
-    /// What is dragged about should not spin for long: so much of its turning is kept a step.
+    /// Fraction of the angular velocity kept per step, so that a dragged body does not spin for
+    /// long.
     static constexpr float32 kKeptSpin = 0.98f;
 
     Vector<F> impulse;                      ///< [N s]
-    F most;                                 ///< of it
+    F most;                                 ///< its maximum
     Vector<F> arm;                          ///< at the start of the step [m]
     typename PairMasses<F>::Matrix inverse; ///< of the matrix of the point
     Vector<F> bias;

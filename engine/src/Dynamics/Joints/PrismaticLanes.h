@@ -23,13 +23,14 @@ struct PrismaticLanes
         kLimits = 2
     };
 
-    /// The moments of the axis and of what is across it, about the centres of mass.
+    /// The moments of the axis and of its perpendicular, about the centres of mass.
     struct Levers
     {
         F axisA, axisB;     ///< (d + rA) x a, rB x a
         F acrossA, acrossB; ///< (d + rA) x t, rB x t
 
-        /// Of the two rows across the axis and about it; 1 for two bodies that cannot turn.
+        /// Of the two rows perpendicular to the axis and about it; 1 for two bodies that cannot
+        /// rotate.
         typename PairMasses<F>::Matrix MatrixOf(const PairMasses<F>& pair) const
         {
             const F inertia = pair.iA + pair.iB;
@@ -38,8 +39,8 @@ struct PrismaticLanes
                     Select(turns, inertia, F::Set(1.0f))};
         }
 
-        /// The row along the axis while those two are held, as HeldRow<F>::AngleOfPoint has it:
-        /// with p and q the differences of the levers across and along
+        /// The row along the axis while those two are held, as in HeldRow<F>::AngleOfPoint. With p
+        /// and q the differences of the levers perpendicular and along
         ///   |K held| / (mA + mB)^2 = a + b + a b p^2
         ///   |K|      / (mA + mB)^3 = a + b + a b (p^2 + q^2)
         HeldRow<F> RowOf(const PairMasses<F>& pair) const
@@ -50,18 +51,18 @@ struct PrismaticLanes
             const F p = acrossA - acrossB;
             const F q = axisA - axisB;
             const F held = a + b + a * b * p * p;
-            const F s = InverseOrZero(held); // 0 for two bodies that cannot turn
+            const F s = InverseOrZero(held); // 0 for two bodies that cannot rotate
             const F mass = reduced * InverseOrZero(F::Set(1.0f) + s * (a * b * q * q));
             const F turn = a * axisA + b * axisB + a * b * p * (acrossA * axisB - acrossB * axisA);
             return {mass, {-s * (a * b * p * q), -s * turn}};
         }
     };
 
-    Vector<F> impulse;            ///< across the axis [N s], against turning [N m s]
-    F motorImpulse, limitImpulse; ///< [N s], the limit's positive at the lower one
+    Vector<F> impulse;            ///< perpendicular to the axis [N s], angular [N m s]
+    F motorImpulse, limitImpulse; ///< [N s]; the limit's is positive at the lower one
     Vector<F> axis;
     Levers levers;
-    typename PairMasses<F>::Matrix inverse; ///< of the matrix across and about the axis
+    typename PairMasses<F>::Matrix inverse; ///< of the matrix perpendicular to and about the axis
     Vector<F> armA, armB;                   ///< at the start of the step [m]
     Vector<F> offset;                       ///< from centre of mass A to B [m]
     F angleError;                           ///< at the start of the step [rad]
@@ -122,7 +123,7 @@ struct PrismaticLanes
         Push(pair, IsSet(hasLimits), total, limitImpulse);
     }
 
-    /// Brings an impulse along the axis to its new total, with the answer of the other two rows.
+    /// Brings an impulse along the axis to its new total, with the reaction of the other two rows.
     template <class M>
     void Push(MovingPair<F>& pair, M active, F total, F& sum)
     {
@@ -165,8 +166,8 @@ struct PrismaticLanes
                     levers.axisB * axial + levers.acrossB * held.x + held.y);
     }
 
-    /// Moves what is beyond a limit by more than a slop back, with the other two rows held. Returns
-    /// by how much it was beyond, or 0 [m].
+    /// Corrects a limit that is violated by more than a slop, with the other two rows held. Returns
+    /// the violation, or 0 [m].
     F PushBack(PlacedPair<F>& pair, const Vector<F>& along, const Levers& now, F translation) const
     {
         const F zero = F::Set(0.0f);

@@ -11,8 +11,8 @@ namespace box2d
 namespace
 {
 
-/// Nearer than this to its ground anchor a rope has no direction, and stays as long as it is there:
-/// what its end does within pulls at nothing [m].
+/// A shorter rope [m] has no direction, and its length counts as constant: motion of its end causes
+/// no force.
 constexpr float32 kShortestRope = 10.0f * b2_linearSlop;
 
 template <class F>
@@ -27,7 +27,7 @@ struct PulleyLanes
     Vector<F> armA, armB;   ///< at the start of the step [m]
     Vector<F> ropeA, ropeB; ///< from the ground anchors to the centres of mass, then [m]
     F ratio;
-    F mass;             ///< effective
+    F mass;             ///< effective mass
     F lengthA, lengthB; ///< [m]
 
     void WarmStart(MovingPair<F>& pair, uint8) const { Pull(pair, impulse); }
@@ -74,8 +74,8 @@ struct PulleyLanes
         const F k = pair.mA + pair.iA * leverA * leverA +
                     ratio * ratio * (pair.mB + pair.iB * leverB * leverB);
         const F error = RopeLength(nowA) - lengthA + ratio * (RopeLength(nowB) - lengthB);
-        // Not farther than velocities may move: a light body between a pulley and a limit would
-        // be thrown farther out by each iteration. With 0.2 m, as rods have, ropes stretch.
+        // At most what velocities may move: each iteration would move a light body between a pulley
+        // and a limit further out. With 0.2 m, as for rods, ropes stretch.
         const F most = F::Set(b2_maxTranslation);
         const F push = -Clamp(error, -most, most) * InverseOrZero(k);
         pair.a.d = pair.a.d + pair.mA * (push * alongA);

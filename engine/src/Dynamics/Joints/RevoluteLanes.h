@@ -23,14 +23,14 @@ struct RevoluteLanes
         kLimits = 2
     };
 
-    Vector<F> impulse;                      ///< of the point [N s]
-    F motorImpulse, limitImpulse;           ///< [N m s], the limit's positive at the lower one
+    Vector<F> impulse;                      ///< linear [N s]
+    F motorImpulse, limitImpulse;           ///< [N m s]; the limit's is positive at the lower one
     Vector<F> armA, armB;                   ///< at the start of the step [m]
     Vector<F> offset;                       ///< from centre of mass A to B [m]
     typename PairMasses<F>::Matrix inverse; ///< of the matrix of the point
     F hasMotor, hasLimits;                  ///< 1 or 0
 
-    /// Written of lanes with a motor or limits only.
+    /// Only for lanes with a motor or limits.
     struct Axial
     {
         HeldRow<F> row;           ///< the angle, while the point is held
@@ -78,7 +78,7 @@ struct RevoluteLanes
         Turn(pair, IsSet(hasLimits), total, limitImpulse);
     }
 
-    /// Brings an impulse about the hinge to its new total, with the answer of the point.
+    /// Brings an impulse about the hinge to its new total, with the reaction of the point.
     template <class M>
     void Turn(MovingPair<F>& pair, M active, F total, F& sum)
     {
@@ -103,8 +103,8 @@ struct RevoluteLanes
                    AtLeast(F::Set(b2_angularSlop), angularError));
     }
 
-    /// Turns what is beyond a limit by more than a slop back, with the point held. Returns by how
-    /// much it was beyond, or 0 [rad].
+    /// Corrects a limit that is violated by more than a slop, with the point held. Returns the
+    /// violation, or 0 [rad].
     F TurnBack(PlacedPair<F>& pair) const
     {
         const F zero = F::Set(0.0f);

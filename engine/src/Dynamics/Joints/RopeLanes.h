@@ -18,11 +18,11 @@ struct RopeLanes
     static constexpr int kPlainImpulses = kImpulses;
     static constexpr bool kHoldsPositions = true;
 
-    F impulse; ///< along the rope [N s], never positive
+    F impulse; ///< along the rope [N s], <= 0
     Vector<F> axis;
     Vector<F> armA, armB; ///< at the start of the step [m]
     Vector<F> offset;     ///< from centre of mass A to B [m]
-    F mass;               ///< effective, along the axis
+    F mass;               ///< effective mass along the axis
     F slack;              ///< speed that makes it taut in this step [m/s]
     F maxLength;          ///< [m]
 

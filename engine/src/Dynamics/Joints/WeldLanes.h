@@ -23,12 +23,12 @@ struct WeldLanes
         kSoft = 2
     };
 
-    Vector<F> impulse;          ///< of the point [N s]
+    Vector<F> impulse;          ///< linear [N s]
     F angularImpulse;           ///< [N m s]
     Vector<F> armA, armB;       ///< at the start of the step [m]
     Vector<F> offset;           ///< from centre of mass A to B [m]
     F angleError;               ///< at the start of the step [rad]
-    F isRigid;                  ///< 1, or 0 where the angle is a spring or cannot change
+    F isRigid;                  ///< 1, or 0 if the angle has a spring or cannot change
     F angularMass, bias, gamma; ///< of the spring
 
     void WarmStart(MovingPair<F>& pair, uint8) const

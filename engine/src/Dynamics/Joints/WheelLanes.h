@@ -22,14 +22,14 @@ struct WheelLanes
         kMotor = 1
     };
 
-    F impulse, springImpulse; ///< across the axis and along it [N s]
+    F impulse, springImpulse; ///< perpendicular to the axis and along it [N s]
     F motorImpulse;           ///< [N m s]
     Vector<F> axis;
     F axisA, axisB;       ///< its moments about the centres of mass: (d + rA) x a, rB x a
-    F acrossA, acrossB;   ///< of what is across it
+    F acrossA, acrossB;   ///< moments of its perpendicular
     Vector<F> armA, armB; ///< at the start of the step [m]
     Vector<F> offset;     ///< from centre of mass A to B [m]
-    F rigidMass;          ///< effective, across
+    F rigidMass;          ///< effective mass, perpendicular
     F springMass, bias, gamma;
     F motorMass;
     F hasMotor;              ///< 1 or 0

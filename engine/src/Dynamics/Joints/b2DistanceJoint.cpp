@@ -10,8 +10,8 @@
 // Keep two anchors at length L:  C = |d| - L,  n = d / |d|
 //   Cdot = dot(n, vB + wB x rB - vA - wA x rA)
 //   K    = mA + mB + iA (rA x n)^2 + iB (rB x n)^2        (mA … inverse masses)
-// With a frequency it is a spring along n: see Softness. Limits are inequalities on |d|, which may
-// close in on a limit at most as fast as it would reach it in this step.
+// With a frequency it is a spring along n: see Softness. Limits are inequalities on |d|; the
+// approach speed is at most the one that reaches the limit at the end of this step.
 
 void b2DistanceJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchorA,
                                     const b2Vec2& anchorB)
@@ -68,7 +68,7 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     const float32 length = m_axis.Normalize();
     if (length == 0.0f)
     {
-        m_axis.SetZero(); // no direction to push in
+        m_axis.SetZero(); // no direction
     }
     const float32 k = box2d::AxisMatrix(f, m_axis, armA, armB);
     const box2d::Softness soft =

@@ -12,10 +12,10 @@
 #include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
 
 // C = q1 + ratio q2 - constant, where each q is a joint's coordinate:
-//   hinge:   q = aBody - aFrame - reference          Jv = 0,  Jw(body) = 1,        Jw(frame) = 1
-//   slider:  q = dot(axis, pBody - pFrame)           Jv = n,  Jw(body) = rBody x n, Jw(frame) = (d
-//   + rFrame) x n K = sum over the sides of  weight^2 (m Jv^2 + i Jw^2)  of body and frame,  weight
-//   1 and ratio
+//   hinge:   q = aBody - aFrame - reference     Jv = 0,  Jw(body) = 1,  Jw(frame) = 1
+//   slider:  q = dot(axis, pBody - pFrame)      Jv = n
+//            Jw(body) = rBody x n,  Jw(frame) = (d + rFrame) x n
+//   K = sum over the sides of weight^2 (m Jv^2 + i Jw^2) of body and frame, weight 1 and ratio
 // Up to four bodies take part, those of the two joints.
 
 namespace box2d
@@ -152,8 +152,8 @@ b2GearJoint::b2GearJoint(const b2GearJointDef* def, const b2JointDef& base)
     m_constant = Coordinate(m_side1, nullptr) + double(m_ratio) * Coordinate(m_side2, nullptr);
 }
 
-/// The joint's coordinate [rad or m]: at the start of the step, or with a context after what has
-/// moved in it.
+/// Returns the joint's coordinate [rad or m]: at the start of the step, or with a context after the
+/// displacements in it.
 double b2GearJoint::Coordinate(const Side& side, const box2d::SolverContext* context)
 {
     const BodyData& frame = Data(*side.frame);
@@ -175,7 +175,7 @@ double b2GearJoint::Coordinate(const Side& side, const box2d::SolverContext* con
     return double(b2Dot(d, b2Mul(movedFrame.q, b2Mul(frame.rotation, side.localAxis))));
 }
 
-/// How the coordinate changes with the velocities, at the same pose.
+/// Computes the derivative of the coordinate by the velocities, at the same pose.
 void b2GearJoint::Measure(Side& side, const box2d::SolverContext* context)
 {
     side.axis.SetZero();
@@ -222,7 +222,7 @@ float32 b2GearJoint::EffectiveMass() const
     return box2d::InverseOrZero(k + 2.0f * m_ratio * SharedMatrix());
 }
 
-/// What a body adds that takes part in both joints, for the square of a sum has a mixed term.
+/// Returns the mixed terms of a body that is part of both joints: the square of a sum.
 float32 b2GearJoint::SharedMatrix() const
 {
     float32 sum = 0.0f;
@@ -248,7 +248,7 @@ float32 b2GearJoint::SharedMatrix() const
 namespace
 {
 
-/// What of a side stays the same during a step.
+/// Returns the values of a side that are constant during a step.
 box2d::GearLanes<float32>::Side SideOf(const BodyData& frame, const BodyData& body, bool slides,
                                        const b2Vec2& localAnchorFrame,
                                        const b2Vec2& localAnchorBody)
@@ -302,7 +302,7 @@ void b2GearJoint::KeepImpulses(const box2d::JointLane& lane)
 
 void b2GearJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
-    // The columns in the order of the joints' bodies: frame 1, body 1, frame 2, body 2.
+    // The columns have the order of the joints' bodies: frame 1, body 1, frame 2, body 2.
     for (Side* side : {&m_side1, &m_side2})
     {
         const float32 weight = side == &m_side1 ? 1.0f : m_ratio;

@@ -49,7 +49,7 @@ void b2Joint::NoteChange()
 namespace
 {
 
-/// Of the oscillator that both masses make together; one that is 0 does not move.
+/// Returns the reduced mass of an oscillator of two bodies; a mass of 0 is static.
 float32 ReducedMass(float32 a, float32 b)
 {
     return a > 0.0f && b > 0.0f ? a * b / (a + b) : a + b;

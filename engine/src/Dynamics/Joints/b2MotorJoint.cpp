@@ -7,8 +7,8 @@
 #include "MotorKind.h"
 #include "MotorLanes.h"
 
-// Like friction, but towards a velocity that makes good a share of the error in one step:
-//   Cdot + factor / h * C = 0,  C the distance from where body B's origin and angle should be.
+// Friction towards a velocity that corrects a fraction of the error in one step:
+//   Cdot + factor / h * C = 0,  C the deviation of body B's origin and angle from the target.
 
 void b2MotorJointDef::Initialize(b2Body* a, b2Body* b)
 {

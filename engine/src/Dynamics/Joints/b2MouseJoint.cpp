@@ -10,8 +10,8 @@
 #include <Box2D/Dynamics/b2World.h>
 
 // A spring between a point of body B and a fixed point, in both directions at once:
-//   C = xB + rB - target,  Cdot = vB + wB x rB,  K = mB E - iB [rB][rB] + gamma E,  with a bounded
-//   impulse.
+//   C = xB + rB - target,  Cdot = vB + wB x rB,  K = mB E - iB [rB][rB] + gamma E
+// The impulse is bounded.
 
 namespace
 {
@@ -73,7 +73,7 @@ void b2MouseJoint::FillRows(const box2d::SolverContext& context, box2d::JointRow
         rows.laws[rows.rows - 1].most = context.timeStep * m_maxForce;
     }
     rows.disc = true;
-    // What is dragged about should not spin for long.
+    // Damps the rotation, so that a dragged body does not spin for long.
     row.b.AddTo(rows.rows++, b2Vec2(0.0f, 0.0f), 1.0f);
     row.Give().softness = row.f.iB / (kSpinLoss * context.timeStep);
 }

@@ -7,10 +7,11 @@
 #include "PrismaticLanes.h"
 
 // With d = xB + rB - xA - rA, the axis a fixed in A, t = (0, 0, 1) x a:
-//   across:   C1 = dot(t, d),                 Cdot1 = dot(t, vB - vA) + (rB x t) wB - ((d + rA) x
-//   t) wA turning:  C2 = aB - aA - reference,       Cdot2 = wB - wA along:    the same as across
-//   with a for t, for the motor and the limit
-// Across and turning are solved together; motor and limit with them, while these two hold.
+//   across:   C1 = dot(t, d)
+//             Cdot1 = dot(t, vB - vA) + (rB x t) wB - ((d + rA) x t) wA
+//   turning:  C2 = aB - aA - reference,  Cdot2 = wB - wA
+//   along:    the same as across with a for t, for the motor and the limit
+// Across and turning are solved together; motor and limit with these two held.
 
 void b2PrismaticJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor, const b2Vec2& axis)
 {
@@ -57,7 +58,7 @@ void b2PrismaticJoint::FillLane(const box2d::SolverContext& context, box2d::Join
     const float32 k11 = f.mA + f.mB + f.iA * acrossA * acrossA + f.iB * acrossB * acrossB;
     const float32 k12 = f.iA * acrossA + f.iB * acrossB;
     const float32 k22 = f.iA + f.iB;
-    const b2Mat22 matrix(k11, k12, k12, k22 > 0.0f ? k22 : 1.0f); // two that cannot turn
+    const b2Mat22 matrix(k11, k12, k12, k22 > 0.0f ? k22 : 1.0f); // two bodies that cannot rotate
     using OneLane = box2d::PrismaticLanes<box2d::simd::Float1>;
     const OneLane::Levers levers = {{axisA}, {axisB}, {acrossA}, {acrossB}};
     const float32 toLower = b2Max(translation - m_lowerTranslation, 0.0f);

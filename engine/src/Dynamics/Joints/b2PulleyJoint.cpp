@@ -25,7 +25,7 @@ b2Vec2 RopeDirection(const b2Vec2& rope)
     return length > box2d::kShortestRope ? (1.0f / length) * rope : b2Vec2(0.0f, 0.0f);
 }
 
-/// From the ground anchor to the body's centre of mass.
+/// Returns the vector from the ground anchor to the body's centre of mass.
 b2Vec2 RopeOf(const box2d::BodyData& data, const box2d::SolverBody& moved, const b2Vec2& ground)
 {
     return b2Vec2(float32(data.pose.x - double(ground.x)),
@@ -98,7 +98,7 @@ void b2PulleyJoint::KeepImpulses(const box2d::JointLane& lane)
     m_impulse = lane[0];
 }
 
-/// By how much the rope is longer than it should be.
+/// Returns the excess length of the rope.
 float32 b2PulleyJoint::Stretch(const b2Vec2& ropeA, const b2Vec2& ropeB) const
 {
     return RopeLength(ropeA) - b2Max(m_lengthA, box2d::kShortestRope) +
@@ -107,7 +107,7 @@ float32 b2PulleyJoint::Stretch(const b2Vec2& ropeA, const b2Vec2& ropeB) const
 
 void b2PulleyJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
-    // The impulse pulls, so the row is the rope's length that is left.
+    // The impulse pulls, so the row is the remaining length.
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
     const b2Vec2 armA = row.ArmA(m_localAnchorA);
     const b2Vec2 armB = row.ArmB(m_localAnchorB);

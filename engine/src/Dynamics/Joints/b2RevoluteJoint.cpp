@@ -7,10 +7,10 @@
 #include "RevoluteLanes.h"
 
 // The two anchors coincide:  C = xB + rB - xA - rA,  Cdot = vB + wB x rB - vA - wA x rA,  K as in
-// PointMatrix. About the hinge: the motor drives wB - wA to its speed within its torque; a limit is
-// an inequality on the angle, which may close in on the limit at most as fast as it would reach it
-// in this step. Both are solved with the point held: on a long arm, the point would take back most
-// of what an impulse on the angle alone does.
+// PointMatrix. The motor drives wB - wA to its speed within its torque. A limit is an inequality on
+// the angle; the approach speed is at most the one that reaches it at the end of this step. Both
+// are solved with the point held: on a long arm, the point would otherwise cancel most of an
+// impulse on the angle.
 
 void b2RevoluteJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor)
 {

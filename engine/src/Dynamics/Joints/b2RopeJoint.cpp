@@ -6,8 +6,8 @@
 #include "JointRows.h"
 #include "RopeLanes.h"
 
-// The distance joint as an inequality:  C = |d| - L <= 0. While the rope is slack, the anchors may
-// part at most as fast as they would pull it taut in this step.
+// The distance joint as an inequality: C = |d| - L <= 0. While the rope is slack, the separation
+// speed is at most the one that makes it taut at the end of this step.
 
 b2RopeJoint::b2RopeJoint(const b2RopeJointDef* def)
     : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB),

@@ -7,9 +7,9 @@
 #include "WeldKind.h"
 #include "WeldLanes.h"
 
-// A hinge whose angle is held too. Rigid: the three rows are solved together, with
+// A hinge with a fixed angle. Rigid: the three rows are solved together, with
 //   K = [ PointMatrix   k ; k^T   iA + iB ],   k = (-iA rA.y - iB rB.y, iA rA.x + iB rB.x).
-// Soft: the angle is a spring, solved before the point.
+// Soft: the angle has a spring, solved before the point.
 
 void b2WeldJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor)
 {

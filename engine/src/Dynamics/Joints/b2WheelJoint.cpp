@@ -10,7 +10,7 @@
 // With d = xB + rB - xA - rA, the axis a fixed in A, t = (0, 0, 1) x a:
 //   rigid:   C = dot(t, d),   Cdot = dot(t, vB - vA) + (rB x t) wB - ((d + rA) x t) wA
 //   spring:  the same with a for t, made soft
-//   motor:   wB - wA driven to its speed
+//   motor:   drives wB - wA to its speed
 
 void b2WheelJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor, const b2Vec2& axis)
 {

@@ -23,11 +23,11 @@ class b2Joint;
 namespace box2d
 {
 
-/// What refers to each other, oldest first; references are written as places in these lists.
+/// Objects that are referenced, oldest first; references are stored as indices into these lists.
 struct SnapshotLists
 {
     Array<b2Body*> bodies;
-    Array<b2Joint*> joints; ///< by rising number
+    Array<b2Joint*> joints; ///< by ascending number
     Array<b2Contact*> contacts;
     b2SnapshotUserData* userData = nullptr;
 };
@@ -35,7 +35,7 @@ struct SnapshotLists
 namespace snapshot
 {
 
-/// A number's bytes, little end first, on any machine.
+/// Converts a number to little-endian bytes on any machine.
 template <class Number>
 void Order(uint8 (&bytes)[sizeof(Number)])
 {
@@ -85,7 +85,7 @@ public:
     void Require(bool) {}
     bool IsSound() const { return true; }
 
-    /// What has been written.
+    /// Returns the written bytes.
     std::vector<uint8> Take()
     {
         m_bytes.resize(m_size);
@@ -101,7 +101,8 @@ private:
     std::size_t m_size = 0;
 };
 
-/// After a mistake all it reads is zero, and counts are, so that readers come to an end.
+/// Reads a snapshot. After an error all values are zero, including counts, so that readers
+/// terminate.
 class SnapshotReader
 {
 public:
@@ -138,7 +139,7 @@ public:
         Require(count >= 0 && std::size_t(count) <= m_left.size() / leastBytes);
         count = m_sound ? count : 0;
     }
-    /// A number or an enumerator that is good for nothing outside of a range.
+    /// Reads a number or enumerator and checks its range.
     template <class Value>
     void Within(Value& value, Value least, Value most)
     {
@@ -146,7 +147,7 @@ public:
         Require(number >= int32(least) && number <= int32(most));
         value = m_sound ? static_cast<Value>(number) : least;
     }
-    /// From the first that is false on everything is refused.
+    /// After the first false condition everything is rejected.
     void Require(bool condition)
     {
         if (!condition)
@@ -195,7 +196,7 @@ void Visit(Archive& archive, Value (&values)[count])
     }
 }
 
-/// Of numbers.
+/// Reads or writes an array of numbers.
 template <class Archive, class Number>
 void Visit(Archive& archive, Array<Number>& numbers)
 {
@@ -271,7 +272,7 @@ void Visit(Archive& archive, b2Manifold& manifold)
     }
 }
 
-/// A pointer to user data, as what the program makes of it.
+/// Reads or writes user data as the program's number.
 template <class Archive>
 void VisitUserData(Archive& archive, void*& userData)
 {

@@ -65,7 +65,7 @@ void Visit(Archive& archive, b2ChainShape& shape)
     }
 }
 
-/// All but the shape; each child has its place in a tree while the body is active.
+/// All members except the shape; each child has a tree node while the body is active.
 template <class Archive>
 void VisitFixture(Archive& archive, World& world, b2Fixture& fixture)
 {
@@ -110,7 +110,7 @@ void VisitFixtureOf(Archive& archive, World& world, b2Body& body, b2Fixture* fix
     }
 }
 
-/// The fixture is null when one is to be read.
+/// The fixture is null for reading.
 template <class Archive>
 void VisitFixture(Archive& archive, World& world, b2Body& body, b2Fixture* fixture)
 {
@@ -150,7 +150,7 @@ void Visit(Archive& archive, BodyData& body)
     VisitUserData(archive, userData);
 }
 
-/// Oldest first, as new ones are put in front of the old.
+/// Oldest first, because new ones are inserted at the front.
 template <class Archive>
 void VisitFixtures(Archive& archive, World& world, b2Body& body)
 {

@@ -6,8 +6,8 @@
 
 #include "../State/Proxies.h"
 
-/// The trees as they are: which pairs are found first depends on their form, and which numbers new
-/// proxies get on the order of their free nodes.
+/// The exact trees. Their structure determines the order of pairs, and the order of their free
+/// nodes the numbers of new proxies.
 namespace box2d
 {
 
@@ -17,7 +17,7 @@ void SnapshotAccess::Visit(Archive& archive, b2DynamicTree& tree)
 {
     auto& [nodes, root, capacity, nodeCount, proxyCount, freeList, room] = tree;
     typedef b2DynamicTree::Node Node;
-    constexpr std::size_t leastBytes = 2 * sizeof(int32); // of a free node
+    constexpr std::size_t leastBytes = 2 * sizeof(int32); // size of a free node
     archive.Count(capacity, leastBytes);
     if constexpr (Archive::kReads)
     {
@@ -52,7 +52,7 @@ void SnapshotAccess::Visit(Archive& archive, b2DynamicTree& tree)
     }
 }
 
-/// So that no walk through the tree can go astray or on for ever.
+/// Checks that every traversal of the tree stays in range and terminates.
 inline bool SnapshotAccess::IsSound(const b2DynamicTree& tree)
 {
     for (int32 i = 0; i < tree.m_nodeCapacity; ++i)
@@ -82,7 +82,7 @@ inline bool SnapshotAccess::IsSound(const b2DynamicTree& tree)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, Proxies& proxies)
 {
-    // Rebuilds is true within a step only; found is scratch.
+    // `rebuilds` is true only within a step; `found` is scratch.
     auto& [trees, marks, categories, categoryCounts, present, moved, found, count, staticAdded,
            rebuilds, refits, rebuilt] = proxies;
     for (int32 i = 0; i < Proxies::kTreeCount; ++i)

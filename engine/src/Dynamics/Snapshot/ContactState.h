@@ -22,7 +22,7 @@ void Visit(Archive& archive, ContactData& contact)
     archive(manifold, relative, lasting);
 }
 
-/// By the proxies whose boxes overlap.
+/// Identified by the proxies whose boxes overlap.
 template <class Archive>
 void VisitContact(Archive& archive, World& world, b2Contact*& contact)
 {

@@ -19,7 +19,7 @@ struct JointAccess::Snapshot
         archive(j.m_number, j.m_changedAt, j.m_linked, j.m_collideConnected);
         VisitUserData(archive, j.m_userData);
     }
-    /// A gear was given its bodies when it was made; others may be moved by now.
+    /// A gear keeps the bodies of its creation, even if its joints now move others.
     static void SetBodies(b2Joint& j, b2Body* a, b2Body* b)
     {
         j.m_bodyA = a;
@@ -27,7 +27,7 @@ struct JointAccess::Snapshot
     }
 };
 
-/// The joints of a gear are older than it.
+/// The joints of a gear are older than the gear.
 template <class Archive>
 void VisitParts(Archive& archive, b2GearJointDef& def, b2Joint* joint)
 {

@@ -15,7 +15,7 @@ namespace box2d
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, Islands& islands)
 {
-    // What was seen in a step is forgotten at its end, and what is sleepy means nothing later.
+    // `seenIslands` is empty between steps, and `sleepy` is scratch.
     auto& [all, free, seenIslands, sleepy, members, stack] = islands;
     constexpr std::size_t leastBytes = 2 * sizeof(int32);
     auto count = int32(all.size());
@@ -75,7 +75,7 @@ void SnapshotAccess::Visit(Archive& archive, ConstraintGraph& graph)
     }
 }
 
-/// Bodies or contacts, which know their place.
+/// Bodies or contacts, which store their index.
 template <class Archive, class Thing>
 void VisitAwake(Archive& archive, Array<Thing*>& awake)
 {

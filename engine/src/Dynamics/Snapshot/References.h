@@ -8,7 +8,7 @@
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
-/// Bodies, joints and contacts as places in the lists of a snapshot.
+/// Bodies, joints and contacts as indices into the lists of a snapshot.
 namespace box2d
 {
 
@@ -46,7 +46,7 @@ void VisitReference(Archive& archive, const Array<Thing*>& list, Thing*& thing)
     }
 }
 
-// Never null but in an archive that is not sound.
+// Null only for invalid archives.
 
 template <class Archive>
 void Visit(Archive& archive, b2Body*& body)
@@ -66,7 +66,7 @@ void Visit(Archive& archive, b2Contact*& contact)
     VisitReference(archive, archive.lists.contacts, contact);
 }
 
-/// A list of references to them; `add(thing, place)` is called for each that is read.
+/// A list of references; `add(thing, place)` is called for each element read.
 template <class Archive, class Thing, class Add>
 void VisitList(Archive& archive, Array<Thing*>& list, Add&& add)
 {

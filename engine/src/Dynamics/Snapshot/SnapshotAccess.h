@@ -35,9 +35,9 @@ struct SnapshotAccess
     template <class Archive>
     static void Visit(Archive& archive, Proxies& proxies);
     static bool IsSound(const b2DynamicTree& tree);
-    /// Of trees that have been read: whether there is such a leaf.
+    /// True if the restored trees contain such a leaf.
     static bool IsProxy(const Proxies& proxies, int32 proxyId);
-    /// Gives a leaf to its fixture; false when there is none, or it has one.
+    /// Assigns a leaf to its fixture; false if the leaf does not exist or is already assigned.
     static bool Connect(Proxies& proxies, b2FixtureProxy& proxy);
     static bool AreAllConnected(const Proxies& proxies);
     // ListState.h

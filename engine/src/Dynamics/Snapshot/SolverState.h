@@ -82,8 +82,8 @@ void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& wo
     }
 }
 
-/// Of the rows of the last step nothing but what RowSystem::SquaredFrequency reads, in the form
-/// that new joints in the same places find as well.
+/// Of the rows of the last step only what RowSystem::SquaredFrequency reads, in the form that new
+/// joints at the same indices use as well.
 template <class Archive>
 void Visit(Archive& archive, JointRows& rows)
 {
@@ -124,7 +124,7 @@ void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& w
     {
         return;
     }
-    // The list is followed when the next step has woken what there is to be woken.
+    // The list is used when the next step has woken all bodies that must wake.
     auto& kept = version == present ? yields : restored;
     restoredVersion = Archive::kReads ? present : restoredVersion;
     kept.resize(world.graph.Joints().size());
@@ -147,7 +147,7 @@ void VisitSolver(Archive& archive, World& world)
     }
     SnapshotAccess::Visit(archive, *world.energyGuard, world);
     SnapshotAccess::Visit(archive, subSteps.joints, world);
-    // How what flies through a step of small ones is accelerated, for the impacts that remain.
+    // Accelerations of freely falling bodies with sub-steps, for the remaining impacts.
     auto count = int32(subSteps.ways.size());
     archive.Count(count, sizeof(int32));
     subSteps.ways.resize(std::size_t(count));

@@ -15,17 +15,17 @@ namespace box2d
 namespace
 {
 
-/// To be raised with every change of what is saved, of its order or of its meaning; also when a
-/// step does something else with it, for then the films that it was saved for are others.
+/// Increase with every change of the stored data, its order or its meaning. Also when a step uses
+/// the data differently, because recordings that depend on a snapshot then change.
 constexpr uint32 kVersion = 3;
 
-/// What stands in front of the content. A file that was sent as text has other line ends.
+/// The bytes before the content. The line ends in `magic` detect a file transferred as text.
 struct Header
 {
     uint8 magic[8] = {'b', '2', 's', 'n', 'a', 'p', '\r', '\n'};
     uint32 version = kVersion;
-    std::uint64_t bytes = 0;    ///< of the content
-    std::uint64_t checksum = 0; ///< of the content
+    std::uint64_t bytes = 0;    ///< size of the content
+    std::uint64_t checksum = 0; ///< checksum of the content
 
     static constexpr std::size_t kBytes = 28;
 };
@@ -37,11 +37,11 @@ void Visit(Archive& archive, Header& header)
     archive(magic, version, bytes, checksum);
 }
 
-/// Each word is mixed in by steps that can be undone, so a change within one word is always seen,
-/// and any other with all but certainty.
+/// Each word is mixed in by invertible operations. A change within one word is therefore always
+/// detected, and any other almost certainly.
 std::uint64_t ChecksumOf(std::span<const uint8> bytes)
 {
-    constexpr std::uint64_t odd = 0x9E3779B97F4A7C15u; // 2^64 over the golden ratio
+    constexpr std::uint64_t odd = 0x9E3779B97F4A7C15u; // 2^64 divided by the golden ratio
     const auto mixed = [](std::uint64_t sum, const uint8* from, std::size_t count) {
         uint8 word[sizeof(std::uint64_t)] = {};
         std::memcpy(word, from, count);
@@ -60,8 +60,8 @@ std::uint64_t ChecksumOf(std::span<const uint8> bytes)
 template <class Archive>
 void VisitWorld(Archive& archive, World& world)
 {
-    // The program's own: owner, filters, listeners, drawing, profile and threads. Counts follow
-    // from the lists, pairs from the contacts; the rest is scratch.
+    // Data of the program is kept: owner, filters, listeners, drawing, profile and threads. Counts
+    // follow from the lists, pairs from the contacts; the rest is scratch.
     auto& [owner, allocator, proxies, pairs, graph, islands, awakeBodies, awakeContacts,
            oldManifolds, attention, solver, subSteps, energyGuard, impacts, threads, bodyList,
            jointList, contactList, bodyCount, jointCount, gearCount, inactiveCount, contactCount,
@@ -89,7 +89,7 @@ void VisitWorld(Archive& archive, World& world)
     }
 }
 
-/// Oldest first; and gives bodies and contacts their places.
+/// Returns the lists, oldest first, and sets the indices of bodies and contacts.
 SnapshotLists ListsOf(World& world)
 {
     SnapshotLists lists;
@@ -119,7 +119,7 @@ SnapshotLists ListsOf(World& world)
     return lists;
 }
 
-/// Null when the bytes are the content that the header in front of it promises.
+/// Returns null if the bytes match their header.
 const char* WhyRefused(std::span<const uint8> bytes)
 {
     SnapshotReader reader(bytes);
@@ -142,7 +142,7 @@ const char* WhyRefused(std::span<const uint8> bytes)
                : "The snapshot is damaged: save it anew.";
 }
 
-/// What belongs to the program goes from one to the other.
+/// Moves the data of the program from one world to the other.
 void KeepOwn(World& from, World& to)
 {
     to.filter = from.filter == &from.defaultFilter ? &to.defaultFilter : from.filter;
@@ -168,7 +168,7 @@ std::vector<uint8> b2SaveSnapshot(const b2World& world, b2SnapshotUserData* user
     box2d::SnapshotWriter writer;
     writer.lists = box2d::ListsOf(inner);
     writer.lists.userData = userData;
-    writer(header); // to be written again when the content is known
+    writer(header); // overwritten when the content is known
     box2d::VisitWorld(writer, inner);
     std::vector<uint8> bytes = writer.Take();
     header.bytes = bytes.size() - box2d::Header::kBytes;

@@ -3,9 +3,9 @@
 
 #include "ContactBlockSolver.h"
 
-/// From what was gathered of eight contacts to the two sides of a block, for numbers F of 4 or 8
-/// lanes: PrepareContact of ContactSolver.cpp line by line, in the same order of operations.
-/// Included like ContactBlockSolver.h, and for the same reason nothing in it has external linkage.
+/// Computes both sides of a block from the gathered data of eight contacts, for numbers F of 4 or 8
+/// lanes. It matches PrepareContact of ContactSolver.cpp line by line, in the same order of
+/// operations. Included like ContactBlockSolver.h, so it has no external linkage either.
 namespace box2d
 {
 namespace
@@ -17,7 +17,7 @@ struct BlockPreparer
     const ContactLanes& from;
     ContactBlock& block;
     OverlapBlock& overlap;
-    int lane; // the first
+    int lane; // first lane
 
     static constexpr bool kFaceOnB = kKind == OverlapKind::FaceB;
 
@@ -40,7 +40,7 @@ struct BlockPreparer
     {
         return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y};
     }
-    /// a < b, false when either is no number.
+    /// Returns a < b; false if either is NaN.
     static auto Less(F a, F b) { return And(AtLeast(b, a), Not(AtLeast(a, b))); }
     static F Inverse(F value)
     {
@@ -50,7 +50,7 @@ struct BlockPreparer
         return Select(positive, one / Select(positive, value, one), zero);
     }
 
-    /// The overlap's geometry in world axes.
+    /// Writes the overlap's geometry in world axes.
     void FillOverlap() const
     {
         const F sineOther = At(from.sineOther);
@@ -69,7 +69,7 @@ struct BlockPreparer
         (At(from.radiusFace) + At(from.radiusOther)).Store(overlap.radius + lane);
     }
 
-    /// The normal from A to B, and the points midway between the surfaces, from A's centre.
+    /// The normal from A to B, and the points midway between the surfaces, relative to A's centre.
     struct Geometry
     {
         Vector<F> normal;

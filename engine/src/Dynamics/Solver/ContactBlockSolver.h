@@ -5,17 +5,17 @@
 
 #include "../State/BodyLanes.h"
 
-/// The contact solver on blocks, for numbers F of 4 or 8 lanes. Line by line what ContactSolver.cpp
-/// does to one contact, in the same order of operations. Included by one source for each
-/// instruction set; nothing in it has external linkage.
+/// The contact solver on blocks, for numbers F of 4 or 8 lanes. It matches ContactSolver.cpp line
+/// by line, in the same order of operations. One source per instruction set includes it, so it has
+/// no external linkage.
 namespace box2d
 {
 namespace
 {
 
-constexpr float32 kNearlyNothing = b2_epsilon; ///< shorter than this has no direction
+constexpr float32 kNearlyNothing = b2_epsilon; ///< a shorter vector has no direction
 
-/// How the bodies of each contact move, in the axes of its normal and tangent: see
+/// The relative motion of each contact's bodies, along its normal and tangent: see
 /// ContactSolver.cpp.
 template <class F>
 struct MotionLanes
@@ -139,8 +139,8 @@ struct BlockSolver
         x2.Store(p2.normalImpulse + lane);
     }
 
-    /// The four ways of EnumerateImpulses. What rests pushes at both points, and where all lanes do
-    /// the others are not looked at; else they are tried from the last to the first.
+    /// Tries the four cases of EnumerateImpulses from the last to the first. For resting contacts
+    /// both points push; if that holds in all lanes, the other cases are skipped.
     BOX2D_INLINE void SolvePair(PointLanes& p1, PointLanes& p2)
     {
         const F zero = F::Set(0.0f);
@@ -173,7 +173,7 @@ struct BlockSolver
         ChangePair(p1, old1, Select(both, both1, x1), p2, old2, Select(both, both2, x2));
     }
 
-    /// Some lanes together, others one point after the other: both ways, then each lane's own.
+    /// Solves some lanes as pairs and others point by point: computes both and selects per lane.
     BOX2D_NOINLINE void SolveMixed(PointLanes& p1, PointLanes& p2)
     {
         const auto coupled = AtLeast(At(block.coupled), F::Set(1.0f));
@@ -218,7 +218,7 @@ void WarmStartBlock(ContactBlock& block, float32* bodies)
     }
 }
 
-/// False when no impulse changed.
+/// False if no impulse changed.
 template <class F>
 bool SolveBlock(ContactBlock& block, float32* bodies)
 {

@@ -25,7 +25,7 @@ float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, PushPa
 namespace
 {
 
-/// A contact alone costs less in one lane; two cost more in turn than side by side.
+/// A single contact is cheaper in one lane; two are slower one after the other than side by side.
 template <class Block>
 bool IsAlone(const Block& block)
 {
@@ -48,12 +48,12 @@ OverlapKind KindOf(const b2Manifold& manifold)
 
 void ContactBlocks::Reserve(std::size_t contactCount, bool sharesBodies)
 {
-    constexpr std::size_t forms = 5; // of each the last block may be part empty
+    constexpr std::size_t forms = 5; // for each form the last block may be partly empty
     const std::size_t most =
         sharesBodies ? contactCount : b2Min(contactCount, contactCount / kBlockLanes + forms);
     if (most > m_contacts.size())
     {
-        // Some in reserve, for a colour that grows does so step by step, a small one too.
+        // Reserve, because a growing colour grows step by step.
         const std::size_t reserve = b2Max<std::size_t>(most / 8, 2);
         m_contacts.resize(most + reserve);
         m_overlaps.resize(most + reserve);
@@ -85,11 +85,11 @@ int32 ContactBlocks::Add(OverlapKind kind, int32 pointCount)
     return m_count++;
 }
 
-/// By the place of the newer body, as near as a few buckets tell (counting sort).
+/// By the index of the newer body, approximated by buckets (counting sort).
 void ContactBlocks::Sort(const Array<b2Contact*>& contacts, bool sharesBodies,
                          std::size_t bodyCount)
 {
-    const bool few = contacts.size() <= kBlockLanes; // whose order does not matter
+    const bool few = contacts.size() <= kBlockLanes; // order does not matter
     if (sharesBodies || few)
     {
         std::copy(contacts.begin(), contacts.end(), m_sorted.begin());
@@ -122,7 +122,7 @@ void ContactBlocks::Assign(bool sharesBodies)
 {
     m_count = 0;
     int32 open[] = {-1, -1, -1, -1,
-                    -1, -1, -1}; // by form: three ways to measure, one or two points
+                    -1, -1, -1}; // by form: three kinds of measurement, one or two points
     for (b2Contact* contact : m_sorted)
     {
         ContactData& c = Data(*contact);
@@ -144,7 +144,7 @@ void ContactBlocks::Assign(bool sharesBodies)
 namespace
 {
 
-/// Collects what a block is computed from. Bodies and contacts are read here and nowhere else.
+/// Collects the input of a block. Bodies and contacts are read only here.
 class Gatherer
 {
 public:
@@ -222,7 +222,7 @@ private:
         }
     }
 
-    /// Far apart, without mass, at rest.
+    /// Far apart, with infinite mass, at rest.
     void PadLane(int lane)
     {
         m_block.friction[lane] = m_block.tangentSpeed[lane] = 0.0f;
@@ -251,7 +251,7 @@ private:
     ContactLanes& m_to;
 };
 
-/// After the lanes have been computed: what stands for nothing must have something to divide by.
+/// After the lanes are computed: unused lanes need a non-zero divisor.
 void FinishCoupling(ContactBlock& block)
 {
     block.allCoupled = block.pointCount == 2;

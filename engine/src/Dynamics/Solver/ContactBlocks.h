@@ -3,9 +3,9 @@
 
 #include "../State/Solver.h"
 
-/// Contacts of one colour, eight at a time, so that one instruction serves several. A block is
-/// prepared and solved by 8, by twice 4 or by 8 times one lane with the same bits, and so does the
-/// plain solver of ContactSolver.cpp, which solves impacts and stays as the reference.
+/// Contacts of one colour in blocks of eight lanes, for SIMD. A block is prepared and solved with 8
+/// lanes, twice 4 lanes or 8 times one lane, with the same bits. The scalar solver of
+/// ContactSolver.cpp, which solves impacts and serves as the reference, gives them too.
 namespace box2d
 {
 
@@ -23,8 +23,8 @@ struct PointLanes
     float32 bias[kBlockLanes];
 };
 
-/// See ContactConstraint. All lanes have the same number of points. Lanes that are not used hold
-/// impulses of zero between bodies 0, which are never stored.
+/// See ContactConstraint. All lanes have the same number of points. Unused lanes contain zero
+/// impulses between bodies 0, and are never stored.
 struct alignas(kCacheLine) ContactBlock
 {
     int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
@@ -34,16 +34,16 @@ struct alignas(kCacheLine) ContactBlock
     float32 invMassB[kBlockLanes], invInertiaB[kBlockLanes];
     PointLanes points[2];
     float32 k11[kBlockLanes], k12[kBlockLanes], k22[kBlockLanes];
-    float32 coupled[kBlockLanes]; ///< 1 or 0
+    float32 coupled[kBlockLanes]; ///< 1 if the points are coupled, otherwise 0
     b2Contact* contact[kBlockLanes];
     int32 count; ///< used lanes
     int32 pointCount;
     bool allCoupled;
-    uint8 movesA, movesB; ///< a bit for each lane whose body can be pushed or turned
+    uint8 movesA, movesB; ///< bit mask of lanes whose body can move or rotate
 };
 
-/// See OverlapConstraint. All lanes measure the same way, and are those of the ContactBlock of the
-/// same index. Lanes that are not used are far apart.
+/// See OverlapConstraint. All lanes measure in the same way and match the ContactBlock of the same
+/// index. Unused lanes are far apart.
 struct alignas(kCacheLine) OverlapBlock
 {
     int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
@@ -68,15 +68,15 @@ struct BlockTotals
     float32 firstNormal[2][kBlockLanes], firstTangent[2][kBlockLanes];
 };
 
-/// What a block is computed from, gathered from bodies and contacts. In the case of circles A
-/// stands for the face.
+/// The input of a block, gathered from bodies and contacts. For circles A takes the role of the
+/// face.
 struct alignas(kCacheLine) ContactLanes
 {
     float32 sineFace[kBlockLanes], cosineFace[kBlockLanes];
     float32 sineOther[kBlockLanes], cosineOther[kBlockLanes];
-    float32 normalX[kBlockLanes], normalY[kBlockLanes]; ///< of the face, in its body's axes
-    /// From its body's centre of mass to the face, and from the other's to the points, each in
-    /// axes of its own body.
+    float32 normalX[kBlockLanes], normalY[kBlockLanes]; ///< of the face, in its body's frame
+    /// From its body's centre of mass to the face, and from the other's to the points, each in its
+    /// own body's frame.
     float32 referenceX[kBlockLanes], referenceY[kBlockLanes];
     float32 pointX[2][kBlockLanes], pointY[2][kBlockLanes];
     float32 radiusFace[kBlockLanes], radiusOther[kBlockLanes];
@@ -84,25 +84,24 @@ struct alignas(kCacheLine) ContactLanes
     float32 normalImpulse[2][kBlockLanes], tangentImpulse[2][kBlockLanes];
 };
 
-/// The blocks of one colour. What is in which block stays while the colour's contacts do.
+/// The blocks of one colour. The assignment lasts as long as the colour's contacts.
 class ContactBlocks
 {
 public:
-    /// Puts the contacts of a colour in the order of their bodies, `bodyCount` in all, so that
-    /// neighbours in memory are solved by one thread; in their own order when they may share
-    /// bodies, for then they must be solved in it.
+    /// Sorts the contacts of a colour by their bodies, `bodyCount` in all, so that one thread
+    /// solves neighbours in memory. Contacts that may share bodies keep their order, which is that
+    /// of solving.
     void Sort(const Array<b2Contact*>& contacts, bool sharesBodies, std::size_t bodyCount);
-    /// Makes room for as many.
+    /// Reserves memory for as many contacts.
     void Reserve(std::size_t contactCount, bool sharesBodies);
-    /// Gives each of the sorted contacts that has to be solved a lane in a block of its form; one
-    /// block each when they may share bodies. The blocks still have to be prepared. Allocates
-    /// nothing.
+    /// Assigns each sorted contact that must be solved to a lane in a block of its form; one block
+    /// each if they may share bodies. Blocks must be prepared afterwards. Allocates no memory.
     void Assign(bool sharesBodies);
 
     int32 Count() const { return m_count; }
     ContactBlock& Contacts(int32 index) { return m_contacts[std::size_t(index)]; }
     OverlapBlock& Overlaps(int32 index) { return m_overlaps[std::size_t(index)]; }
-    /// After ClearTotals.
+    /// Valid after ClearTotals.
     BlockTotals& Totals(int32 index) { return m_totals[std::size_t(index)]; }
     void ClearTotals();
 
@@ -110,30 +109,30 @@ private:
     friend struct SnapshotAccess;
     int32 Add(OverlapKind kind, int32 pointCount);
 
-    Array<b2Contact*> m_sorted; // the contacts of the colour
-    Array<uint8> m_buckets;     // of each
+    Array<b2Contact*> m_sorted; // contacts of the colour
+    Array<uint8> m_buckets;     // per contact
     Array<ContactBlock> m_contacts;
     Array<OverlapBlock> m_overlaps;
     Array<BlockTotals> m_totals;
     int32 m_count = 0;
 };
 
-// The following are for the widest instructions that this processor has.
+// The following use the widest instructions of this processor.
 
-/// Fills both sides of a block, line by line what PrepareContact does.
+/// Fills both sides of a block, as PrepareContact does.
 void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContext& context);
 void WarmStartBlock(ContactBlock& block, SolverBody* bodies);
 /// One iteration. False when no impulse changed: when none of all contacts does, no other iteration
 /// over them would change one.
 bool SolveBlock(ContactBlock& block, SolverBody* bodies);
-/// One iteration of moving apart; see SolveOverlaps.
+/// One position iteration; see SolveOverlaps.
 float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, PushPace pace);
-/// Puts the impulses into the manifolds.
+/// Stores the impulses in the manifolds.
 void StoreImpulses(const ContactBlock& block);
 
-/// One lane of a block, as the plain solver has it.
+/// Returns one lane of a block for the scalar solver.
 OverlapConstraint OverlapOf(const OverlapBlock& block, int lane);
-/// Two points of a lane that are nearly one, pushed apart one after the other.
+/// Pushes two nearly coincident points of a lane one after the other.
 float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, PushPace pace);
 
 } // namespace box2d

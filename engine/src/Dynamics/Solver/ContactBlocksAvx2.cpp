@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiled for AVX2, like JointBlocksAvx2.cpp; called where the processor has it. It must not call
-// inline functions that other sources use too: the linker keeps one copy of each, and could keep
+// Compiled for AVX2, like JointBlocksAvx2.cpp; called if the processor supports it. It must not
+// call inline functions that other sources use too: the linker keeps one copy of each, possibly
 // this one.
 #include "ContactBlockPrepare.h"
 #include "OverlapBlockSolver.h"

@@ -7,16 +7,16 @@
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2Fixture.h>
 
-/// Contacts as constraints, by sequential impulses (Catto, "Iterative Dynamics with Temporal
-/// Coherence", GDC 2005, and "Fast and Simple Physics using Sequential Impulses", GDC 2006):
-/// accumulated, clamped impulses on velocities, then nonlinear projection of positions.
+/// Contact constraints by sequential impulses (Catto, "Iterative Dynamics with Temporal Coherence",
+/// GDC 2005, and "Fast and Simple Physics using Sequential Impulses", GDC 2006): accumulated,
+/// clamped impulses on velocities, then nonlinear projection of positions.
 namespace box2d
 {
 
 namespace
 {
 
-/// A contact's geometry in world axes, as seen from the centres of mass.
+/// A contact's geometry in world axes, relative to the centres of mass.
 struct Geometry
 {
     b2Vec2 normal;    // from A to B
@@ -77,7 +77,7 @@ void FillOverlap(const ContactData& c, const BodyData& a, const BodyData& b, Ove
     }
 }
 
-// The two normal constraints at once: K x + b >= 0, x >= 0, x (K x + b) = 0, with
+// Solves two normal constraints together: K x + b >= 0, x >= 0, x (K x + b) = 0, with
 //   K_ij = mA + mB + iA (rAi x n)(rAj x n) + iB (rBi x n)(rBj x n).
 void FillCoupling(ContactConstraint& c)
 {
@@ -99,7 +99,7 @@ void FillPoint(ContactConstraint& c, ContactPoint& p, const b2Vec2& armA, const 
                const b2ManifoldPoint& from, float32 restitution, const SolverContext& context)
 {
     const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
-    // What is not finite is forgotten.
+    // Impulses that are not finite are reset.
     p.normalImpulse = from.normalImpulse <= b2_maxFloat ? share * from.normalImpulse : 0.0f;
     p.tangentImpulse =
         b2Abs(from.tangentImpulse) <= b2_maxFloat ? share * from.tangentImpulse : 0.0f;
@@ -121,15 +121,14 @@ void FillPoint(ContactConstraint& c, ContactPoint& p, const b2Vec2& armA, const 
     p.bias = approach < -b2_velocityThreshold ? -restitution * approach : 0.0f;
 }
 
-/// How a contact's bodies move, in the axes of its normal and tangent. The velocities of the two
-/// centres of mass matter only by their difference; what the impulses do to each is worked out when
-/// all are known.
+/// The motion of a contact's bodies along its normal and tangent. Only the difference of the centre
+/// velocities matters. The change of each velocity is computed once, from the sums of impulses.
 struct Motion
 {
     float32 along, across;            // velocity of centre B relative to A [m/s]
     float32 wA, wB;                   // [rad/s]
-    float32 push = 0.0f, drag = 0.0f; // impulses given along the normal and the tangent [Ns]
-    float32 invMass;                  // of both together
+    float32 push = 0.0f, drag = 0.0f; // impulses applied along the normal and the tangent [Ns]
+    float32 invMass;                  // sum of both bodies
 };
 
 Motion Load(const ContactConstraint& c, const SolverBody* bodies)
@@ -146,7 +145,7 @@ Motion Load(const ContactConstraint& c, const SolverBody* bodies)
     return m;
 }
 
-// What cannot be moved may be shared by several contacts of a colour: it is left alone.
+// A body with infinite mass may be shared by several contacts of a colour: it is not written.
 void Store(const Motion& m, const ContactConstraint& c, SolverBody* bodies)
 {
     const b2Vec2 impulse(m.push * c.normal.x + m.drag * c.normal.y,
@@ -204,14 +203,14 @@ void SolvePair(ContactConstraint& c, Motion& m)
     ContactPoint& p2 = c.points[1];
     const float32 old1 = p1.normalImpulse;
     const float32 old2 = p2.normalImpulse;
-    // Speeds as they would be without the impulses applied so far.
+    // Speeds without the impulses applied so far.
     const float32 b1 = NormalSpeed(m, p1) - p1.bias - (c.k11 * old1 + c.k12 * old2);
     const float32 b2 = NormalSpeed(m, p2) - p2.bias - (c.k12 * old1 + c.k22 * old2);
     float32 x1 = 0.0f;
     float32 x2 = 0.0f;
     if (EnumerateImpulses(c.k11, c.k12, c.k22, b1, b2, x1, x2))
     {
-        // Both at once: equal ones at mirrored points leave no spin at all.
+        // Both together: equal impulses at mirrored points cause exactly no rotation.
         const float32 change1 = x1 - old1;
         const float32 change2 = x2 - old2;
         m.wA -= c.invInertiaA * (p1.normalLeverA * change1 + p2.normalLeverA * change2);

@@ -3,9 +3,9 @@
 
 #include "ContactBlockSolver.h"
 
-/// The position solver on blocks, for numbers F of 4 or 8 lanes: what ContactSolver.cpp does to one
-/// overlap, in the same order of operations. Included like ContactBlockSolver.h, and for the same
-/// reason nothing in it has external linkage.
+/// The position solver on blocks, for numbers F of 4 or 8 lanes. It matches OverlapSolver.cpp, in
+/// the same order of operations. Included like ContactBlockSolver.h, so it has no external linkage
+/// either.
 namespace box2d
 {
 namespace
@@ -23,16 +23,16 @@ template <class F>
 struct OverlapSolver
 {
     const OverlapBlock& block;
-    int lane;           // the first
-    F a[4], b[4];       // moved by (0, 1), turned by sine 2 and cosine 3
-    F turnedA, turnedB; // in all, by this block [rad]
+    int lane;           // first lane
+    F a[4], b[4];       // moved by (0, 1), rotated by sine 2 and cosine 3
+    F turnedA, turnedB; // total rotation by this block [rad]
     bool moved = false;
     F invMassA, invInertiaA, invMassB, invInertiaB;
 
     OverlapSolver(const OverlapBlock& from, int first, const float32* bodies)
         : block(from), lane(first)
     {
-        // Of a body's eight numbers the last four.
+        // Loads the last four of a body's eight numbers.
         LoadRows(bodies + 4, kBodyStride, block.bodyA + lane, a);
         LoadRows(bodies + 4, kBodyStride, block.bodyB + lane, b);
         turnedA = turnedB = F::Set(0.0f);
@@ -146,7 +146,7 @@ struct OverlapSolver
                invInertiaB * Cross(p.armB, p.normal) * Cross(q.armB, q.normal);
     }
 
-    /// Lanes that are not `active`, or whose body cannot be turned, stay as they are.
+    /// Lanes that are not `active`, or whose body cannot rotate, are unchanged.
     template <class M>
     static void Rotate(F (&body)[4], F& turned, F invInertia, M active, F delta)
     {
@@ -191,7 +191,7 @@ struct OverlapSolver
         return p.separation;
     }
 
-    /// Both points at once. `nearlyOne` gets ones in the lanes that have to be solved one by one.
+    /// Both points together. `nearlyOne` is set in the lanes that must be solved point by point.
     template <OverlapKind kKind>
     F PushPair(PushPace pace, F& nearlyOne)
     {
@@ -222,7 +222,7 @@ struct OverlapSolver
         return Min(p.separation, q.separation);
     }
 
-    /// See EnumerateImpulses; from the last way to the first.
+    /// See EnumerateImpulses; tries the cases from the last to the first.
     static auto Enumerate(F k11, F k12, F k22, F determinant, F b1, F b2, F& x1, F& x2)
     {
         const F zero = F::Set(0.0f);
@@ -245,7 +245,7 @@ struct OverlapSolver
     }
 };
 
-/// The smallest of the numbers, but not above zero.
+/// Returns the minimum of the numbers and zero.
 template <class F>
 float32 SmallestOf(F numbers, float32 smallest)
 {

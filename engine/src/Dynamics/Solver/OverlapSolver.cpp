@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "../State/Solver.h"
 
-/// Overlaps, by nonlinear projection of positions (Catto, GDC 2006): contacts are measured anew
-/// before each push. The plain version, for impacts and as the reference of OverlapBlockSolver.h.
+/// Overlaps by nonlinear projection of positions (Catto, GDC 2006): contacts are measured again
+/// before each push. The scalar version, for impacts and as the reference of OverlapBlockSolver.h.
 namespace box2d
 {
 
@@ -46,14 +46,14 @@ Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody
 namespace
 {
 
-/// How far a point is to be pushed out [m]; negative where there is room to move in. A slop is
-/// left, so that the contact lasts.
+/// Returns how far a point is pushed out [m]; negative if there is a gap. A slop remains, so that
+/// the contact lasts.
 float32 PushOut(const Overlap& overlap, PushPace pace)
 {
     return b2Clamp(-pace.rate * (overlap.separation + b2_linearSlop), -pace.most, pace.most);
 }
 
-/// One contact's bodies, loaded, pushed and stored.
+/// The bodies of one contact: load, push, store.
 struct Push
 {
     const OverlapConstraint& o;
@@ -71,7 +71,7 @@ struct Push
         }
     }
 
-    /// A body that cannot be turned keeps its bits, however many contacts it has.
+    /// A body that cannot rotate keeps its bits with any number of contacts.
     static void Turn(SolverBody& body, float32 invInertia, float32 delta)
     {
         if (invInertia > 0.0f)
@@ -92,7 +92,7 @@ struct Push
         Turn(a, o.invInertiaA, -o.invInertiaA * b2Cross(p.armA, p.normal) * impulse);
         Turn(b, o.invInertiaB, o.invInertiaB * b2Cross(p.armB, p.normal) * impulse);
     }
-    /// Both points at once, like the velocities, so that a box that lands flat stays flat.
+    /// Both points together, as for velocities, so that a box that lands flat stays flat.
     void ApplyPair(const Overlap& p, float32 x1, const Overlap& q, float32 x2)
     {
         const float32 sum = x1 + x2;
@@ -140,7 +140,7 @@ float32 PushPair(Push& push, PushPace pace)
         }
         return smaller;
     }
-    // One after the other: the order of a call's arguments is each compiler's own.
+    // Separate statements: the evaluation order of arguments is unspecified.
     const float32 first = PushPoint(push, 0, pace);
     const float32 second = PushPoint(push, 1, pace);
     return b2Min(first, second);

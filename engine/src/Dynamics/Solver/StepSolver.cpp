@@ -54,7 +54,7 @@ void StepSolver::WakeJointNeighbours()
         WakeNeighbours(m_world, *joint->GetBodyA(), *joint->GetBodyB());
         KeepDrivenAwake(*joint);
     }
-    // A joint between a platform and something asleep is in no list.
+    // A joint between a platform and a sleeping body is in no list.
     for (std::size_t i = 0; i < m_world.awakeBodies.size(); ++i)
     {
         b2Body* body = m_world.awakeBodies[i];
@@ -131,8 +131,8 @@ void StepSolver::WarmStart()
     m_memory.joints.Prepare(m_context, m_threads);
 }
 
-/// As far as the last step's do not serve again. A listener may give any contact another form at
-/// any time.
+/// Assigns blocks again, unless those of the last step are still valid. A listener may change any
+/// contact's form at any time.
 void StepSolver::AssignBlocks(int32 color)
 {
     const bool sharesBodies = color == ConstraintGraph::kOverflow;
@@ -150,8 +150,8 @@ void StepSolver::AssignBlocks(int32 color)
     graph.Settle(color);
 }
 
-// Blocks of a colour share no bodies: only in the overflow, which is one part, does the direction
-// within a colour matter.
+// Blocks of a colour share no bodies. The direction within a colour matters only for the overflow,
+// which is one part.
 
 bool StepSolver::SolveContacts(Direction direction)
 {
@@ -171,7 +171,7 @@ bool StepSolver::SolveContacts(Direction direction)
     return changed;
 }
 
-/// Returns the smallest separation [m], or 0 if that is smaller.
+/// Returns the minimum separation [m], at most 0.
 float32 StepSolver::SolveOverlaps(Direction direction, PushPace pace)
 {
     std::atomic<float32> smallest = 0.0f;
@@ -206,7 +206,7 @@ void StepSolver::SolveVelocities(int32 iterations)
     ForBlocks([](ContactBlock& block, OverlapBlock&) { StoreImpulses(block); });
 }
 
-/// In the order of the colours; notes them before any is put to sleep.
+/// In the order of the colours; notes all contacts before any body falls asleep.
 void StepSolver::NoteImpulses()
 {
     m_memory.reported.clear();
@@ -227,7 +227,7 @@ void StepSolver::ReportImpulses()
 {
     for (b2Contact* contact : m_memory.reported)
     {
-        if (m_world.listener != nullptr) // it may take itself away
+        if (m_world.listener != nullptr) // it may remove itself
         {
             ReportImpulse(*m_world.listener, *contact);
         }
@@ -238,8 +238,8 @@ void StepSolver::SolvePositions(int32 iterations)
 {
     for (int32 i = 0; i < iterations; ++i)
     {
-        // The aim is one slop, which is approached geometrically. At three, the cores of two
-        // polygons (skins of 4 slops in all) are a slop apart, as b2TimeOfImpact needs them.
+        // The target is one slop, approached geometrically. At three, the cores of two polygons
+        // (skins of 4 slops in all) are one slop apart, as b2TimeOfImpact requires.
         const bool apart = SolveOverlaps(DirectionOf(i), {b2_baumgarte}) >= -3.0f * b2_linearSlop;
         const bool joined = m_memory.joints.SolvePositions(m_context, m_threads);
         if (apart && joined)
@@ -258,7 +258,7 @@ void StepSolver::SolvePositions(int32 iterations)
 /// saw it is turned again in the next step, and on and on.
 void StepSolver::TurnAsSeen()
 {
-    constexpr float32 kSmallTurn = 0.25f; // [rad], then it is out by 0.005
+    constexpr float32 kSmallTurn = 0.25f; // [rad], at an error of 0.005
     ForBodies([this](std::size_t i) {
         SolverBody& s = m_memory.bodies[i + 1];
         const float32 drift = m_context.timeStep * s.w;
@@ -276,11 +276,11 @@ void StepSolver::IntegratePositions()
     });
 }
 
-// A pendulum where it turns, or what is thrown up below a weak gravity, is slow for long, but its
-// speed changes all the time. What touches something is not asked, for piles tremble.
+// True for a pendulum at its turning point or a body thrown up in weak gravity: slow, but with
+// changing velocity. Bodies with contacts are not tested, because stacks tremble.
 bool StepSolver::IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep)
 {
-    constexpr float32 kMostGain = 0.25f / b2_timeToSleep; // of the tolerance, in a second
+    constexpr float32 kMostGain = 0.25f / b2_timeToSleep; // fraction of the tolerance, per second
     const float32 linear = timeStep * kMostGain * b2_linearSleepTolerance;
     const float32 angular = timeStep * kMostGain * b2_angularSleepTolerance;
     return body.colorMask == 0 &&
@@ -288,27 +288,27 @@ bool StepSolver::IsTurning(const BodyData& body, const SolverBody& moved, float3
             b2Abs(moved.w - body.angularVelocity) > angular);
 }
 
-// What leaves a balance, as a rod on its end, is slow for very long, and gets faster all the time.
-// With one step joints tremble by more than that, and piles with any number.
+// True for a body that leaves an unstable balance, such as a rod on its end: slow for long, but
+// accelerating. Without sub-steps joints tremble more than that, and stacks always do.
 bool StepSolver::IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep)
 {
-    constexpr float32 kLeastGain = 1.0f / 15.0f; // of the tolerance, in a second
+    constexpr float32 kLeastGain = 1.0f / 15.0f; // fraction of the tolerance, per second
     const float32 linear = timeStep * kLeastGain * b2_linearSleepTolerance;
     const float32 angular = timeStep * kLeastGain * b2_angularSleepTolerance;
     return body.colorMask == 0 && (moved.v.Length() > body.linearVelocity.Length() + linear ||
                                    b2Abs(moved.w) > b2Abs(body.angularVelocity) + angular);
 }
 
-/// Which bodies overlap by more than their skins. What is put together without room for the skins
-/// is pushed apart for minutes where there is much of it, from the outside in, and may rest
-/// meanwhile: the skins are there to be overlapped.
+/// Finds bodies that overlap by more than their skins. Bodies placed without space for their skins
+/// are pushed apart for minutes in large numbers, from the outside in. They may rest meanwhile,
+/// because skins are meant to overlap.
 void StepSolver::FindDeep()
 {
     Array<uint8>& deep = m_memory.deep;
     deep.assign(m_world.awakeBodies.size() + 1, 0);
     ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
         const OverlapBlock& block = blocks.Overlaps(i);
-        // At a rate of 0 it is only measured.
+        // A rate of 0 only measures.
         if (SolveBlock(block, m_context.bodies, {0.0f}) >= -kLeftOverlap)
         {
             return;
@@ -389,12 +389,12 @@ void StepSolver::WriteBack()
     m_world.proxies.EndMoves();
 }
 
-/// Whether a shape has left its box.
+/// True if a shape has left its box.
 bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
 {
     if (!IsFinite(s))
     {
-        s = SolverBody(); // it stops rather than vanish
+        s = SolverBody(); // stop instead of becoming non-finite
     }
     body.sleepTime = SleepTimeAfter(body, s);
     body.linearVelocity = s.v;
@@ -411,7 +411,8 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     body.pose.y += double(s.d.y);
     body.pose.angle += double(s.angle);
     s.angle == 0.0f ? SynchronizePlace(body) : SynchronizePose(body);
-    // What it really did: far out, or turned very often, a pose is coarser than a step.
+    // The actual displacement: far from the origin, or after many turns, a pose is coarser than a
+    // step.
     const b2Vec2 moved(float32(body.pose.x - body.previous.x),
                        float32(body.pose.y - body.previous.y));
     const float32 turned = b2Abs(float32(body.pose.angle - body.previous.angle));

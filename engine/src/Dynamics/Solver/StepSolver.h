@@ -30,7 +30,7 @@ protected:
     void AssignBlocks(int32 color);
     template <class Function>
     void ForColors(Direction direction, Function&& some);
-    /// One block after the other, on the given threads.
+    /// Processes the blocks in order, on the given threads.
     template <class Function>
     void ForEachBlock(Direction direction, ThreadPool* threads, Function&& one);
     template <class Function>
@@ -48,7 +48,7 @@ protected:
     static bool IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep);
     static bool IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep);
 
-    // What one thread takes at a time.
+    // Blocks per part of a parallel loop.
     static constexpr int32 kBlockGrain = 8;
     static constexpr int32 kBodyGrain = 64;
 
@@ -58,8 +58,8 @@ protected:
     SolverContext m_context;
 };
 
-/// Colour after colour: first what may share bodies, in order; then the colours, the blocks of
-/// each on all threads. `some` is called with a colour's blocks and the part of them to work on.
+/// Processes colour after colour: first contacts that may share bodies, in order; then the blocks
+/// of each colour on all threads. `some` receives a colour's blocks and the range to process.
 template <class Function>
 void StepSolver::ForColors(Direction direction, Function&& some)
 {

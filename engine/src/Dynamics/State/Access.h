@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <new>
 
-/// The engine's door to what fixtures and joints keep private. Plain references, no logic.
+/// Access of the engine to private members of fixtures and joints. Plain references, no logic.
 namespace box2d
 {
 

@@ -10,14 +10,14 @@
 #include <cstring>
 #include <limits>
 
-/// Bodies and vectors in lanes, for numbers F of 4 or 8: what all solvers on blocks build on.
-/// Nothing in it has external linkage, for it is included by sources of every instruction set.
+/// Bodies and vectors in lanes, for numbers F of 4 or 8: the base of all solvers on blocks. It has
+/// no external linkage, because sources of every instruction set include it.
 namespace box2d
 {
 namespace
 {
 
-/// Numbers from one body to the next.
+/// Number of floats from one body to the next.
 constexpr int kBodyStride = int(sizeof(SolverBody) / sizeof(float32));
 
 template <class F>
@@ -56,13 +56,13 @@ F Cross(const Vector<F>& u, const Vector<F>& v)
 {
     return u.x * v.y - u.y * v.x;
 }
-/// (0, 0, s) x v: the velocity of a point at v when turning at s.
+/// Returns (0, 0, s) x v: the velocity of a point at v with the angular velocity s.
 template <class F>
 Vector<F> Cross(F s, const Vector<F>& v)
 {
     return {-s * v.y, s * v.x};
 }
-/// (0, 0, 1) x v.
+/// Returns (0, 0, 1) x v.
 template <class F>
 Vector<F> Skew(const Vector<F>& v)
 {
@@ -78,7 +78,7 @@ F Length(const Vector<F>& v)
 {
     return Sqrt(Dot(v, v));
 }
-/// Whether the length is at most so much.
+/// True if |v| <= length.
 template <class F>
 auto LengthIsWithin(const Vector<F>& v, F length)
 {
@@ -94,14 +94,14 @@ F Abs(F value)
 {
     return Max(value, -value);
 }
-/// 1 / value, or 0 for what is not above 0.
+/// Returns 1 / value, or 0 for value <= 0.
 template <class F>
 F InverseOrZero(F value)
 {
     const auto positive = AtLeast(value, F::Set(std::numeric_limits<float32>::denorm_min()));
     return Select(positive, F::Set(1.0f) / Select(positive, value, F::Set(1.0f)), F::Set(0.0f));
 }
-/// 1 / value, or 0 for 0.
+/// Returns 1 / value, or 0 for 0.
 template <class F>
 F InverseUnlessZero(F value)
 {
@@ -109,8 +109,8 @@ F InverseUnlessZero(F value)
     const auto isZero = And(AtLeast(value, zero), AtLeast(zero, value));
     return Select(isZero, zero, F::Set(1.0f) / Select(isZero, F::Set(1.0f), value));
 }
-/// Makes it a unit vector and returns the former length; a vector shorter than b2_epsilon has no
-/// direction to keep: it stays as it is and the answer is 0.
+/// Normalizes the vector and returns the former length. A vector shorter than b2_epsilon is
+/// unchanged, and the result is 0.
 template <class F>
 F Normalize(Vector<F>& v)
 {
@@ -121,8 +121,8 @@ F Normalize(Vector<F>& v)
     return Select(hasDirection, length, F::Set(0.0f));
 }
 
-/// Writes the rows of the bodies that can be moved, `moves` having a bit for each lane. Others may
-/// be shared by several contacts of a colour.
+/// Writes the rows of the bodies that can move, given by the bit mask `moves`. Others may be shared
+/// by several contacts of a colour.
 template <class F>
 BOX2D_INLINE void StoreMoved(float32* base, const int32* bodies, uint32 moves, const F (&rows)[4])
 {

@@ -15,21 +15,22 @@ namespace box2d
 namespace
 {
 
-// A body that the solver never moves can be shared by any number of constraints of a colour.
+// True if the solver moves the body. Bodies that never move may be shared by any constraints of a
+// colour.
 bool Yields(const BodyData& body)
 {
     return body.mobility == Mobility::Dynamic;
 }
 
-/// Contacts that a colour has room for from its first on: small lists would grow one by one.
+/// Initial capacity of a colour, to avoid repeated growth.
 constexpr std::size_t kFirstRoom = 16;
 
 constexpr uint32 kAllColors = (1u << ConstraintGraph::kOverflow) - 1;
 
 } // namespace
 
-// Between two moving bodies the first colour that is free, against an immovable one the last: what
-// rests on the ground is solved last, so that the ground has the final word.
+// Between two moving bodies the first free colour, against a static one the last. Contacts with the
+// ground are solved last, so that their error is smallest.
 int32 ConstraintGraph::Claim(BodyData& a, BodyData& b)
 {
     const uint32 taken = (Yields(a) ? a.colorMask : 0u) | (Yields(b) ? b.colorMask : 0u);

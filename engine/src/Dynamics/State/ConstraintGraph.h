@@ -10,11 +10,11 @@
 class b2Contact;
 class b2Joint;
 
-/// The awake constraints, coloured so that no two of one colour share a body that can move.
-/// Constraints of a colour can be solved in any order, side by side, with the same result. Colours
-/// are given greedily when a constraint becomes active and kept while it lasts (graph colouring for
-/// parallel solvers: Fratarcangeli and Pellacini, "Scalable Partitioning for Parallel Position
-/// Based Dynamics", 2015).
+/// The awake constraints, coloured so that no two of one colour share a moving body. Constraints of
+/// a colour can be solved in any order or in parallel, with the same result. Colours are assigned
+/// greedily when a constraint becomes active and kept while it lasts (graph colouring for parallel
+/// solvers: Fratarcangeli and Pellacini, "Scalable Partitioning for Parallel Position Based
+/// Dynamics", 2015).
 namespace box2d
 {
 
@@ -23,7 +23,7 @@ struct SnapshotAccess;
 class ConstraintGraph
 {
 public:
-    /// What does not fit into a colour is solved one by one, before the others.
+    /// Constraints without a free colour are solved sequentially, before the others.
     static constexpr int32 kOverflow = 24;
     static constexpr int32 kColorCount = kOverflow + 1;
 
@@ -34,18 +34,18 @@ public:
 
     const Array<b2Contact*>& Contacts(int32 color) const { return m_contacts[color]; }
 
-    /// What has become of a colour since Settle was last called for it.
+    /// The change of a colour since the last call of Settle.
     enum class Change : uint8
     {
         None,
-        Forms,    ///< a contact is solved in another form
-        Contacts, ///< contacts have come or gone
+        Forms,    ///< the form of a contact changed
+        Contacts, ///< contacts were added or removed
     };
     Change ChangeOf(int32 color) const;
     void Settle(int32 color);
-    /// Any contact may have got another form.
+    /// Records that any contact may have changed its form.
     void NoteAllForms();
-    /// A contact is to be solved in another form than last time; from any thread.
+    /// Records that a contact has changed its form; thread-safe.
     void NoteForm(const ContactData& c)
     {
         if (c.color != -1 && c.Form() != c.solvedAs)
@@ -59,7 +59,7 @@ public:
     /// would carry it two links. Adding and removing may change the order until SortJoints.
     const Array<b2Joint*>& Joints() const { return m_joints; }
     void SortJoints();
-    /// Changes whenever the list does, or the masses of what is jointed.
+    /// Changes with the list, and with the masses of jointed bodies.
     int32 JointVersion() const { return m_jointVersion; }
     void NoteMasses() { ++m_jointVersion; }
 

@@ -82,7 +82,7 @@ void Islands::Link(b2Body& a, b2Body& b)
         Data(*body).island = to;
     }
     Data(*larger.last).islandNext = smaller.first;
-    // NOLINTNEXTLINE(clang-analyzer-core.NonNullParamChecker): an island has a body.
+    // NOLINTNEXTLINE(clang-analyzer-core.NonNullParamChecker): an island has at least one body.
     Data(*smaller.first).islandPrev = larger.last;
     larger.last = smaller.last;
     larger.count += smaller.count;
@@ -131,7 +131,7 @@ const Array<int32>& Islands::FindSleepy(float32 timeToSleep)
         }
         if (island.lostLinks > 0)
         {
-            Split(index, timeToSleep); // what is not sleepy may be a part of its own
+            Split(index, timeToSleep); // an active part of it may separate
         }
         else if (island.minSleepTime >= timeToSleep)
         {
@@ -186,7 +186,7 @@ void Islands::Split(int32 index, float32 timeToSleep)
     }
 }
 
-// Depth first from the seed, along links between dynamic bodies.
+// Depth-first search from the seed, along links between dynamic bodies.
 void Islands::Gather(b2Body& seed, int32 island)
 {
     Append(island, seed);

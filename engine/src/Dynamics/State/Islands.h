@@ -23,25 +23,24 @@ public:
         b2Body* first = nullptr; // nullptr: free
         b2Body* last = nullptr;
         int32 count = 0;
-        int32 lostLinks = 0;         // since it was last taken apart
-        float32 minSleepTime = 0.0f; // of its bodies, in the present step
+        int32 lostLinks = 0;         // since the last split
+        float32 minSleepTime = 0.0f; // minimum over its bodies in the current step
         float32 maxSleepTime = 0.0f;
-        bool seen = false; // a body of it was looked at in the present step
+        bool seen = false; // a body of it was reported in the current step
     };
 
-    void Add(b2Body& body);    // as an island of its own
+    void Add(b2Body& body);    // as a separate island
     void Remove(b2Body& body); // counts as lost links of the rest
     void Link(b2Body& a, b2Body& b);
     void Unlink(b2Body& a, b2Body& b);
 
-    /// Once per awake body and step.
+    /// Call once per awake body and step.
     void ReportSleepTime(const BodyData& body);
-    /// Ends the step's reports: the islands that have been slow for `timeToSleep`, each hanging
-    /// together, in an order that depends on nothing but the calls made so far. Valid until the
-    /// next call.
+    /// Ends the reports of the step and returns the connected islands that have been slow for
+    /// `timeToSleep`. The order depends only on the sequence of calls. Valid until the next call.
     const Array<int32>& FindSleepy(float32 timeToSleep);
 
-    int32 Size() const { return int32(m_islands.size()); } ///< numbers are below this
+    int32 Size() const { return int32(m_islands.size()); } ///< upper bound of island numbers
     const Island& At(int32 island) const { return m_islands[std::size_t(island)]; }
 
 private:

@@ -15,7 +15,7 @@ constexpr std::size_t kFirstSlots = 64;
 
 } // namespace
 
-// Both halves are one more than the proxy, so that no pair is 0.
+// Both halves are the proxy plus one, so that no key is 0.
 std::uint64_t PairSet::Key(std::int32_t proxyA, std::int32_t proxyB)
 {
     if (proxyA > proxyB)
@@ -26,7 +26,7 @@ std::uint64_t PairSet::Key(std::int32_t proxyA, std::int32_t proxyB)
            std::uint64_t(std::uint32_t(proxyB) + 1u);
 }
 
-// Fibonacci hashing (Knuth, TAOCP 3, 6.4) with a fold, so that both halves reach the low bits.
+// Fibonacci hashing (Knuth, TAOCP 3, 6.4) with a fold, so that both halves affect the low bits.
 std::size_t PairSet::Home(std::uint64_t key) const
 {
     const std::uint64_t product = key * 0x9E3779B97F4A7C15ull;
@@ -83,7 +83,7 @@ void PairSet::Erase(std::int32_t proxyA, std::int32_t proxyB)
         return;
     }
     --m_count;
-    // Close the gap: a later entry of the same run moves up unless its home lies behind the hole.
+    // Close the gap: a later entry of the same run moves up unless its home is behind the hole.
     for (std::size_t slot = (hole + 1) & mask; m_slots[slot] != 0; slot = (slot + 1) & mask)
     {
         const std::size_t home = Home(m_slots[slot]);

@@ -5,9 +5,9 @@
 
 #include <cstdint>
 
-/// The set of proxy pairs that have a contact, so that the broad phase reports each pair once. Open
-/// addressing with linear probing and backward-shift deletion (Knuth, TAOCP 3, 6.4). Only asked
-/// whether a pair is in it, never iterated: its order cannot reach the simulation.
+/// The set of proxy pairs with a contact, so that the broad phase reports each pair once. Open
+/// addressing with linear probing and backward-shift deletion (Knuth, TAOCP 3, 6.4). It is never
+/// iterated, so its order cannot affect the simulation.
 namespace box2d
 {
 
@@ -16,7 +16,7 @@ class PairSet
 public:
     /// Reserves room for `count` pairs in an empty set.
     void Reserve(std::size_t count);
-    /// False when the pair was there already.
+    /// False if the pair was already present.
     bool Insert(std::int32_t proxyA, std::int32_t proxyB);
     void Erase(std::int32_t proxyA, std::int32_t proxyB);
     bool Contains(std::int32_t proxyA, std::int32_t proxyB) const;

@@ -7,14 +7,14 @@ namespace box2d
 namespace
 {
 
-/// Small trees are good enough as they grow.
+/// Smaller trees are good enough without a rebuild.
 constexpr int32 kLeastAdded = 1000;
 
 /// A move costs more than a leaf's part of a tree that is built again when there are so many, and
 /// they are at least this share of all.
 constexpr int32 kLeastMoved = 16;
 constexpr int32 kMovedShare = 8;
-/// Steps that such a tree keeps its form: more of them, and its boxes overlap too much.
+/// Steps between rebuilds of such a tree; with more its boxes overlap too much.
 constexpr int32 kRebuildPeriod = 3;
 
 } // namespace
@@ -136,7 +136,7 @@ void Proxies::ListMoved()
     for (const int32 moved : m_moved)
     {
         uint8& mark = m_marks[moved & 3][std::size_t(moved >> 2)];
-        if (mark == kMoved) // else destroyed since, or here a second time under a number used again
+        if (mark == kMoved) // otherwise destroyed since, or a duplicate of a reused number
         {
             mark = kLookedFor;
             m_moved[count++] = moved;

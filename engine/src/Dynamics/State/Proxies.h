@@ -9,9 +9,9 @@
 
 struct b2FixtureProxy;
 
-/// The world's broad phase: a dynamic tree for each mobility, so that what never moves costs
-/// nothing, and the list of proxies whose boxes have moved since pairs were last looked for. Knows
-/// boxes, not shapes or filters.
+/// The world's broad phase: a dynamic tree per body type, and the list of proxies moved since the
+/// last search for pairs. Separate trees make static bodies free of cost. Independent of shapes and
+/// filters.
 namespace box2d
 {
 
@@ -24,25 +24,25 @@ public:
 
     static constexpr int32 kTreeBits = 2;
 
-    /// An id holds the tree's node and, in its lowest two bits, the mobility.
+    /// An id consists of the tree's node and, in the lowest two bits, the mobility.
     static Mobility MobilityOf(int32 proxyId) { return static_cast<Mobility>(proxyId & 3); }
 
     /// `categories`: bits for MayMeet [all].
     int32 Create(const b2AABB& fatBox, Mobility mobility, b2FixtureProxy* proxy,
                  uint16 categories = 0xFFFF);
     void Destroy(int32 proxyId);
-    /// Gives the proxy another box and marks it as moved.
+    /// Sets the proxy's box and marks it as moved.
     void Move(int32 proxyId, const b2AABB& fatBox);
-    /// The same where the box has only grown and soon is another anyway: cheaper.
+    /// As Move, but cheaper, for a box that has only grown and will change again soon.
     void Grow(int32 proxyId, const b2AABB& fatBox);
     /// Between these two so many proxies of dynamic bodies are moved: when that is a good part of
     /// them, the tree is built again at the end. No query is allowed meanwhile.
     void BeginMoves(int32 count);
     void EndMoves();
-    /// Marks it as moved, so that its pairs are looked for again.
+    /// Marks it as moved, so that its pairs are searched again.
     void Touch(int32 proxyId);
     void SetCategories(int32 proxyId, uint16 categories);
-    /// Whether any proxy of a mobility is of one of these categories.
+    /// True if a proxy of the mobility has one of these categories.
     bool MayMeet(uint16 categories, Mobility mobility) const
     {
         return (m_present[int32(mobility)] & categories) != 0;
@@ -55,12 +55,12 @@ public:
 
     bool HasMoved() const { return !m_moved.empty(); }
 
-    /// Calls report(b2FixtureProxy* moved, b2FixtureProxy* other) for every overlapping pair with
-    /// at least one moved proxy of which one could be dynamic, each pair once; then forgets what
-    /// has moved. Pairs come in an order that depends on nothing but the calls made so far. The
-    /// trees are searched by all threads, for each moved proxy those that
-    /// isWanted(b2FixtureProxy* moved, Mobility) names, and pass over the pairs for which
-    /// isKnown(b2FixtureProxy* moved, b2FixtureProxy* other) is true; reports come from the calling
+    /// Calls report(b2FixtureProxy* moved, b2FixtureProxy* other) once for every overlapping pair
+    /// with at least one moved proxy and one that could be dynamic. Then clears the moved marks.
+    /// The order of pairs depends only on the sequence of calls.
+    /// All threads search the trees. For each moved proxy they search those for which
+    /// isWanted(b2FixtureProxy* moved, Mobility) is true. They skip pairs for which
+    /// isKnown(b2FixtureProxy* moved, b2FixtureProxy* other) is true. Reports come from the calling
     /// thread.
     template <class IsWanted, class IsKnown, class Report>
     void FindPairs(ThreadPool* threads, IsWanted&& isWanted, IsKnown&& isKnown, Report&& report);
@@ -69,12 +69,12 @@ public:
     /// query.
     template <class Report>
     void Query(const b2AABB& box, Report&& report) const;
-    /// Of one mobility only; returns whether the report let it run to the end.
+    /// As above, for one mobility; false if the report ended the query.
     template <class Report>
     bool Query(const b2AABB& box, Mobility mobility, Report&& report) const;
 
     const b2DynamicTree& TreeOf(Mobility mobility) const { return m_trees[int32(mobility)]; }
-    const b2DynamicTree* Trees() const { return m_trees; } ///< kTreeCount of them, by mobility
+    const b2DynamicTree* Trees() const { return m_trees; } ///< kTreeCount trees, by mobility
     void ShiftOrigin(const b2Vec2& newOrigin);
     int32 Count() const { return m_count; }
 
@@ -92,15 +92,15 @@ private:
     {
         kAtRest,
         kMoved,     // in m_moved
-        kLookedFor, // its pairs have been reported, or are about to be
+        kLookedFor, // its pairs have been or will be reported
     };
 
     struct Pair
     {
         int32 moved, other; // ids
     };
-    /// What was found for a few moved proxies. When there is no room for all the search is done
-    /// again by the calling thread: memory is its to allocate.
+    /// Pairs found for a few moved proxies. If they exceed the capacity, the calling thread repeats
+    /// the search, because only it may allocate.
     struct Found
     {
         static constexpr int32 kProxies = 16;
@@ -110,7 +110,7 @@ private:
         Pair pairs[kRoom];
     };
 
-    /// Leaves each proxy that has moved, and still exists, once in the list.
+    /// Reduces the list to moved proxies that still exist, each once.
     void ListMoved();
     template <class IsWanted, class IsKnown, class Report>
     void FindPairsOf(int32 moved, const IsWanted& isWanted, const IsKnown& isKnown,
@@ -126,9 +126,9 @@ private:
     Array<uint8> m_marks[kTreeCount];       // by node: one of the above
     Array<uint16> m_categories[kTreeCount]; // by node
     int32 m_categoryCounts[kTreeCount][16] = {};
-    uint16 m_present[kTreeCount] = {}; // categories that some proxy has
-    Array<int32> m_moved;              // ids, in the order they moved; some may be destroyed since
-    Array<Found> m_found;              // by the threads
+    uint16 m_present[kTreeCount] = {}; // union of all proxies' categories
+    Array<int32> m_moved;              // ids, in the order of moves; may contain destroyed ones
+    Array<Found> m_found;              // per part of the parallel search
     int32 m_count = 0;
     int32 m_staticAdded = 0; // to the static tree since it was last built
     bool m_rebuilds = false; // the dynamic tree, at the end of the present moves
@@ -153,14 +153,14 @@ void Proxies::FindPairsOf(int32 moved, const IsWanted& isWanted, const IsKnown& 
         }
         m_trees[tree].ForEachOverlap(box, [&](int32 node) {
             const int32 other = (node << 2) | tree;
-            // When both have moved, the pair is reported from the larger id only.
+            // If both have moved, the pair is reported from the larger id only.
             return other == moved || (other > moved && HasMoved(other)) ||
                    isKnown(proxy, Get(other)) || report(other);
         });
     }
 }
 
-/// When many of the dynamic have moved all of their pairs are found in one go.
+/// If many dynamic proxies have moved, all their pairs are found in one pass.
 template <class IsKnown, class Report>
 void Proxies::FindDynamicPairs(const IsKnown& isKnown, const Report& report) const
 {

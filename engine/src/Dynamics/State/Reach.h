@@ -3,16 +3,14 @@
 
 #include <Box2D/Common/b2Math.h>
 
-/// How far the world reaches. Checks of what the program hands over and the bodies themselves keep
-/// within it; the solver never looks.
+/// The limits of coordinates. Input checks and bodies enforce them; the solver does not check.
 namespace box2d
 {
 
-/// Nothing is farther from an origin than this [m]: the squares of distances stay within single
-/// precision. Light takes a month for it.
+/// Maximum coordinate [m]: squares of distances stay within single precision.
 inline constexpr float32 kReach = 1e15f;
 
-/// False for what is no number.
+/// False for NaN.
 inline bool IsWithinReach(float32 a)
 {
     return b2Abs(a) <= kReach;
@@ -23,7 +21,7 @@ inline bool IsWithinReach(const b2Vec2& a)
     return IsWithinReach(a.x) && IsWithinReach(a.y);
 }
 
-/// The nearest coordinate within reach; 0 for what is no number.
+/// Clamps a coordinate to the limits; 0 for NaN.
 inline double WithinReach(double a)
 {
     const double reach = kReach;

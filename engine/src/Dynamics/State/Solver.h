@@ -11,22 +11,22 @@
 class b2Contact;
 class b2ContactListener;
 
-/// What the solver works on: plain arrays of what moves and what constrains it, filled from the
-/// world at the start of a step and written back at its end. Positions are kept as changes since
-/// the start of the step, so that they stay exact far from the origin.
+/// The solver's data: plain arrays of bodies and constraints, filled from the world at the start of
+/// a step and written back at its end. Positions are displacements since the start of the step, so
+/// that they stay exact far from the origin.
 namespace box2d
 {
 
-/// One awake body. 32 bytes, two to a cache line.
+/// One awake body. 32 bytes, so that two fit in a cache line.
 struct alignas(32) SolverBody
 {
     b2Vec2 v;          ///< velocity of the centre of mass [m/s]
     float32 w = 0;     ///< angular velocity [rad/s]
-    float32 angle = 0; ///< turned since the start of the step [rad]
-    b2Vec2 d;          ///< moved since the start of the step [m]
-    b2Rot q;           ///< turned since the start of the step
+    float32 angle = 0; ///< rotation since the start of the step [rad]
+    b2Vec2 d;          ///< displacement since the start of the step [m]
+    b2Rot q;           ///< rotation since the start of the step
 
-    /// Turns by a small angle: to first order, then back to unit length.
+    /// Rotates by a small angle: to first order, then normalized.
     void Rotate(float32 delta)
     {
         const float32 s = q.s + delta * q.c;
@@ -46,11 +46,10 @@ inline double KineticEnergy(const SolverBody& body, double mass, double inertia)
     return 0.5 * (mass * (x * x + y * y) + inertia * w * w);
 }
 
-/// Faster than this is a mistake [m/s], [rad/s]: it would overflow in products with masses and
-/// arms.
+/// Maximum velocity [m/s], [rad/s]: more would overflow in products with masses and arms.
 inline constexpr float32 kFastest = 1e10f;
 
-/// Within the above; what is no number counts as nothing.
+/// Clamps to the maximum velocity; NaN becomes 0.
 inline float32 Bounded(float32 speed)
 {
     const bool tooFast = b2Abs(speed) > kFastest;
@@ -62,44 +61,42 @@ inline b2Vec2 Bounded(const b2Vec2& velocity)
     return b2Vec2(Bounded(velocity.x), Bounded(velocity.y));
 }
 
-/// False when numbers have become too large for the solver after all; it then had better done
-/// nothing.
+/// False if numbers exceed the range of the solver; its result is then discarded.
 inline bool IsFinite(const SolverBody& body)
 {
     return b2IsValid(body.v.x + body.v.y + body.w + body.d.x + body.d.y + body.angle);
 }
 
-/// What joints and contacts need to know of the step.
+/// The parameters of the step for joints and contacts.
 struct SolverContext
 {
     SolverBody* bodies = nullptr; ///< by BodyData::SolverIndex; 0 never moves
     float32 timeStep = 0.0f;      ///< [s]
     float32 inverseStep = 0.0f;   ///< [1/s]
-    float32 stepRatio =
-        1.0f; ///< this step's length over the last one's, for the impulses carried over
+    float32 stepRatio = 1.0f; ///< this step's length divided by the last one's, for warm starting
     bool warmStarting = true;
 };
 
-/// The levers are the moments of a unit impulse at the point about the centres of mass [m]: arm
-/// times direction. The tangent is the normal turned clockwise.
+/// The levers are the moments about the centres of mass of a unit impulse at the point [m]: arm x
+/// direction. The tangent is the normal rotated clockwise.
 struct ContactPoint
 {
     float32 normalLeverA, normalLeverB;
     float32 tangentLeverA, tangentLeverB;
     float32 normalImpulse;
     float32 tangentImpulse;
-    float32 normalMass;  ///< effective
-    float32 tangentMass; ///< effective
-    float32 bias;        ///< approach speed that shall come back [m/s]
+    float32 normalMass;  ///< effective mass
+    float32 tangentMass; ///< effective mass
+    float32 bias;        ///< target separation speed from restitution [m/s]
 };
 
-/// Whether the solver may move the body of a constraint.
+/// True if the solver may move the body of a constraint.
 inline bool Moves(float32 invMass, float32 invInertia)
 {
     return invMass > 0.0f || invInertia > 0.0f;
 }
 
-/// The velocity side of one touching contact.
+/// The velocity constraint of a touching contact.
 struct ContactConstraint
 {
     ContactPoint points[2];
@@ -109,18 +106,18 @@ struct ContactConstraint
     float32 invMassA, invInertiaA, invMassB, invInertiaB;
     int32 bodyA, bodyB; ///< solver index
     int32 pointCount;
-    bool coupled;          ///< the two points are solved together
-    float32 k11, k12, k22; ///< how an impulse at one point changes the normal speed at either
+    bool coupled;          ///< both points are solved together
+    float32 k11, k12, k22; ///< response of the normal speeds to an impulse at either point
     b2Contact* contact;
 };
 
 /// Two points are solved together while k11^2 < kMaxCondition * det. With c = k12 / k11 and equal
-/// points the ratio is 1 / (1 - c^2) and the condition number (1 + c) / (1 - c), four times as
-/// large: 12 of the 24 bits of single precision are lost at most. Points of a box of 1 m then are
-/// 13 mm apart. Measured between 30 and 1e5: docs/notes/contact-constants.md.
+/// points the ratio is 1 / (1 - c^2). The condition number is (1 + c) / (1 - c), four times as
+/// large, so at most 12 of the 24 bits of single precision are lost. The points of a 1 m box are
+/// then 13 mm apart. Values from 30 to 1e5 are compared in docs/notes/contact-constants.md.
 inline constexpr float32 kMaxCondition = 1000.0f;
 
-/// Where a contact's overlap is measured.
+/// How a contact's overlap is measured.
 enum class OverlapKind : uint8
 {
     Centers, ///< along the line between two points: circles
@@ -128,11 +125,11 @@ enum class OverlapKind : uint8
     FaceB,   ///< points of A against a line on B
 };
 
-/// The position side of one touching contact, in world axes at the start of the step.
+/// The position constraint of a touching contact, in world axes at the start of the step.
 struct OverlapConstraint
 {
     b2Vec2 offset;    ///< from centre of mass A to B [m]
-    b2Vec2 normal;    ///< of the face, out of its body
+    b2Vec2 normal;    ///< of the face, outward
     b2Vec2 reference; ///< from its centre of mass to the face (or A's centre point)
     b2Vec2 points[2]; ///< from the other body's centre of mass
     float32 radius;   ///< sum of the two skins [m]
@@ -142,14 +139,14 @@ struct OverlapConstraint
     OverlapKind kind;
 };
 
-/// A body whose way in a step is longer than this share of its thinnest half is fast: it could pass
-/// through something, so its way is swept. Larger lets thin bodies through, smaller sweeps more
-/// than need be.
+/// A body is fast if its displacement in a step exceeds this fraction of its thinnest half. It
+/// could then pass through others, so continuous collision tests it. Larger lets thin bodies pass,
+/// smaller tests more than necessary.
 inline constexpr float32 kFastShare = 0.25f;
 
-/// Sweeps over contacts go forward and backward (symmetric Gauss-Seidel; Saad, "Iterative Methods
-/// for Sparse Linear Systems", 4.1): contacts that follow the colours rather than the stack would
-/// else push a tall pile to one side, sweep after sweep. This one turns after every sweep.
+/// Direction of an iteration over contacts: forward and backward alternate (symmetric Gauss-Seidel;
+/// Saad, "Iterative Methods for Sparse Linear Systems", 4.1). Otherwise the order of colours would
+/// push a tall stack to one side in every iteration.
 enum class Direction : uint8
 {
     Forward,
@@ -161,11 +158,11 @@ inline Direction DirectionOf(int32 iteration)
     return iteration % 2 == 0 ? Direction::Forward : Direction::Backward;
 }
 
-/// The same for the velocities of coloured contacts, with as few turns as possible. Where the
-/// sweeps turn, a colour is solved twice with nothing between: of two colours every other sweep
-/// would be lost, and piles would be soft. So half of a step's sweeps go one way and half the
-/// other, and the next step, which starts from the impulses of this one, goes on the way that this
-/// one ended: `turned` in every other step.
+/// The direction for the velocities of coloured contacts, with as few reversals as possible. A
+/// reversal solves a colour twice in a row, which wastes every other iteration of two colours and
+/// softens stacks. Half of a step's iterations therefore go one way and half the other. The next
+/// step starts from these impulses and continues in the last direction: `turned` in every other
+/// step.
 inline Direction ColorDirectionOf(int32 iteration, int32 count, bool turned)
 {
     const bool second = iteration >= (count + 1) / 2;
@@ -187,57 +184,57 @@ void ForEach(List& list, Direction direction, Function&& function)
 
 // Step.cpp
 
-/// How far a body may move and turn at once; what is faster is slowed down.
+/// Maximum motion of a body in a step; faster bodies are slowed down.
 struct MostMove
 {
     float32 way;  ///< [m]
     float32 turn; ///< [rad]
 };
 
-/// In a step of the manual's scheme.
+/// For a step without sub-steps.
 inline constexpr MostMove kMostMove = {b2_maxTranslation, b2_maxRotation};
-/// In a small step: impacts are found however far a body comes and turns, and a higher limit loses
-/// less energy. A box of 0.3 m that walls make tumble at 300 m/s spins with 3000 rad/s, four times
-/// around in half a step at 60 Hz. With less such boxes come to rest; with much more the search for
-/// an impact runs out of its steps.
+/// For a sub-step. Impacts are found for any displacement, and a higher limit loses less energy. A
+/// tumbling box of 0.3 m at 300 m/s rotates with 3000 rad/s, four turns in half a step at 60 Hz.
+/// With a lower limit such boxes stop; with a much higher one the search for an impact exceeds its
+/// limit of steps.
 inline constexpr MostMove kMostSmallMove = {10.0f * b2_maxTranslation, 40.0f * b2_maxRotation};
 
-/// Moves and turns a body for `timeStep`, slowing it down to what it may.
+/// Moves and rotates a body for `timeStep`, limiting its velocity.
 void MoveByVelocity(SolverBody& body, float32 timeStep, const MostMove& most);
 
 // ContactSolver.cpp
 
-/// Tells the listener of the impulses that a contact's manifold, or its constraint, keeps.
+/// Calls the listener with the impulses of a contact's manifold or constraint.
 void ReportImpulse(b2ContactListener& listener, b2Contact& contact);
 void ReportImpulse(b2ContactListener& listener, const ContactConstraint& constraint);
 
-/// 1 / value, or 0 for nothing to push.
+/// Returns 1 / value, or 0 for 0.
 inline float32 Inverse(float32 value)
 {
     return value > 0.0f ? 1.0f / value : 0.0f;
 }
 
-/// Both points together: of the four ways in which each impulse or its speed can be zero, take the
-/// one whose other quantities are not negative (total enumeration; Murty, "Linear Complementarity",
-/// 1988). False when rounding leaves none.
+/// Solves both points together. Of the four cases in which each impulse or its speed is zero,
+/// selects the one with no negative value (total enumeration; Murty, "Linear Complementarity",
+/// 1988). False if rounding leaves none.
 bool EnumerateImpulses(float32 k11, float32 k12, float32 k22, float32 b1, float32 b2, float32& x1,
                        float32& x2);
 
-/// Fills both sides of a touching contact from the present poses; velocities are read from the
+/// Fills both constraints of a touching contact from the current poses; velocities come from the
 /// bodies' solver entries (for restitution).
 void PrepareContact(b2Contact& contact, const SolverContext& context, ContactConstraint& constraint,
                     OverlapConstraint& overlap);
-/// Applies the impulses carried over from the last step.
+/// Applies the impulses of the last step (warm starting).
 void WarmStart(Array<ContactConstraint>& contacts, const SolverContext& context);
 /// One iteration: friction, then the normal impulses. False when no impulse has changed: then none
 /// will in the next.
 bool SolveContactVelocities(std::span<ContactConstraint> contacts, SolverBody* bodies,
                             Direction direction);
-/// Puts the impulses into the manifold.
+/// Stores the impulses in the manifold.
 void StoreImpulses(const ContactConstraint& contact);
 // OverlapSolver.cpp
 
-/// How deep a point overlaps, which way out, and where, after what has moved so far in this step.
+/// Depth, normal and position of a point's overlap, after the displacements so far in this step.
 struct Overlap
 {
     b2Vec2 normal; // from A to B
@@ -248,23 +245,23 @@ struct Overlap
 Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody& a,
                        const SolverBody& b);
 
-/// How far overlaps are pushed out at once: by a share of what exceeds the slop, up to `most` [m].
+/// The rate of position correction: the fraction of the excess over the slop, limited by `most`
+/// [m].
 struct PushPace
 {
     float32 rate;
     float32 most = b2_maxLinearCorrection;
 };
 
-/// How fast a body is pushed out of overlaps at most, in small steps, by all its contacts and those
-/// of its island [m/s], 20 cm a frame: pushes of a row add up. With half of it stacks of 50 that
-/// are put together without room for their skins come out otherwise, and free rows come apart in 1
-/// s instead of 0.6.
+/// Maximum speed of position correction with sub-steps, by all contacts of a body and its island
+/// [m/s]. It is 20 cm per frame, because pushes in a row add up. With half of it, stacks of 50
+/// without space for their skins end differently, and free rows separate in 1 s instead of 0.6.
 inline constexpr float32 kFarthestPush = 12.0f;
 
-/// How far a push has taken any point of a body at most [m].
+/// Returns the maximum displacement of any point of a body by a push [m].
 float32 PushOf(const SolverBody& before, const SolverBody& after, float32 maxExtent);
 
-/// Takes back all but a share of a push; its direction stays.
+/// Reduces a push to a fraction of itself in the same direction.
 void ShortenPush(const SolverBody& before, SolverBody& after, float32 share);
 
 /// One iteration of moving overlapping bodies apart. Returns the smallest separation that was met
@@ -272,7 +269,7 @@ void ShortenPush(const SolverBody& before, SolverBody& after, float32 share);
 float32 SolveOverlaps(std::span<const OverlapConstraint> overlaps, SolverBody* bodies,
                       PushPace pace, Direction direction);
 
-/// Two points that are nearly one, pushed apart one after the other.
+/// Pushes two nearly coincident points one after the other.
 float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, PushPace pace);
 
 } // namespace box2d

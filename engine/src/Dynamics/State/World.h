@@ -32,7 +32,7 @@ struct ImpactMemory;
 struct SolverMemory;
 struct SubStepMemory;
 
-/// Of one step; more only costs.
+/// Maximum of sub-steps per step.
 inline constexpr int32 kMostSubSteps = 64;
 
 class World
@@ -46,34 +46,34 @@ public:
     /// Steps for which a body counts as moved after a user change. Corrections of poses take a
     /// fifth of an error in each, so a tenth of it is left then.
     static constexpr std::uint32_t kHandLasts = 10;
-    /// Whether it did so in the last of these, by the number of the step then.
+    /// True if the step with this number is one of the last kHandLasts.
     bool IsRecent(std::uint32_t step) const { return stepNumber - step < kHandLasts; }
 
     b2World& owner;
     b2BlockAllocator allocator; ///< bodies, fixtures, shapes, joints, contacts
     Proxies proxies;
-    PairSet pairs; ///< that have a contact
+    PairSet pairs; ///< pairs with a contact
     ConstraintGraph graph;
     Islands islands;
 
-    Array<b2Body*> awakeBodies;      ///< kinematic and dynamic
-    Array<b2Contact*> awakeContacts; ///< with a body that is awake and not static
-    Array<b2Manifold> oldManifolds;  ///< of these, before the present update
-    Array<uint8> attention; ///< of these, by place: whether the second part of the update is due
-    // Of the stages of a step, used again in every one.
+    Array<b2Body*> awakeBodies;      ///< kinematic and dynamic bodies
+    Array<b2Contact*> awakeContacts; ///< contacts with an awake body that is not static
+    Array<b2Manifold> oldManifolds;  ///< their manifolds before the current update
+    Array<uint8> attention; ///< by index: true if the second phase of the update is required
+    // Scratch of the stages of a step, reused in every step.
     std::unique_ptr<SolverMemory> solver;
     std::unique_ptr<SubStepMemory> subSteps;
     std::unique_ptr<EnergyGuard> energyGuard;
     std::unique_ptr<ImpactMemory> impacts;
-    std::unique_ptr<ThreadPool> threads; ///< null when the caller's is the only one
+    std::unique_ptr<ThreadPool> threads; ///< null if only the calling thread is used
 
     b2Body* bodyList = nullptr;
     b2Joint* jointList = nullptr;
     b2Contact* contactList = nullptr;
     int32 bodyCount = 0;
     int32 jointCount = 0;
-    int32 gearCount = 0;     ///< of the joints
-    int32 inactiveCount = 0; ///< of the bodies: they are in no tree
+    int32 gearCount = 0;     ///< among the joints
+    int32 inactiveCount = 0; ///< among the bodies: they are in no tree
     int32 contactCount = 0;
     int32 bodyNumber = 0;  ///< of the next body
     int32 jointNumber = 0; ///< of the next joint
@@ -88,9 +88,9 @@ public:
     int32 subStepCount = 1;                ///< of a step
     int32 lastSubSteps = 1;                ///< of the last step in which anything was solved
     float32 inverseStep = 0.0f;            ///< of the last step [1/s], 0 before the first
-    std::uint32_t stepNumber = kHandLasts; ///< of steps that take time
+    std::uint32_t stepNumber = kHandLasts; ///< steps with a time above 0
     b2Profile profile;
-    /// What b2World::GetContactManager hands out.
+    /// The result of b2World::GetContactManager.
     mutable b2ContactManager contactManager{
         .m_broadPhase = b2BroadPhase(proxies.Trees(), Proxies::kTreeCount, Proxies::kTreeBits)};
     bool profiling = false;
@@ -100,14 +100,15 @@ public:
     bool subStepping = false;
     bool stepComplete = true; ///< false between the sub-steps of SetSubStepping
     bool autoClearForces = true;
-    mutable bool locked = false; ///< a callback of the program may run: nothing may come or go
-    bool forcesApplied = false;  ///< since they were last cleared
-    bool hasBullets = false;     ///< some body is, or was, a bullet
-    bool filtersChanged = false; ///< some contact has kContactFilter set
-    bool sweepsTurned = false;   ///< changes with each step, see ColorDirectionOf
+    mutable bool locked = false; ///< a callback of the program may run: objects cannot be created
+                                 ///< or destroyed
+    bool forcesApplied = false;  ///< since the last ClearForces
+    bool hasBullets = false;     ///< a body is, or was, a bullet
+    bool filtersChanged = false; ///< a contact has kContactFilter set
+    bool sweepsTurned = false;   ///< alternates with each step, see ColorDirectionOf
 };
 
-/// Keeps a world locked for as long as a callback of the program may run. Can be nested.
+/// Locks a world while a callback of the program may run. Can be nested.
 class Lock
 {
 public:

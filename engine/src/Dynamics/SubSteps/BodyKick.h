@@ -7,9 +7,9 @@
 namespace box2d
 {
 
-/// What damping c leaves of a velocity after a time t, and the time for which an acceleration
-/// counts: exp(-c t) and (1 - exp(-c t)) / c, with the Pade approximant (0, 2) for exp(-z), which
-/// is of second order and stable for any z.
+/// The factor that damping c leaves of a velocity after a time t, and the effective time of an
+/// acceleration: exp(-c t) and (1 - exp(-c t)) / c. It uses the Pade approximant (0, 2) of exp(-z),
+/// which is of second order and stable for any z.
 struct Decay
 {
     Decay(float32 t, float32 c) : left(1.0f), time(t)
@@ -18,14 +18,14 @@ struct Decay
         {
             const float32 z = c * t;
             left = 1.0f / (1.0f + z + 0.5f * z * z);
-            time = t * (1.0f + 0.5f * z) * left; // (1 - left) / c without the difference
+            time = t * (1.0f + 0.5f * z) * left; // (1 - left) / c without cancellation
         }
     }
     float32 left;
     float32 time; ///< [s]
 };
 
-/// The same for all of a step.
+/// The values of a body for the whole step.
 struct BodyKick
 {
     b2Vec2 acceleration;                ///< [m/s^2]

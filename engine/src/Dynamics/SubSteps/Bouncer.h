@@ -6,8 +6,8 @@
 namespace box2d
 {
 
-/// One contact of a block, as it bounces before the first kick of a step of small ones
-/// (StepSolver::Bounce). Knows no other contact and no joint.
+/// Restitution of one contact of a block, before the first kick of a step with sub-steps
+/// (StepSolver::Bounce). Independent of other contacts and joints.
 class Bouncer
 {
 public:
@@ -16,11 +16,11 @@ public:
           m_b(bodies[block.bodyB[lane]]), m_normal(block.normalX[lane], block.normalY[lane])
     {}
 
-    /// False when it does not come near fast enough. Never wins energy: of a push x at a point
-    /// whose speed goes from v to v' the work is x (v + v') / 2. Both points are pushed together
-    /// only where both come near, so that v' = -e v at each that is pushed; where one goes away it
-    /// would be held at v' = 0, which is work, so it has to wait until it comes near itself.
-    /// Friction follows when the normal speeds are done, for what it turns they would not know of.
+    /// Applies restitution; false if the approach speed is too low. Never adds energy: an impulse x
+    /// at a point whose speed changes from v to v' does the work x (v + v') / 2. Both points are
+    /// pushed together only if both approach, so that v' = -e v at each. A separating point would
+    /// be held at v' = 0, which is work, so it waits until it approaches itself. Friction follows
+    /// the normal impulses, which do not include the rotation that it causes.
     bool Bounce(float32 restitution)
     {
         const int32 count = m_block.pointCount;
@@ -79,7 +79,7 @@ private:
         Apply(impulse, m_normal, p.normalLeverA[m_lane], p.normalLeverB[m_lane]);
         m_totals.normal[i][m_lane] += impulse;
     }
-    /// Friction of a push.
+    /// Applies the friction of a normal impulse.
     void Rub(int32 i, float32 impulse)
     {
         const PointLanes& p = m_block.points[i];

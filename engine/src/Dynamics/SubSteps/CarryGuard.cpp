@@ -13,8 +13,7 @@ namespace box2d
 namespace
 {
 
-/// What rounding, and friction whose bound has changed at last, may add to an island's energy, as a
-/// share of it.
+/// Relative energy that rounding, and friction with a changed bound, may add to an island.
 constexpr double kTolerance = 1e-3;
 
 double KineticEnergyOf(const BodyData& body, const SolverBody& state)
@@ -27,7 +26,7 @@ bool Moves(const SolverBody& body)
     return body.v != b2Vec2_zero || body.w != 0.0f;
 }
 
-/// Calls for each contact, with its block, the block's totals, and its lane.
+/// Calls the function for each contact, with its block, the block's totals, and its lane.
 template <class Function>
 void ForContacts(SolverMemory& solver, Function&& function)
 {

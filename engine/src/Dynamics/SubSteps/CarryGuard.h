@@ -17,27 +17,28 @@ class World;
 class CarryGuard
 {
 public:
-    /// Once a step, before its first kick, when the awake islands have been found.
+    /// Call once per step, before its first kick, after the awake islands were found.
     void Begin(SolverMemory& solver, const JointSystem& joints);
     /// After the kick of the bodies, before the warm start.
     void Note(const World& world, const SolverMemory& solver);
-    /// Whether an island has won energy that neither its motors and springs nor what moves by
-    /// itself can have given.
+    /// True if an island gained more energy than its motors, springs and kinematic bodies can
+    /// supply.
     bool HasWon(const World& world, SolverMemory& solver, const JointSystem& joints);
-    /// Of the islands that have: gives the bodies back their velocities of Note, and takes the
-    /// impulses from their contacts.
+    /// For these islands: restores the velocities of Note and resets the impulses of their
+    /// contacts.
     void TakeBack(SolverMemory& solver) const;
-    /// Whether the island of these bodies has.
+    /// True if the island of these bodies gained energy.
     bool HasWon(const SolverMemory& solver, const RowSides& sides) const;
-    /// How many islands it looks at.
+    /// Returns the number of islands checked.
     std::size_t Count() const { return m_islands.size(); }
 
 private:
     struct Island
     {
-        double before = 0.0, after = 0.0; ///< kinetic energy; before, also what was given since [J]
-        /// Driven by what moves by itself, or swept over where nothing but what was carried over
-        /// holds it together.
+        double before = 0.0, after = 0.0; ///< kinetic energy; before: plus the energy supplied
+                                          ///< since [J]
+        /// Driven by kinematic bodies, or iteratively solved and held together by warm starting
+        /// only.
         bool exempt = false;
         bool HasWon() const;
     };

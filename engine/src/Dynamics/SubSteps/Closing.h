@@ -7,14 +7,15 @@
 namespace box2d
 {
 
-/// A joint that a drift opens by less than this [m], [rad] is closed well enough at once: the rows,
-/// being those of before the drift, leave some hundredths of it.
+/// A joint opened by a drift by less than this [m], [rad] is closed by one solution. Its rows are
+/// those of before the drift, which leaves a few hundredths of the error.
 inline constexpr float32 kNearlyClosed = 1e-4f;
 inline constexpr int32 kMostCloses = 3;
 
-/// What is to be left after a drift of what was open before it: a small gap is closed at once, by
-/// velocities, which would stay if they closed a large one, of joints that are only swept over or
-/// were made open. Of that a share goes with each drift, by poses alone.
+/// Returns the part of an initial error that remains after a drift. A small error is closed at once
+/// by velocities. For a large one these velocities would persist, so a fraction of it is closed per
+/// drift by poses only. Large errors occur in iteratively solved joints, or are created by the
+/// program.
 inline float32 Lasting(float32 before)
 {
     return b2Abs(before) <= kNearlyClosed ? 0.0f : before;

@@ -15,32 +15,33 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kMostContacts = 128; ///< of a pile
-constexpr int32 kMostUpdates = 16;   ///< a body of it, see RowPattern
-/// Below this share of what friction can hold a contact sticks.
+constexpr int32 kMostContacts = 128; ///< per contact island
+constexpr int32 kMostUpdates = 16;   ///< per body of the island, see RowPattern
+/// A contact sticks below this fraction of its friction limit.
 constexpr double kSticks = 0.9999;
-constexpr int32 kMostRounds = 2;  ///< of finding what friction can hold
+constexpr int32 kMostRounds = 2;  ///< of determining the friction limits
 constexpr double kEndless = 1e30; ///< [Ns]
-/// What a platform or a pusher presses against something that does not move has no solution: no
-/// impulses are enough, and those of the least energy grow without end. Contacts of such a pile
-/// give way, each by this share of what its impulses would do to it alone, so that no impulse
-/// exceeds what stops its bodies from the pusher's speed by more than the share's inverse. So it is
-/// where joints and contacts contradict each other.
+/// A kinematic body that presses against a static one has no solution: the impulses of least energy
+/// grow without bound. Contacts of such an island are softened by this fraction of what their
+/// impulses would do to them alone. No impulse then exceeds the one that stops its bodies from the
+/// pusher's speed by more than the inverse of the fraction. The same applies where joints and
+/// contacts contradict each other.
 /// Tuned on boxes between walls and at a door: docs/notes/sub-steps-motors-and-jams.md.
 constexpr float32 kJammedSoftness = 0.1f;
-/// They cannot be held when they come together by more than this share of the pusher's speed.
+/// Contacts are contradictory if they approach by more than this fraction of the pusher's speed.
 constexpr double kHeld = 1e-3;
-/// Nor when they push by more than so many times what brings all of the pile to the pusher's speed
-/// and stops its weight, whose speed in a kick is so many tolerances.
+/// They are also contradictory above this multiple of the impulse that brings the whole island to
+/// the pusher's speed and stops its weight. The speed of the weight in a kick is this many
+/// tolerances.
 constexpr double kMostLoad = 10.0;
 constexpr double kTolerancesOfWeight = 100.0;
 /// Overlaps that iterations leave above the one are brought to the other [m]: under any load less
 /// than a slop is left.
 constexpr float32 kMostOverlap = 0.95f * b2_linearSlop;
 constexpr float32 kOverlap = 0.8f * b2_linearSlop;
-constexpr float32 kAllPushes = 1.01f; ///< of contacts in a row, a little more than their sum
+constexpr float32 kAllPushes = 1.01f; ///< limit of a row of contacts, a little above the sum
 
-/// A contact of a block as an item: a row for each normal, and one for the tangent.
+/// A contact of a block as an item: one row per normal and one for the tangent.
 class ContactItem
 {
 public:
@@ -92,7 +93,7 @@ public:
         return double(m_block.friction[m_lane]) * (item.impulse.at[0] + item.impulse.at[1]);
     }
 
-    /// The impulses are right for a kick of this length, and grow with it.
+    /// Marks the impulses as proportional to the kick's length.
     void PassOnInProportion(BlockTotals& totals)
     {
         for (int32 i = 0; i < m_block.pointCount; ++i)
@@ -102,7 +103,7 @@ public:
         }
     }
 
-    /// Friction in shares of what each point can hold.
+    /// Sets friction as a fraction of each point's limit.
     void Take(const BoundedSystem::Item& item)
     {
         double load = 0.0;
@@ -118,7 +119,8 @@ public:
         }
     }
 
-    /// Lets its points come together by so much of what their impulses would do to it alone.
+    /// Sets the approach speed of its points as a fraction of what their impulses would do to them
+    /// alone.
     void SetSoftness(JointRows& rows, float32 share) const
     {
         for (int32 i = 0; i < m_block.pointCount; ++i)
@@ -127,7 +129,7 @@ public:
         }
     }
 
-    /// How far a speed is from what it should be: across as long as friction can do more.
+    /// Returns the error of a speed; tangential errors count while friction is below its limit.
     float32 Off(const SolverBody* bodies)
     {
         const SolverBody& a = bodies[m_block.bodyA[m_lane]];
@@ -160,7 +162,7 @@ private:
     int32 m_lane;
 };
 
-/// With the friction that the first `contacts` items can hold, which follows from what is found.
+/// With the friction limits of the first `contacts` items, which follow from the solution.
 template <class Holds>
 void MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Holds& holds,
                           const SolverContext& context, double tolerance)
@@ -184,8 +186,8 @@ void MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Hol
     }
 }
 
-/// Whether the first `contacts` items were to hold what cannot be held: bodies shoot away, or
-/// points still come together, or push by more than what the pusher and weight ask for.
+/// True if the constraints of the first `contacts` items are contradictory: bodies become too fast,
+/// points still approach, or impulses exceed what the pusher and weight require.
 bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
               double tolerance)
 {
@@ -217,8 +219,8 @@ bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& 
     return false;
 }
 
-/// An overlap as an item: rows for its points, which are to move apart by a share of what exceeds
-/// the slop, and may come as near as that.
+/// Converts an overlap to an item. Its rows separate the points by a fraction of the excess over
+/// the slop, which is also the minimum distance.
 void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverBody* bodies,
                  PushPace pace, JointRows& rows, BoundedSystem::Item& item)
 {
@@ -292,7 +294,8 @@ void ContactSystem::CountContacts(SolverMemory& solver)
     });
 }
 
-/// An island keeps its pile from step to step: its system may serve again, and has room enough.
+/// An island keeps its contact system from step to step, so that its pattern and memory can be
+/// reused.
 void ContactSystem::ChoosePiles(const AwakeIslands& islands)
 {
     const auto isPile = [this](int32 number) {
@@ -356,8 +359,8 @@ void ContactSystem::Gather(SolverMemory& solver, JointSystem& joints)
             m_piles[std::size_t(pile)].contacts.push_back(place);
         }
     });
-    // What a tree does by itself touches none of the contacts, though an island that has not been
-    // taken apart yet may still hold both.
+    // A tree that moves independently touches no contact, though an island that was not split yet
+    // may contain both.
     joints.ForRowed([&](std::size_t i, const JointRows&) {
         const RowSides& sides = joints.Sides(i);
         for (const BodyData* body : sides.sides)
@@ -373,7 +376,7 @@ void ContactSystem::Gather(SolverMemory& solver, JointSystem& joints)
     });
 }
 
-/// A pile that has grown beyond all it has been takes over what a free one has room in.
+/// An island that exceeds its memory takes over that of a free one.
 void ContactSystem::FindRoom(Pile& pile)
 {
     for (std::size_t i = 0; i < m_free.size() && m_sides.size() > pile.sides.capacity(); ++i)
@@ -475,7 +478,7 @@ void ContactSystem::SolveVelocities(Pile& pile, SolverMemory& solver, JointSyste
     {
         system.GoBack(context);
         soften(kJammedSoftness);
-        system.Mark(context); // what gives way stores energy
+        system.Mark(context); // soft contacts store energy
         MinimizeWithFriction(system, count, holds, context, double(tolerance));
     }
     system.KeepIfBetter(context);
@@ -519,7 +522,7 @@ void ContactSystem::SolveOverlaps(SolverMemory& solver, JointSystem& joints,
     }
 }
 
-/// What is a velocity for velocities is a way here.
+/// The system solves displacements here in place of velocities.
 void ContactSystem::SolveOverlaps(Pile& pile, SolverMemory& solver, JointSystem& joints,
                                   const SolverContext& context, PushPace pace)
 {
@@ -559,7 +562,7 @@ void ContactSystem::SolveOverlaps(Pile& pile, SolverMemory& solver, JointSystem&
     {
         farthest = b2Max(farthest, m_moves[std::size_t(body->SolverIndex())].v.Length());
     }
-    // Farther than all pushes in a row: there is no room, and what came out is rounding.
+    // Further than all pushes in a row: there is no solution, and the result is rounding.
     const bool hasRoom = farthest <= kAllPushes * float32(count + 1) * pace.most;
     for (const BodyData* body : system.Bodies())
     {

@@ -19,32 +19,32 @@ struct SolverMemory;
 class ContactSystem
 {
 public:
-    /// Once a step, when the blocks are prepared, the joints have begun and, where there are
-    /// contacts, the awake islands have been found: which islands are small enough.
+    /// Call once per step, after the blocks were prepared, the joints have begun and, if there are
+    /// contacts, the awake islands were found. Selects the islands that are small enough.
     void Begin(SolverMemory& solver, JointSystem& joints);
-    /// How many are.
+    /// Returns the number of selected islands.
     std::size_t Count() const { return m_used.size(); }
     /// After iterations over all contacts: the velocities of the islands in which a contact's
     /// normal speed is off by more than `tolerance` [m/s].
     void SolveVelocities(SolverMemory& solver, JointSystem& joints, const SolverContext& context,
                          float32 tolerance);
-    /// The same of overlaps.
+    /// As above, for overlaps.
     void SolveOverlaps(SolverMemory& solver, JointSystem& joints, const SolverContext& context,
                        PushPace pace);
 
 private:
-    struct Place // of a contact
+    struct Place // place of a contact
     {
         int32 color, block, lane;
     };
     struct Pile
     {
-        int32 island = -1; // of Islands; those that are free keep their last
+        int32 island = -1; // of Islands; unused ones keep their last
         Array<Place> contacts;
-        Array<int32> joints;   // of the JointSystem
-        Array<RowSides> sides; // for which the system was built
+        Array<int32> joints;   // indices in the JointSystem
+        Array<RowSides> sides; // constraints of the current system
         BoundedSystem system;
-        bool followed = false; // in this step
+        bool followed = false; // up to date in this step
     };
 
     void CountContacts(SolverMemory& solver);
@@ -60,14 +60,15 @@ private:
     template <class Function>
     void ForContacts(SolverMemory& solver, Function&& function) const;
 
-    Array<int32> m_contacts; // how many, by number of AwakeIslands
-    Array<int32> m_pileOf;   // the same; -1: none, or too large
+    Array<int32> m_contacts; // contact count, by number of AwakeIslands
+    Array<int32> m_pileOf;   // likewise; -1: none, or too large
     Array<Pile> m_piles;
-    Array<int32> m_used;       // piles of this step
+    Array<int32> m_used;       // used in this step
     Array<int32> m_free;       // the others
-    Array<RowSides> m_sides;   // scratch: of a pile
-    Elimination m_elimination; // of piles
-    Array<SolverBody> m_moves; // by solver index: in place of velocities when overlaps are solved
+    Array<RowSides> m_sides;   // scratch: of one island
+    Elimination m_elimination; // of contact islands
+    Array<SolverBody> m_moves; // by solver index: displacements in place of velocities, for
+                               // overlaps
 };
 
 } // namespace box2d

@@ -15,7 +15,7 @@ namespace box2d
 namespace
 {
 
-/// A contact that lifts less than this share of its impulse holds nothing up.
+/// A contact whose vertical part is below this fraction of its impulse does not support a body.
 constexpr double kLeastLift = 0.5;
 
 std::size_t At(int32 index)
@@ -94,7 +94,7 @@ void FirstLoads::GatherPoint(const World& world, ContactBlock& block, int32 lane
     for (int32 i = 0; i < block.pointCount; ++i)
     {
         PointLanes& p = block.points[i];
-        // The impulse is along the normal on B, against it on A.
+        // The impulse acts along the normal on B, and against it on A.
         const double momentA = -double(p.normalLeverA[lane]);
         const double momentB = double(p.normalLeverB[lane]);
         float32* impulse = &p.normalImpulse[lane];
@@ -128,9 +128,9 @@ void FirstLoads::SortFromTheTop(const World& world)
               [&](int32 a, int32 b) { return depth(a) != depth(b) ? depth(a) < depth(b) : a < b; });
 }
 
-/// What a body bears and weighs to what it lies on, spread so that the sum of the squares of the
-/// impulses is least: each is lift * x + moment * y, with the x and y that bear it all. What would
-/// have to pull is left out.
+/// Distributes a body's weight and load to the bodies below it, with the minimum sum of squared
+/// impulses. Each is lift * x + moment * y, where x and y satisfy the balance of force and moment.
+/// Negative impulses are set to zero.
 void FirstLoads::PassOn(int32 index)
 {
     const Body& body = m_bodies[At(index)];
@@ -153,7 +153,7 @@ void FirstLoads::PassOn(int32 index)
             mm += p->upperMoment * p->upperMoment;
         }
         const double determinant = ll * mm - lm * lm;
-        const bool turns = determinant > 1e-9 * ll * mm; // or else one point, or all in a line
+        const bool turns = determinant > 1e-9 * ll * mm; // otherwise one point, or all in a line
         const double x = turns ? (mm * body.lift - lm * body.moment) / determinant : body.lift / ll;
         const double y = turns ? (ll * body.moment - lm * body.lift) / determinant : 0.0;
         const auto isPulling = [&](const Point& p) { return p.lift * x + p.upperMoment * y < 0.0; };

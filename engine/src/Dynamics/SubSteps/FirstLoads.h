@@ -3,9 +3,9 @@
 
 #include "../Solver/ContactBlocks.h"
 
-/// What bodies that have just been put on each other at rest will have to bear. Sweeps find the
-/// load of a tall pile as a wave does that runs up and down a spring, for seconds; but from the top
-/// down, each body passing on its own weight and what lies on it, it is found in one pass.
+/// Estimates the loads of bodies that have just been stacked at rest. Iterations find the load of a
+/// tall stack like a wave on a spring, which takes seconds. From the top down, each body passing on
+/// its weight and load, one pass suffices.
 namespace box2d
 {
 
@@ -23,15 +23,15 @@ private:
     struct Point
     {
         float32* impulse;
-        int32 upper, lower; ///< solver index; 0: bears anything
+        int32 upper, lower; ///< solver index; 0: static
         int32 order;
-        double lift; ///< of the upper body, by an impulse of one
+        double lift; ///< vertical part of a unit impulse on the upper body
         double upperMoment, lowerMoment;
     };
     struct Body
     {
-        double lift = 0.0, moment = 0.0; ///< that it needs
-        int32 firstPoint = 0;            ///< of those that it lies on
+        double lift = 0.0, moment = 0.0; ///< required
+        int32 firstPoint = 0;            ///< of its contacts with the bodies below
     };
 
     void GatherPoints(const World& world, SolverMemory& arrays);
@@ -41,7 +41,7 @@ private:
 
     Array<Point> m_points;
     Array<Body> m_bodies; // by solver index
-    Array<int32> m_order; // bodies that lie on something, the highest first
+    Array<int32> m_order; // bodies with another below them, highest first
 };
 
 } // namespace box2d

@@ -18,11 +18,11 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kMostDrifts = 128; ///< in a step
+constexpr int32 kMostDrifts = 128; ///< per step
 constexpr int32 kMostTries = 4;
-/// How far a swing may turn in a drift, squared [rad^2]: by what the last step leaves to expect,
-/// and by what came up in the step. A leapfrog is stable below 4 (Hairer, Lubich and Wanner,
-/// "Geometric Numerical Integration", 2006, I.5); tuned on 20 links with a ball of 1000:1,
+/// Maximum squared rotation of a swing per drift [rad^2], by the estimate from the last step, and
+/// by the actual value. A leapfrog is stable below 4 (Hairer, Lubich and Wanner, "Geometric
+/// Numerical Integration", 2006, I.5). Tuned on 20 links with a ball of 1000:1,
 /// docs/notes/sub-steps-chains.md.
 constexpr double kEstimated = 1.8;
 constexpr double kFound = 2.8;
@@ -31,10 +31,11 @@ constexpr double kFound = 2.8;
 /// chains stay below 0.1 mm; more takes drifts for nothing (docs/notes/tuned-constants.md).
 constexpr double kTurns = 3.0;
 
-/// Of the energies of a step: more than a drift that sees all swings makes by its errors.
+/// Relative energy error of a step: more than the truncation error of drifts that resolve all
+/// swings.
 constexpr double kWonShare = 2e-3;
-constexpr float32 kHardlyOpen = 5e-3f; ///< as contacts are let overlap [m]
-constexpr float32 kTorn = 0.05f;       ///< a hinge that is so far open is hard to close [m]
+constexpr float32 kHardlyOpen = 5e-3f; ///< overlap that contacts allow [m]
+constexpr float32 kTorn = 0.05f;       ///< a larger gap is hard to close [m]
 
 int32 CountFor(double mostSquared, double squaredFrequency, float32 timeStep, int32 least)
 {
@@ -82,7 +83,7 @@ bool HingeTree::Build(const Array<b2Joint*>& joints)
         {
             if (!m_links.empty())
             {
-                return false; // tied down twice
+                return false; // attached to the world twice
             }
             AddLink(*joint, IsMoved(a) ? b : a, -1);
         }
@@ -109,7 +110,7 @@ bool HingeTree::Build(const Array<b2Joint*>& joints)
     return m_links.size() == count;
 }
 
-/// Of the body that a joint holds to `above`.
+/// Adds the body that a joint connects to `above`.
 void HingeTree::AddLink(b2Joint& joint, const BodyData& above, int32 parent)
 {
     const BodyData& a = Data(*joint.GetBodyA());
@@ -158,10 +159,10 @@ bool HingeTree::Begin(const SolverContext& context, const BodyKick* kicks)
     return true;
 }
 
-/// A body that hinges pull straight with forces F at arms r turns back and forth with the frequency
-/// sqrt(sum F.r / I), and a leapfrog is thrown about by what it sees less than three times in a
-/// swing. The number of drifts stays the same for all of a step: to change it throws about as well.
-/// When it has turned out too small, or energy has come out of nothing, the step is done again.
+/// Tension forces F at arms r make a body oscillate with the frequency sqrt(sum F.r / I). A
+/// leapfrog needs at least three drifts per oscillation. The number of drifts stays constant in a
+/// step, because changing it adds errors as well. If it was too small, or energy was gained, the
+/// step is repeated.
 void HingeTree::Step(float32 timeStep, int32 smallSteps)
 {
     for (Link& link : m_links)
@@ -196,7 +197,7 @@ void HingeTree::Step(float32 timeStep, int32 smallSteps)
     LeaveImpulses();
 }
 
-/// What a whip has opened within a step does not stay open; what was made open closes slowly.
+/// Closes gaps that a fast swing has opened within a step; initial gaps close slowly.
 void HingeTree::CloseWholly(float32 timeStep)
 {
     for (Link& link : m_links)
@@ -208,8 +209,8 @@ void HingeTree::CloseWholly(float32 timeStep)
     Stop();
 }
 
-/// What cannot be followed, a heavy ball that pulls a slack chain straight at once, is to lose its
-/// energy rather than win.
+/// For motion that cannot be resolved, such as a heavy ball that suddenly tightens a slack chain:
+/// dissipates energy instead of gaining it.
 void HingeTree::StepSafely(int32 count, float32 timeStep)
 {
     GoBack();
@@ -232,8 +233,8 @@ void HingeTree::GoBack()
     }
 }
 
-/// A leapfrog: half a kick, drifts and whole kicks in turn, half a kick. Without impulses the
-/// hinges are closed in a way that can only lose energy.
+/// A leapfrog: half a kick, drifts alternating with whole kicks, half a kick. Without impulses the
+/// hinges are closed in a way that only loses energy.
 HingeTree::Outcome HingeTree::StepIn(int32 count, float32 timeStep, bool byImpulses)
 {
     const float32 time = timeStep / float32(count);
@@ -255,7 +256,7 @@ HingeTree::Outcome HingeTree::StepIn(int32 count, float32 timeStep, bool byImpul
         Kick(i < count ? time : 0.5f * time);
         const double given = double(i < count ? time : 0.75f * time);
         const double strain = Strain(given) / given;
-        // An impact is not a swing: what counts came up in two drifts on end.
+        // An impact is not a swing: only values of two consecutive drifts count.
         outcome.squaredFrequency = std::max(outcome.squaredFrequency, std::min(strain, before));
         before = strain;
     }
@@ -282,7 +283,8 @@ HingeTree::Energy HingeTree::WonEnergy() const
     return energy;
 }
 
-/// Slows all down alike, which leaves hinges at rest, and a free tree its momentum.
+/// Scales all velocities equally, which keeps hinges at rest and the direction of a free tree's
+/// momentum.
 void HingeTree::TakeWonEnergy()
 {
     const Energy energy = WonEnergy();
@@ -311,7 +313,7 @@ void HingeTree::TakeWonEnergy()
     }
 }
 
-/// When they were measured.
+/// As last measured.
 float32 HingeTree::WidestGap() const
 {
     float32 widest = 0.0f;
@@ -322,7 +324,7 @@ float32 HingeTree::WidestGap() const
     return widest;
 }
 
-/// And stops the hinges.
+/// Applies a kick and solves the hinges' velocities.
 void HingeTree::Kick(float32 time)
 {
     Prepare();
@@ -333,7 +335,7 @@ void HingeTree::Kick(float32 time)
     Stop();
 }
 
-/// The largest sum F.r / I, times the time in which the impulses since they were noted were given.
+/// Returns the maximum of sum F.r / I times the duration of the impulses since they were noted.
 double HingeTree::Strain(double time)
 {
     double highest = 0.0;
@@ -357,7 +359,7 @@ double HingeTree::Strain(double time)
     return highest;
 }
 
-/// The same of the impulses that the last step left in the joints.
+/// As above, for the impulses of the last step.
 double HingeTree::LastStrain(double time)
 {
     for (Link& link : m_links)

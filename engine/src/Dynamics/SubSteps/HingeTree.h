@@ -18,14 +18,14 @@ namespace box2d
 class HingeTree
 {
 public:
-    /// False when the joints are not a tree of plain hinges; then there is nothing to be used.
+    /// False if the joints are not a tree of plain hinges; it cannot be used then.
     bool Build(const Array<b2Joint*>& joints);
 
-    /// At the start of a step; the kicks by awake body. False when the tree cannot be used in it,
-    /// because motors, limits, moving platforms or bodies without mass take part.
+    /// Call at the start of a step; the kicks are by awake body. False if the tree cannot be used
+    /// in this step, because of motors, limits, moving platforms or bodies without mass.
     bool Begin(const SolverContext& context, const BodyKick* kicks);
-    /// All of the step, in as many small ones or more, and leaves the sums of the impulses in the
-    /// joints.
+    /// Performs the whole step, in at least `smallSteps` sub-steps, and stores the sums of the
+    /// impulses in the joints.
     void Step(float32 timeStep, int32 smallSteps);
 
     template <class Function>
@@ -38,12 +38,12 @@ public:
     }
 
 private:
-    // In double precision: 1000 kg at the end of a chain cost more digits than a float has.
+    // In double precision: 1000 kg at the end of a chain exceeds the precision of float.
     struct Pair
     {
         double x = 0.0, y = 0.0;
     };
-    /// About a point: the matrix (m11 m12 x; m12 m22 y; x y turning).
+    /// Inertia about a point: the matrix (m11 m12 x; m12 m22 y; x y turning).
     struct Inertia
     {
         double m11, m12, m22, x, y, turning;
@@ -51,26 +51,26 @@ private:
     /// A body, and the hinge that connects it to its parent.
     struct Link
     {
-        // While the joints stay the same.
+        // Constant while the joints are unchanged.
         const BodyData* body = nullptr;
         const BodyData* above = nullptr; ///< its parent, nullptr: none
         b2RevoluteJoint* joint = nullptr;
-        int32 parent = -1;        ///< place, -1: nothing that moves
-        float32 direction = 1.0f; ///< of its impulses: -1 when it is the joint's first body
+        int32 parent = -1;        ///< index, -1: none that moves
+        float32 direction = 1.0f; ///< sign of its impulses: -1 if it is the joint's first body
 
-        // In a step.
+        // Values of a step.
         SolverBody* state = nullptr;
         BodyKick kick;
         const SolverBody* aboveState = nullptr;
         double mass = 0.0, turning = 0.0;
-        b2Vec2 arm, aboveArm; ///< to the hinge, in the axes of the world at the start
-        b2Vec2 offset;        ///< of the centres of mass, from above
-        Pair total, noted;    ///< impulse
-        SolverBody start;     ///< as the step found it
+        b2Vec2 arm, aboveArm; ///< to the hinge, in world axes at the start
+        b2Vec2 offset;        ///< between the centres of mass, from above
+        Pair total, noted;    ///< impulses
+        SolverBody start;     ///< at the start of the step
         SolverBody opened;    ///< before its hinge was closed after a drift
         Pair totalBefore;
 
-        // At a pose.
+        // Values of a pose.
         Pair lever, aboveLever;
         b2Vec2 open;          ///< of the hinge [m]
         Inertia inertia;      ///< of the body and all below, about its centre of mass
@@ -78,23 +78,23 @@ private:
         Pair turn;            ///< how much it turns when that moves,
         double ease;          ///< or when it is turned
 
-        // Of a solution.
-        Pair lack;              ///< of the hinge's speed
-        Pair given;             ///< to the body from below: impulse, and
+        // Values of a solution.
+        Pair lack;              ///< residual of the hinge's speed
+        Pair given;             ///< impulse from the subtree
         double givenTurn = 0.0; ///< its moment
         double load = 0.0;      ///< the mass of its subtree
         double pull = 0.0;      ///< what turns the body back [N m]
         Pair change;            ///< of velocity
         double changeTurn = 0.0;
-        Pair impulse; ///< in the hinge
+        Pair impulse; ///< impulse in the hinge
     };
 
-    /// A joint at one of its bodies.
+    /// A joint, listed by one of its bodies.
     struct JointEnd
     {
         const BodyData* body;
         b2Joint* joint;
-        std::size_t order; ///< of the joint
+        std::size_t order; ///< index of the joint
 
         static bool ByBodyAndOrder(const JointEnd& a, const JointEnd& b);
         static bool ByBody(const JointEnd& a, const JointEnd& b);
@@ -104,15 +104,15 @@ private:
     double LastStrain(double time);
     struct Outcome
     {
-        double squaredFrequency = 0.0; ///< the largest that came up [1/s^2]
-        bool won = false;              ///< energy out of nothing
+        double squaredFrequency = 0.0; ///< maximum in the step [1/s^2]
+        bool won = false;              ///< energy was gained
     };
-    /// Of all bodies in a step [J].
+    /// Energy of all bodies in a step [J].
     struct Energy
     {
-        double now = 0.0;   ///< kinetic, at its end
-        double due = 0.0;   ///< what it should be, of that at its start and of the kicks' work
-        double moved = 0.0; ///< the sum of the amounts of these
+        double now = 0.0;   ///< kinetic, at the end
+        double due = 0.0;   ///< expected: at the start, plus the work of kicks
+        double moved = 0.0; ///< sum of the absolute values
     };
     void CloseWholly(float32 timeStep);
     void StepSafely(int32 count, float32 timeStep);
@@ -147,7 +147,7 @@ private:
 
     Array<Link> m_links;      ///< parents first
     Array<JointEnd> m_ends;   ///< scratch of Build
-    bool m_stiffened = false; ///< bodies turn as if they were heavier than they are
+    bool m_stiffened = false; ///< bodies have added inertia
 };
 
 } // namespace box2d

@@ -4,29 +4,29 @@
 
 #include <algorithm>
 
-/// One solution for all hinges of a HingeTree, and what it is needed for.
+/// The direct solution for all hinges of a HingeTree, and its uses.
 namespace box2d
 {
 
 namespace
 {
 
-/// Where there is no other way, a body turns as if it had this share of all that hangs from it at
-/// its hinge.
+/// Last resort: rotational inertia added to a body, as a fraction of its subtree's mass at the
+/// hinge.
 constexpr double kStiffening = 0.01;
 constexpr float32 kSmallAngle = 0.01f;
-constexpr float32 kClosed = 5e-6f; ///< the next drift closes it well enough [m]
+constexpr float32 kClosed = 5e-6f; ///< the next drift closes this sufficiently [m]
 constexpr int32 kMostPoseCloses = 12;
 
-/// How far a hinge is to be closed at once: what is far open turns the bodies so that their levers
-/// no longer say where it goes.
+/// Returns how far a hinge is closed at once: a large correction rotates bodies so that their
+/// levers become invalid.
 float32 Correction(float32 open, float32 before)
 {
     return b2Clamp(open - (1.0f - kClosedShare) * Lasting(before), -b2_maxLinearCorrection,
                    b2_maxLinearCorrection);
 }
 
-/// The same for an angle of which the fourth power counts for nothing.
+/// Returns the rotation by an angle whose fourth power is negligible.
 b2Rot SmallRot(float32 angle)
 {
     if (b2Abs(angle) > kSmallAngle)
@@ -41,7 +41,7 @@ b2Rot SmallRot(float32 angle)
 
 } // namespace
 
-/// The arms at the present poses, and how far the hinge is open.
+/// Computes the arms at the current poses, and returns the gap of the hinge.
 b2Vec2 HingeTree::Measure(const Link& link, b2Vec2& arm, b2Vec2& aboveArm)
 {
     const SolverBody& body = *link.state;
@@ -72,7 +72,7 @@ b2Vec2 HingeTree::TakeLevers(Link& link)
     return open;
 }
 
-/// From the tips to the root.
+/// Factors from the leaves to the root.
 void HingeTree::Factor()
 {
     for (Link& link : m_links)
@@ -100,10 +100,10 @@ void HingeTree::Factor()
     }
 }
 
-/// The inertia at the hinge: with v = u + w t,
+/// Computes the inertia at the hinge. With v = u + w t,
 ///   K = M - a a^T / c,   a = M t + (x, y),   c = t.M t + 2 t.(x, y) + turning,
-/// for the body turns so that the energy is least, by w = -a.u / c. A root without a hinge is
-/// factored about its centre of mass in the same way, t = 0.
+/// because the rotation minimizes the energy, w = -a.u / c. A root without a hinge is factored
+/// about its centre of mass in the same way, t = 0.
 void HingeTree::FactorAtHinge(Link& link)
 {
     const Inertia m = link.inertia;
@@ -133,8 +133,8 @@ void HingeTree::AddInertia(const Link& link, Inertia& parent)
     parent.turning += t.x * x + t.y * y;
 }
 
-/// From the tips to the root, what the hinges want and give: an impulse f at a hinge and what is
-/// given from below, impulse g and moment z, make
+/// From the leaves to the root: an impulse f at a hinge, with the impulse g and the moment z from
+/// the subtree, gives
 ///   K u = f + g - a (z + t.g) / c.
 template <class Want>
 void HingeTree::Gather(Want&& want)
@@ -165,7 +165,7 @@ void HingeTree::AddGiven(const Link& link, Link& parent)
     parent.givenTurn += link.aboveLever.x * x + link.aboveLever.y * y;
 }
 
-/// And back, the changes of velocity.
+/// From the root to the leaves: the changes of velocity.
 template <class Take>
 void HingeTree::Spread(Take&& take)
 {
@@ -241,7 +241,7 @@ void HingeTree::AddPose(Link& link, float32 timeStep)
     body.q = b2Mul(body.q, SmallRot(turn));
 }
 
-/// The change of speed that closes the hinge in the time. Returns how far it is open.
+/// Sets the change of speed that closes the hinge in the given time. Returns the gap.
 float32 HingeTree::WantClosed(Link& link, float32 timeStep)
 {
     b2Vec2 arm, aboveArm;
@@ -272,8 +272,8 @@ void HingeTree::Close(float32 timeStep)
     ClosePoses(timeStep);
 }
 
-/// False when that has opened them further: turned far in the drift, the bodies' levers of before
-/// it point elsewhere.
+/// False if the gaps increased: after a large rotation in the drift, the levers from before it are
+/// invalid.
 bool HingeTree::CloseByImpulses(float32 timeStep)
 {
     float32 first = 0.0f;
@@ -299,8 +299,8 @@ bool HingeTree::CloseByImpulses(float32 timeStep)
     return true;
 }
 
-/// By the levers of each pose, without a change of velocity: one that does not really close the
-/// hinges would throw them about for long.
+/// Closes by poses only, with the levers of each pose. Velocities that do not close the hinges
+/// would disturb them for long.
 void HingeTree::ClosePoses(float32 timeStep)
 {
     for (int32 i = 0; i < kMostPoseCloses; ++i)

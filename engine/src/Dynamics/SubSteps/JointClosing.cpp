@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-/// How the JointSystem closes joints after a drift.
+/// Closing of joints after a drift, a part of JointSystem.
 namespace box2d
 {
 
@@ -23,13 +23,13 @@ constexpr double kDamped = 1e-2;
 constexpr double kLoopCompliance = 1e-5;
 
 constexpr int32 kMostPoseCloses = 24;
-constexpr int32 kMostCycles = 16; ///< parts of a drift
-/// Of kinetic energy, by closing: see HasGained.
+constexpr int32 kMostCycles = 16; ///< drifts per sub-step
+/// Maximum relative gain of kinetic energy by closing: see HasGained.
 constexpr double kMostGain = 0.5;
-/// Forces within a step are larger than on average.
+/// Forces within a step exceed their mean.
 constexpr double kCycleMargin = 0.75;
-/// Far larger where a rope or a rod jerks, or a limit stops what is heavy. Tuned on 216 chains of
-/// ropes and of rods: docs/notes/sub-steps-chains.md.
+/// Much larger for the jerk of a rope, a rod, or a limit that stops a heavy body. Tuned on 216
+/// chains of ropes and of rods: docs/notes/sub-steps-chains.md.
 constexpr double kSnapMargin = 6.0;
 
 double KineticEnergyOf(const BodyData& body, const SolverBody& state)
@@ -77,12 +77,11 @@ void JointSystem::NotePoses(const SolverContext& context)
     }
 }
 
-/// How many a drift has to be split into. A body that joints pull straight with forces F at arms r
-/// turns back and forth with the frequency sqrt(sum F.r / I), and a leapfrog is thrown about by
-/// what it sees less than three times in a swing. The same number for all of a step: to change it
-/// throws about as well. Only where there are limits the kick before the drift counts too: a rope
-/// that snaps taut stops in one what has fallen for long. That kick is at least half as long as the
-/// drift, see DriftInCycles.
+/// Returns the number of drifts to split a drift into. Tension forces F at arms r make a body
+/// oscillate with the frequency sqrt(sum F.r / I), and a leapfrog needs at least three drifts per
+/// oscillation. The number stays constant in a step, because changing it adds errors as well. With
+/// limits the kick before the drift counts too: a rope that becomes taut stops a long fall in one
+/// kick. That kick has at least half the length of the drift, see DriftInCycles.
 int32 JointSystem::Cycles(int32 part, float32 timeStep) const
 {
     const Part& p = m_parts[std::size_t(part)];
@@ -103,10 +102,10 @@ int32 JointSystem::Cycles(int32 part, float32 timeStep) const
     return count;
 }
 
-/// The drift as so many whole steps of the leapfrog, from kick to kick; the velocities before and
-/// after are those of half a drift later and earlier. A limit only pushes, over all of a kick: so
-/// where there are limits the first kick goes on with the impulses of the one before the drift, and
-/// the last is left to be met by the one after it.
+/// Performs the drift as `count` leapfrog steps, from kick to kick; the velocities before and after
+/// are those half a drift later and earlier. A limit pushes during a whole kick. With limits, the
+/// first kick therefore continues with the impulses before the drift, and the last is completed by
+/// the kick after it.
 void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& context,
                                 float32 timeStep, const BodyKick* kicks)
 {
@@ -141,7 +140,7 @@ void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& co
     }
 }
 
-/// By what is no constraint.
+/// Applies gravity, forces and damping.
 void JointSystem::KickPart(int32 part, const SolverContext& context, float32 time,
                            const BodyKick* kicks)
 {
@@ -150,7 +149,7 @@ void JointSystem::KickPart(int32 part, const SolverContext& context, float32 tim
     });
 }
 
-/// They are in the totals.
+/// Resets impulses that were added to the totals.
 void JointSystem::ForgetImpulses(int32 part)
 {
     m_system.ForItems(part, [&](std::size_t joint) {
@@ -159,7 +158,7 @@ void JointSystem::ForgetImpulses(int32 part)
     });
 }
 
-/// The joint's rows at the present poses, with the impulses that they have.
+/// Fills the joint's rows at the current poses, with their current impulses.
 const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& context)
 {
     JointRows& rows = m_system.Rows(joint);
@@ -171,7 +170,7 @@ const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& c
     return rows;
 }
 
-/// At the present poses.
+/// Solves the velocities at the current poses.
 void JointSystem::MeetKick(int32 part, const SolverContext& context)
 {
     Part& p = m_parts[std::size_t(part)];
@@ -230,10 +229,10 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
     }
 }
 
-/// Closes by poses alone, by the rows of each pose in turn (Newton's method), all but what m_left
-/// says: velocities that do not really close the joints would throw them about for long. Near a
-/// pose where rows contradict each other they are damped (Levenberg, "A Method for the Solution of
-/// Certain Non-Linear Problems in Least Squares", 1944); the best pose is kept.
+/// Closes by poses only, by Newton's method with the rows of each pose, except for m_left.
+/// Velocities that do not close the joints would disturb them for long. Near a pose with
+/// contradictory rows the system is damped (Levenberg, "A Method for the Solution of Certain
+/// Non-Linear Problems in Least Squares", 1944); the best pose is kept.
 void JointSystem::ClosePoses(int32 part, const SolverContext& context)
 {
     float32 best = b2_maxFloat;
@@ -271,8 +270,8 @@ void JointSystem::ClosePoses(int32 part, const SolverContext& context)
     m_parts[std::size_t(part)].factored = false;
 }
 
-/// The ways that close the joints, and the rows at the present poses. Returns how far they are
-/// open.
+/// Computes the displacements that close the joints, and the rows at the current poses. Returns the
+/// maximum gap.
 float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
 {
     float32 widest = 0.0f;
@@ -291,15 +290,15 @@ float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
     return widest;
 }
 
-/// Pushes are found to first order: what is turned far by them, for overlaps and joints almost
-/// contradict each other, opens joints wherever it goes. All of a part are shortened alike, so
-/// that no body turns so far that this is more than a slop.
+/// Pushes are computed to first order. Where overlaps and joints almost contradict each other,
+/// large rotations would open joints. All pushes of a component are scaled equally, so that the
+/// error of every rotation is at most a slop.
 void JointSystem::ShortenPushes(int32 part, const SolverContext& context)
 {
     float32 share = 1.0f;
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
         const float32 turn = b2Abs(context.bodies[body.SolverIndex()].angle - m_poses[place].angle);
-        // The chord and the arc are t^2 / 2 of the arm apart.
+        // The chord and the arc differ by t^2 / 2 of the arm.
         const float32 most = b2Sqrt(2.0f * b2_linearSlop / b2Max(body.maxExtent, b2_linearSlop));
         share = turn > most ? b2Min(share, most / turn) : share;
     });
@@ -359,9 +358,9 @@ void JointSystem::LetGo(int32 part)
         part, [&](const BodyData&, std::size_t place) { m_system.SetBallast(place, 0.0, 0.0); });
 }
 
-/// Whether closing has given velocities that no drift can call for. It takes back what going
-/// straight on instead of round has opened, which makes a body that turns by an angle a faster by
-/// the share a^2 / 2, until the next kick. The opened poses' velocities are those before.
+/// True if closing added velocities that no drift explains. Closing corrects the difference of a
+/// straight and a circular path. Until the next kick, that speeds up a body that rotates by the
+/// angle a by the fraction a^2 / 2. The velocities in m_opened are those before.
 bool JointSystem::HasGained(int32 part, const SolverContext& context, float32 timeStep) const
 {
     const double small = double(kNearlyClosed) / double(timeStep);
@@ -376,9 +375,9 @@ bool JointSystem::HasGained(int32 part, const SolverContext& context, float32 ti
     return after > before;
 }
 
-/// False when that has opened them further: near a pose where they contradict each other, the rows
-/// of before the drift point elsewhere. Damped, only the poses are changed: velocities that do not
-/// really close the joints would throw them about for long.
+/// False if the joints opened further: near a pose with contradictory rows, the directions from
+/// before the drift are invalid. With damping only the poses change, because velocities that do not
+/// close the joints would disturb them for long.
 bool JointSystem::Close(int32 part, const SolverContext& context, float32 timeStep)
 {
     float32 first = 0.0f;
@@ -404,7 +403,7 @@ bool JointSystem::Close(int32 part, const SolverContext& context, float32 timeSt
     return true;
 }
 
-/// What was open before the drift. Speeds that close it would stay.
+/// Closes errors from before the drift by poses only, because velocities would persist.
 void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32 timeStep)
 {
     bool any = false;
@@ -440,7 +439,7 @@ void JointSystem::CloseSwept(const SolverContext& context, float32 timeStep, int
     }
 }
 
-/// Once. Returns how far a joint was open.
+/// One iteration. Returns the maximum gap.
 float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps)
 {
     for (std::size_t i = 0; i < m_sweptBodies.size(); ++i)
@@ -481,8 +480,8 @@ float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep,
     return widest;
 }
 
-/// The change of speed that closes a joint in the time, up to a share of what lasts. Returns how
-/// far that is.
+/// Sets the change of speed that closes a joint in the given time, up to the part that remains.
+/// Returns the gap.
 float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
                                 float32 lasting)
 {

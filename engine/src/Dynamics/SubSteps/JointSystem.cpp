@@ -12,12 +12,12 @@ namespace box2d
 namespace
 {
 
-/// Updates a body that a system may cost on average: a tree has one, a ladder two.
+/// Maximum cost of a system, in updates per body: a tree has one, a ladder two.
 constexpr int32 kMostUpdates = 16;
-/// Of finding what gives way: one is the rule.
+/// Maximum solutions to determine the active set; one is usual.
 constexpr int32 kMostTries = 12;
-/// From this one on what gives way does not hold again: tries may go round in circles, and the last
-/// would leave something holding with more than it has, fifty times as much in a random world.
+/// From this solution on inactive rows stay inactive. Otherwise the active set may cycle, and the
+/// last one could contain rows far above their limit, by a factor of fifty in a random world.
 constexpr int32 kSettlingTry = 6;
 constexpr double kEndless = 1e30; ///< [Ns]
 
@@ -124,7 +124,7 @@ void JointSystem::Begin(const SolverContext& context, float32 share, float32 las
     }
 }
 
-/// What is moved by contacts goes at their pace, and with them.
+/// Components in contact with others use their number of drifts.
 void JointSystem::BeginPart(int32 index, const SolverContext& context, const BodyKick* kicks)
 {
     Part& part = m_parts[std::size_t(index)];
@@ -224,7 +224,7 @@ void JointSystem::Start(const SolverContext& context, std::size_t joint, float32
     }
 }
 
-/// What is missing of the wanted speeds.
+/// Sets the residuals of the target speeds.
 void JointSystem::Lack(std::size_t joint, const SolverContext& context, const Vector3& wanted)
 {
     const Vector3 speed = SpeedOf(context, m_system.Rows(joint));
@@ -249,10 +249,10 @@ void JointSystem::SolvePart(int32 part, const SolverContext& context)
         m_system.Solve(part);
         m_system.Apply(part, context);
         bool changed = false;
-        // What has been found at last is solved for, or else it would tear at what is rigid.
+        // The last active set is solved as well; otherwise rigid rows would keep a residual.
         if (p.gives && tries + 1 < kMostTries)
         {
-            // All by the same solution.
+            // All with the same factorization.
             m_system.ForItems(part, [&](std::size_t joint) {
                 m_speeds[joint] = SpeedOf(context, m_system.Rows(joint));
             });

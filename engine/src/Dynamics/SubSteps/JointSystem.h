@@ -18,32 +18,32 @@ struct SnapshotAccess;
 
 class ConstraintGraph;
 
-/// What impacts within a step have made of a body.
+/// The state of a body after impacts within a step.
 enum class AfterImpact : uint8
 {
     Free,
-    Leans,   ///< on what does not move: drawn into that it would have to be pushed out again
-    Stopped, ///< it has come elsewhere than the step had brought it
+    Leans,   ///< supported by a static body: moving it would cause an overlap
+    Stopped, ///< its pose is no longer that of the step
 };
 
 class JointSystem
 {
 public:
-    /// Follows the graph's list of joints; costs nothing while that stays the same.
+    /// Follows the graph's list of joints; free while that is unchanged.
     void Update(const ConstraintGraph& graph);
     bool IsEmpty() const { return m_joints.empty(); }
-    /// One call of SolveVelocities is enough.
+    /// True if one call of SolveVelocities suffices.
     bool IsExact() const { return m_system.IsExact(); }
     bool IsExact(std::size_t joint) const { return m_system.IsExact(joint); }
     std::size_t Count() const { return m_joints.size(); }
     b2Joint& At(std::size_t joint) const { return *m_joints[joint]; }
     const RowSides& Sides(std::size_t joint) const { return m_sides[joint]; }
 
-    /// At the start of a step: takes up the impulses that the joints were left with, times `share`.
-    /// `lastInverseStep`: one over its length.
+    /// Call at the start of a step: reads the impulses of the joints, times `share`.
+    /// `lastInverseStep`: one over the length of the last step.
     void Begin(const SolverContext& context, float32 share, float32 lastInverseStep,
                const BodyKick* kicks);
-    /// What goes through the step by itself, in StepTrees; all else leaves it alone.
+    /// Moves independent trees through the whole step in StepTrees; all other functions skip them.
     template <class Function>
     void ForTreeBodies(Function&& function) const
     {
@@ -55,15 +55,15 @@ public:
             }
         }
     }
-    /// Whether there is anything else.
+    /// True if there are joints outside of trees.
     bool HasRows() const { return !m_rowed.empty(); }
     void StepTrees(float32 timeStep, int32 smallSteps);
-    /// At the present poses and the velocities before a kick: the rows. The context's step is the
-    /// kick's, its inverse that of the drift that follows.
+    /// Computes the rows at the current poses and the velocities before a kick. The context has the
+    /// step of the kick, and the inverse step of the following drift.
     void Prepare(const SolverContext& context);
-    /// After the bodies have been kicked: applies the last impulses, times `share`.
+    /// Call after the kick: applies the last impulses, times `share`.
     void WarmStart(const SolverContext& context, float32 share);
-    /// The same for joints of which `which`, a function of their sides, is true, from nothing.
+    /// As above, without impulses, for joints whose sides satisfy `which`.
     template <class Function>
     void StartAgain(const SolverContext& context, Function&& which)
     {
@@ -75,7 +75,7 @@ public:
             }
         }
     }
-    /// Of all that is not in a tree, with its number.
+    /// Calls the function for all rows outside of trees, with the index.
     template <class Function>
     void ForRowed(Function&& function) const
     {
@@ -84,29 +84,28 @@ public:
             function(i, m_system.Rows(i));
         }
     }
-    /// What motors, springs and limits of a joint can have done at most by the impulses of a kick:
-    /// an impulse is given to something that is slower than wanted, and does no more work than by
-    /// the mean of the speeds before and after [J]. A spring may want thousands of metres a second.
+    /// Returns the maximum work of a joint's motors, springs and limits by the impulses of a kick
+    /// [J]. An impulse acts on a body below its target speed, and does at most the work at the mean
+    /// of the speeds before and after. The target speed of a spring may be thousands of metres per
+    /// second.
     double MostWork(std::size_t joint, const SolverContext& before,
                     const SolverContext& after) const;
-    /// Makes the speeds of all rows what they should be; what no contact touches, the first time.
+    /// Brings all rows to their target speeds; components without contacts only the first time.
     void SolveVelocities(const SolverContext& context, bool first);
-    /// Before a drift.
+    /// Call before a drift.
     void NotePoses(const SolverContext& context);
-    /// After the bodies have moved for `timeStep`: impulses along the rows of Prepare, which change
-    /// velocities and with them the way, close the joints. (RATTLE: Andersen, "Rattle: a
-    /// 'velocity' version of the Shake algorithm", 1983.)
-    /// The kicks: by awake body.
+    /// Call after the bodies moved for `timeStep`. Closes the joints by impulses along the rows of
+    /// Prepare, which change velocities and displacements. (RATTLE: Andersen, "Rattle: a 'velocity'
+    /// version of the Shake algorithm", 1983.) The kicks are by awake body.
     void SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
                         const BodyKick* kicks);
-    /// After contacts have pushed what overlaps apart, since SolvePositions: takes back what that
-    /// has opened of the joints.
+    /// Call after position correction of overlaps: closes what it opened since SolvePositions.
     void CloseAfterPushes(const SolverContext& context);
-    /// When all is written back, before an impact within the step: how far joints are open.
+    /// Call after write-back and before an impact within the step: records the gaps of joints.
     void NoteOpen(const ConstraintGraph& graph, const SolverContext& context);
-    /// After impacts within the step, which have moved some bodies by themselves: the parts of
-    /// those whose `fate` says so are closed, for which the context's bodies, in which nothing
-    /// has moved yet, get ways. Calls `changed` with each of these parts.
+    /// Call after impacts within the step, which moved some bodies. Closes the components of bodies
+    /// selected by `fate`. The context's bodies have no displacements before, and receive them
+    /// here. Calls `changed` for each of these components.
     template <class Fate, class Changed>
     void CloseAfterImpacts(const ConstraintGraph& graph, const SolverContext& context, Fate&& fate,
                            Changed&& changed)
@@ -123,7 +122,7 @@ public:
             changed(i);
         }
     }
-    // Of a part.
+    // Calls the function for each body of a component.
     template <class Function>
     void ForJoints(int32 part, Function&& function) const
     {
@@ -134,15 +133,15 @@ public:
     {
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t) { function(body); });
     }
-    /// Leaves the sums of the step's impulses in the joints.
+    /// Stores the sums of the step's impulses in the joints.
     void End();
 
-    /// A joint as part of a larger system: after SolveVelocities its rows, and when that is solved
-    /// the impulses that it took.
+    /// A joint as part of a larger system. Call after SolveVelocities for its rows; TakeItem stores
+    /// the solved impulses.
     void FillItem(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
     void TakeItem(std::size_t joint, const BoundedSystem::Item& item);
-    /// The same where ways take the place of velocities: what is rigid and what is at a limit stays
-    /// where it is, but motors and springs ask for velocities, not for ways.
+    /// As above, with displacements in place of velocities. Rigid rows and active limits must not
+    /// move; motors and springs are omitted, because they have target velocities.
     void FillWays(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
 
 private:
@@ -151,20 +150,20 @@ private:
     {
         float32 at[JointRows::kMostRows];
     };
-    /// What a row that gives way does.
+    /// The state of a bounded row.
     enum class Yield : uint8
     {
-        Holds,   ///< its speed is as wanted
-        Most,    ///< its impulse is as large as it can be, or
-        Least,   ///< as small
-        Slowest, ///< its speed is at a bound, whatever impulse that takes
+        Holds,   ///< active: its speed is the target
+        Most,    ///< inactive: its impulse is at the maximum
+        Least,   ///< inactive: its impulse is at the minimum
+        Slowest, ///< active: its speed is at a bound, with any impulse
         Fastest,
     };
     struct Yields
     {
         Yield of[JointRows::kMostRows] = {};
     };
-    /// Of the kicks of a step.
+    /// Sums over the kicks of a step.
     struct Totals
     {
         float32 within[JointRows::kMostRows] = {};
@@ -174,13 +173,13 @@ private:
     struct Part
     {
         bool touched = false; ///< by contacts
-        bool gives = false;   ///< some row of it
-        bool driven = false;  ///< some row of it, and not at a limit alone
-        bool lines = false;   ///< ropes and rods
+        bool gives = false;   ///< contains bounded rows
+        bool driven = false;  ///< contains bounded rows other than limits
+        bool lines = false;   ///< contains ropes and rods
         bool damped = false;
         bool factored = false;
-        HingeTree* tree = nullptr;     ///< that does it all in this step
-        double squaredFrequency = 0.0; ///< see RowSystem, of the last step's mean forces
+        HingeTree* tree = nullptr;     ///< moves the component through this step
+        double squaredFrequency = 0.0; ///< see RowSystem; from the last step's mean forces
     };
 
     // JointYield.cpp
@@ -236,39 +235,38 @@ private:
     /// How many times as heavy a body that an impact has stopped counts as the rest of its
     /// component.
     static constexpr double kHeldShare = 20.0;
-    /// But its turn only up to this angle [rad]: an impact, which does not know what hangs on a
-    /// light body, may throw it into a spin that its joints would never have let it have.
+    /// Its rotation is held only up to this angle [rad]. An impact ignores joints, and may give a
+    /// light body a spin that its joints would prevent.
     static constexpr double kMostHeldTurn = 0.5;
 
     Array<b2Joint*> m_joints;
     Array<RowSides> m_sides;
     RowSystem m_system;
-    Array<Part> m_parts;        // the system's components
-    Array<HingeTree> m_trees;   // those among them, and memory for more
-    Array<int32> m_treeOf;      // of each part, -1: none
-    Array<uint8> m_inTree;      // of each joint, in this step
-    Array<std::size_t> m_rowed; // joints that are not in a tree, in this step
-    Array<uint8> m_gives;       // of each joint
-    Array<Yields> m_yields;     // of each joint
-    Array<Totals> m_totals;     // of each joint
-    Array<Impulses> m_kicks;    // each joint's impulses before it was closed
-    Array<SolverBody> m_poses;  // by place: before the drift
-    Array<SolverBody> m_opened; // by place: before joints were closed
-    Array<Impulses> m_left;     // of each joint's errors: how far it may stay open
-    Array<SolverBody> m_before; // of swept joints' bodies: the same
-    Array<Vector3> m_speeds;    // scratch: of each joint's rows
+    Array<Part> m_parts;        // components of the system
+    Array<HingeTree> m_trees;   // trees among them, and memory for more
+    Array<int32> m_treeOf;      // per component, -1: none
+    Array<uint8> m_inTree;      // per joint, in this step
+    Array<std::size_t> m_rowed; // joints outside of trees, in this step
+    Array<uint8> m_gives;       // per joint
+    Array<Yields> m_yields;     // per joint
+    Array<Totals> m_totals;     // per joint
+    Array<Impulses> m_kicks;    // per joint: impulses before it was closed
+    Array<SolverBody> m_poses;  // by index: before the drift
+    Array<SolverBody> m_opened; // by index: before joints were closed
+    Array<Impulses> m_left;     // per joint: the error that may remain
+    Array<SolverBody> m_before; // by body of iteratively solved joints: before they were closed
+    Array<Vector3> m_speeds;    // scratch: per joint
     Array<const BodyData*> m_sweptBodies;
     JointRows m_now;              // scratch
-    Elimination m_elimination;    // scratch of Update, as joints wake and sleep
-    Array<b2Joint*> m_partJoints; // the same: of one part
+    Elimination m_elimination;    // scratch of Update, reused as joints wake and sleep
+    Array<b2Joint*> m_partJoints; // scratch: of one component
     int32 m_version = -1;
-    Array<Yields> m_restored;     // from a snapshot: those of the list of
-    int32 m_restoredVersion = -1; // this version, for Update to go on with
+    Array<Yields> m_restored;     // from a snapshot, for the joint list of
+    int32 m_restoredVersion = -1; // this version, used by Update
 };
 
-/// Whether a body of the part was stopped; such ones, and what leans on something, are made hard to
-/// move. Not where a listener has put one to sleep, which is not to be moved: what is open there
-/// closes in later steps.
+/// True if a body of the component was stopped. Stopped and supported bodies get added mass. False
+/// if a listener has put one to sleep, which must not move: its gaps close in later steps.
 template <class Fate>
 bool JointSystem::HoldStopped(int32 part, Fate&& fate)
 {

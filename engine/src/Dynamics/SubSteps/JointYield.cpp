@@ -6,32 +6,32 @@
 #include <algorithm>
 #include <cmath>
 
-/// Motors, limits and friction in the JointSystem: each row that gives way either takes part in it,
-/// held at a speed, or has an impulse at its bound. From an exact solution it follows which of the
-/// two is wrong, for all rows at once; then it is solved again.
+/// Motors, limits and friction in the JointSystem. Each bounded row is either active, held at a
+/// speed, or inactive, with its impulse at a bound. A direct solution shows which rows are in the
+/// wrong state; all are changed at once, and the system is solved again.
 namespace box2d
 {
 
 namespace
 {
 
-/// Impulses that are bounded as a vector count as the same within this share of the bound.
+/// Relative tolerance of impulses that are bounded as a vector.
 constexpr float32 kSameImpulse = 1e-4f;
-constexpr int32 kMostNewtonSteps = 20;   ///< five are the rule
-constexpr double kLeastResponse = 1e-12; ///< of one direction, as a share of the other
+constexpr int32 kMostNewtonSteps = 20;   ///< five are usual
+constexpr double kLeastResponse = 1e-12; ///< ratio of the responses in two directions
 
 float32 WantedOf(const JointRows::Law& law)
 {
     return b2Clamp(law.wanted, law.slowest, law.fastest);
 }
 
-/// A symmetric matrix of two rows.
+/// A symmetric 2 x 2 matrix.
 struct Pair
 {
     double xx, xy, yy;
 };
 
-/// How impulses of the first two rows change their speeds.
+/// Returns the response of the first two rows' speeds to their impulses.
 Pair ResponseOf(const JointRows& rows)
 {
     Pair k{double(rows.laws[0].softness), 0.0, double(rows.laws[1].softness)};
@@ -47,10 +47,10 @@ Pair ResponseOf(const JointRows& rows)
     return k;
 }
 
-/// Of impulses of a length, the one with which what lacks, g - K x with g = lacking + K now, is
-/// along it: (K + s) x = g, s >= 0. Newton's method for 1 / |x(s)| = 1 / most, in the axes of K
-/// (More and Sorensen, "Computing a Trust Region Step", 1983), converges from below. If an impulse
-/// that is no longer leaves nothing to lack, that one; else a little longer than `most`.
+/// Returns the impulse of length `most` that is parallel to the residual g - K x, with g = lacking
+/// + K now: (K + s) x = g, s >= 0. Newton's method for 1 / |x(s)| = 1 / most, in the axes of K,
+/// converges from below (More and Sorensen, "Computing a Trust Region Step", 1983). If a shorter
+/// impulse leaves no residual, returns that; otherwise the length slightly exceeds `most`.
 b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, float32 most)
 {
     const double half = 0.5 * (k.xx - k.yy);
@@ -61,7 +61,7 @@ b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, 
         return now;
     }
     const double small = b2Max((k.xx * k.yy - k.xy * k.xy) / large, 0.0);
-    // The axis of the larger, from the column that is not nearly zero.
+    // The eigenvector of the larger eigenvalue, from the column that is not near zero.
     double c = half >= 0.0 ? root + half : k.xy;
     double s = half >= 0.0 ? k.xy : root - half;
     const double length = std::sqrt(c * c + s * s);
@@ -94,7 +94,7 @@ b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, 
     return b2Vec2(float32(scale * (c * x1 - s * x2)), float32(scale * (s * x1 + c * x2)));
 }
 
-/// What brings a row by itself to the speed wanted.
+/// Returns the impulse that brings a single row to its target speed.
 float32 LackingImpulse(const JointRows& rows, int32 row, float32 speed)
 {
     const JointRows::Law& law = rows.laws[row];
@@ -140,8 +140,8 @@ void JointSystem::Validate(const JointRows& rows, Yields& yields)
     }
 }
 
-/// The impulse that a row starts a kick with. What is solved exactly starts from none: it comes out
-/// the same, and joints that contradict each other do not wind up.
+/// Returns the warm starting impulse of a row. Directly solved rows start at zero: the result is
+/// the same, and contradictory joints do not accumulate impulses.
 float32 JointSystem::CarriedOver(std::size_t joint, int32 row, float32 share) const
 {
     const JointRows& rows = m_system.Rows(joint);
@@ -159,7 +159,7 @@ float32 JointSystem::CarriedOver(std::size_t joint, int32 row, float32 share) co
     return m_system.IsExact(joint) && !slips ? 0.0f : share * rows.impulse[row];
 }
 
-/// Rows whose impulses are at their bounds take no part in the system.
+/// Removes rows with an impulse at a bound from the system.
 void JointSystem::SetActive(std::size_t joint)
 {
     const JointRows& rows = m_system.Rows(joint);
@@ -175,9 +175,8 @@ void JointSystem::SetActive(std::size_t joint)
     m_system.SetActive(joint, active);
 }
 
-/// When joints are closed only what is rigid, and what is at a limit, takes part: motors and
-/// springs give what they may in the kicks, and would give it a second time. Whether that are other
-/// rows than in the kick.
+/// For closing, only rigid rows and active limits take part. Motors and springs act in the kicks,
+/// and would act twice. True if the active rows differ from those of the kick.
 bool JointSystem::SetActiveToClose(std::size_t joint)
 {
     const JointRows& rows = m_system.Rows(joint);
@@ -220,7 +219,7 @@ double JointSystem::WantedSpeed(const JointRows& rows, Yield yield, int32 row, d
     case Yield::Least:
         break;
     }
-    // What gives all it can wants no less for it: contacts that take up its work may let it hold.
+    // A row at its limit keeps its target speed: contacts may take up its work and make it active.
     return double(WantedOf(law));
 }
 
@@ -247,7 +246,7 @@ double JointSystem::MostWork(std::size_t joint, const SolverContext& before,
     return work;
 }
 
-/// Whether anything has changed, so that all has to be solved again.
+/// True if the state of a row changed, so that the system must be solved again.
 bool JointSystem::Reconsider(std::size_t joint, const SolverContext& context, bool settles)
 {
     const JointRows& rows = m_system.Rows(joint);
@@ -294,10 +293,10 @@ bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, in
     return changed;
 }
 
-/// What follows from an impulse and a speed of a row. The law's graph, impulse over speed, falls in
-/// steps: beyond the most at the slowest, the most, from there to the least at the speed wanted,
-/// the least, beyond it at the fastest. Where the speed wanted is below the slowest, all speeds
-/// have the least and its most is not met, and the other way round.
+/// Returns the next state from a row's impulse and speed. The impulse is a step function of the
+/// speed. At the lowest speed it is above the maximum. From there to the target speed it is the
+/// maximum, and above that the minimum. At the highest speed it is below the minimum. If the target
+/// is below the lowest speed, the impulse is the minimum at all speeds, and vice versa.
 JointSystem::Yield JointSystem::After(const JointRows::Law& law, Yield yield, float32 impulse,
                                       float32 speed)
 {
@@ -336,8 +335,8 @@ JointSystem::Yield JointSystem::After(const JointRows::Law& law, Yield yield, fl
     return law.DrivesBelow() ? Yield::Least : law.DrivesAbove() ? Yield::Most : Yield::Holds;
 }
 
-/// How far a drift has gone beyond what a bound on the speed allowed, by row; what holds joints
-/// together when they close holds them at their limits too.
+/// Returns the displacement of a drift beyond a speed bound, by row. Closing also holds joints at
+/// their limits.
 Vector3 JointSystem::Beyond(std::size_t joint, const JointRows& now, float32 timeStep) const
 {
     Vector3 beyond{};
@@ -355,8 +354,8 @@ Vector3 JointSystem::Beyond(std::size_t joint, const JointRows& now, float32 tim
     return beyond;
 }
 
-/// Two rows whose impulses are bounded as a vector: when they slip, the vector turns until it is
-/// against the slip.
+/// Two rows whose impulses are bounded as a vector: while slipping, the vector is opposed to the
+/// slip.
 bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint,
                                  const Vector3& speed, bool settles)
 {
@@ -391,7 +390,7 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
     return true;
 }
 
-/// Of the kick that has been solved.
+/// Adds the impulses of the solved kick.
 void JointSystem::AddTotals()
 {
     for (const std::size_t i : m_rowed)

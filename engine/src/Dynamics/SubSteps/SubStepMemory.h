@@ -11,15 +11,15 @@
 namespace box2d
 {
 
-/// How a body gets through a step of sub-steps.
+/// How a body moves through a step with sub-steps.
 enum class WayOfBody : uint8
 {
-    Together, ///< sub-step by sub-step, with all others
-    Flies,    ///< at once: nothing holds or touches it
+    Together, ///< sub-step by sub-step
+    Flies,    ///< in one step: without joints and contacts
     InTree,   ///< with its HingeTree
 };
 
-/// The memory of a step in sub-steps.
+/// Scratch memory of a step with sub-steps.
 struct SubStepMemory
 {
     JointSystem joints;
@@ -29,7 +29,7 @@ struct SubStepMemory
     Array<WayOfBody> ways;          ///< by awake body
     Array<BodyKick> kicks;          ///< by awake body
     Array<SolverBody> beforePushes; ///< by solver index: see MoveApart
-    Array<float32> farthestPushes;  ///< by number of AwakeIslands: of any of its bodies [m]
+    Array<float32> farthestPushes;  ///< by number of AwakeIslands: maximum of its bodies [m]
 };
 
 } // namespace box2d

@@ -10,23 +10,24 @@
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2TimeStep.h>
 
-/// A step in n small ones (Macklin et al., "Small Steps in Physics Simulation", 2019): contacts are
-/// found once, and then velocities and positions take turns. They are staggered by half a small
-/// step, as in the leapfrog scheme (Hairer, Lubich, Wanner, "Geometric Numerical Integration",
-/// 2006, I.1.4): half a kick, a drift, whole kicks between drifts, half a kick at the end.
+/// A step in n sub-steps (Macklin et al., "Small Steps in Physics Simulation", 2019). Contacts are
+/// found once. Then velocities and positions alternate, staggered by half a sub-step: the leapfrog
+/// scheme (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, I.1.4). Velocity
+/// updates are called kicks, position updates drifts. The order is half a kick, drifts alternating
+/// with whole kicks, half a kick:
 ///   v += a h/2;  n times { x += v h;  v += a h, the last time a h/2 }
-/// It is of second order, free flight comes out exactly, and what rests gets no speed at all, for
-/// each kick is met by the constraints at once. Joints close by impulses along their directions
-/// before the drift, which is what keeps their energy (SHAKE: Ryckaert, Ciccotti, Berendsen, 1977;
-/// RATTLE: Andersen, 1983).
+/// The scheme is of second order, and free flight is exact. Bodies at rest get no velocity, because
+/// constraints balance each kick at once. Joints close by impulses along their directions before
+/// the drift, which conserves energy (SHAKE: Ryckaert, Ciccotti, Berendsen, 1977; RATTLE: Andersen,
+/// 1983).
 namespace box2d
 {
 
 namespace
 {
 
-/// Sweeps have done enough for a pile when its contacts come together by less than this share of
-/// what weight does in a kick.
+/// Iterations suffice for a contact island if contacts approach by less than this fraction of the
+/// speed that weight adds in a kick.
 constexpr float32 kRestTolerance = 0.01f;
 constexpr int32 kSweepsFromNothing = 8; ///< at least, without a warm start
 constexpr int32 kMostBounces = 64;      ///< iterations over what bounces in a row
@@ -45,7 +46,7 @@ Direction KickDirectionOf(int32 kick, int32 iteration, int32 count, bool turned)
     return ((kick + 1) / 2 % 2 == 1) == turned ? Direction::Forward : Direction::Backward;
 }
 
-/// Whether a contact of the block is to bounce. It is then for Bounce: nothing does any more.
+/// True if a contact of the block must bounce. Its bias is cleared, because Bounce applies it.
 bool TakeBias(ContactBlock& block)
 {
     bool any = false;
@@ -60,8 +61,8 @@ bool TakeBias(ContactBlock& block)
     return any;
 }
 
-/// Keeps the share of each contact's impulses that was still given at the end of the last step:
-/// an impact is over.
+/// Scales each contact's impulses to the fraction still applied at the end of the last step: an
+/// impact is over.
 void KeepLasting(ContactBlock& block)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
@@ -75,7 +76,7 @@ void KeepLasting(ContactBlock& block)
     }
 }
 
-/// See ScaleImpulses: of what the last kick changed, a half.
+/// Stores that fraction; see ScaleImpulses: it includes half of the last kick's change.
 void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
@@ -198,7 +199,7 @@ void SubStepSolver::Begin(int32 count)
     const float32 toHalfKick = 0.5f / float32(count);
     const bool wereSmall = m_world.lastSubSteps > 1;
     const float32 wholeRatio = m_context.stepRatio;
-    // From the last half a kick to the first.
+    // From the last half kick to the first.
     m_context.stepRatio *= wereSmall ? float32(m_world.lastSubSteps) / float32(count) : toHalfKick;
     m_world.lastSubSteps = count;
     m_memory.bodies.resize(m_world.awakeBodies.size() + 1);
@@ -241,9 +242,9 @@ void SubStepSolver::Begin(int32 count)
     });
 }
 
-/// What comes near fast is thrown back, pair by pair, until nothing does any more: a row of balls
-/// passes it on (Chatterjee and Ruina, "A New Algebraic Rigid-Body Collision Law", 1998, call this
-/// sequential impacts).
+/// Applies restitution pair by pair until no contact approaches fast: a row of balls passes the
+/// impulse on (sequential impacts; Chatterjee and Ruina, "A New Algebraic Rigid-Body Collision
+/// Law", 1998).
 void SubStepSolver::Bounce()
 {
     bool any = false;
@@ -267,7 +268,7 @@ void SubStepSolver::Bounce()
     }
 }
 
-/// Whether there are contacts, or joints that are not in a tree.
+/// True if there are contacts, or joints outside of trees.
 bool SubStepSolver::AnyHeld() const
 {
     return m_memory.colorCount > 0 || m_subSteps.joints.HasRows();
@@ -285,7 +286,7 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     JointSystem& joints = m_subSteps.joints;
     SolverContext kick = m_context;
     kick.timeStep = duration;
-    joints.Prepare(kick); // before the kick: springs compare the velocities
+    joints.Prepare(kick); // before the kick: springs use these velocities
     ForBodies([&](std::size_t i) {
         if (m_subSteps.ways[i] == WayOfBody::Together)
         {
@@ -334,7 +335,7 @@ void SubStepSolver::Sweep(int32 iterations)
     }
 }
 
-/// What nothing holds or touches flies through the step at once, which costs less and rounds less.
+/// Bodies without joints and contacts move through the step at once, with less cost and rounding.
 void SubStepSolver::FindFlying()
 {
     const std::size_t count = m_world.awakeBodies.size();
@@ -346,7 +347,7 @@ void SubStepSolver::FindFlying()
                            body.linearDamping == 0.0f && body.angularDamping == 0.0f;
         m_subSteps.ways[i] = flies ? WayOfBody::Flies : WayOfBody::Together;
     }
-    // What is solved one by one is in no colour.
+    // Contacts in the overflow have no colour.
     for (b2Contact* contact : m_world.graph.Contacts(ConstraintGraph::kOverflow))
     {
         for (const b2Body* body : {Data(*contact).bodyA, Data(*contact).bodyB})
@@ -374,7 +375,7 @@ void SubStepSolver::Fly(std::size_t index)
     {
         MoveByVelocity(s, h / float32(m_world.subStepCount), kMostSmallMove);
     }
-    s.v = s.v == middle.v ? after : Bounded(s.v + (0.5f * h) * a); // it may have been slowed down
+    s.v = s.v == middle.v ? after : Bounded(s.v + (0.5f * h) * a); // it may have been limited
     s.w = Bounded(s.w + (0.5f * h) * alpha);
 }
 
@@ -414,8 +415,8 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 sweeps, float32 rate)
     }
 }
 
-/// Shortens all pushes of an island alike, so that no point of its bodies has gone farther than
-/// `most` [m] by them. The directions stay, and what was not to come nearer does not.
+/// Scales all pushes of an island equally, so that no point of its bodies moves further than `most`
+/// [m]. Directions are kept, and points that separate still do.
 void SubStepSolver::LimitPushes(float32 most)
 {
     m_subSteps.farthestPushes.assign(std::size_t(m_memory.islands.Count()), 0.0f);

@@ -15,9 +15,9 @@ public:
     SubStepSolver(World& world, float32 timeStep);
 
     void Begin(int32 count);
-    /// Whether anything goes sub-step by sub-step.
+    /// True if any body moves sub-step by sub-step.
     bool AnyTogether() const;
-    /// Kicks, and solves the velocities.
+    /// Applies a kick and solves the velocities.
     void Kick(float32 duration, float32 share, int32 iterations);
     void Drift(float32 timeStep, int32 sweeps);
     void MoveApart(float32 timeStep, int32 sweeps, float32 rate);
@@ -33,7 +33,7 @@ private:
     void Fly(std::size_t index);
 
     SubStepMemory& m_subSteps;
-    int32 m_kick = 0; ///< number of the next
+    int32 m_kick = 0; ///< index of the next
 };
 
 /// The step of a world with a sub-step count above 1.

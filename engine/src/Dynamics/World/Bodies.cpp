@@ -185,7 +185,7 @@ void SetTransform(World& world, b2Body& body, const b2Vec2& position, float32 an
 namespace
 {
 
-// The centre of mass moves on the body; the origin stays, and so does the velocity of every point.
+// Moves the centre of mass; the origin and the velocity of every point are unchanged.
 void MoveCenter(BodyData& body, const b2Vec2& localCenter)
 {
     const b2Vec2 shift = b2Mul(body.rotation, localCenter - body.localCenter);
@@ -199,12 +199,12 @@ void MoveCenter(BodyData& body, const b2Vec2& localCenter)
     body.linearVelocity += b2Cross(body.angularVelocity, shift);
 }
 
-/// What has been found from the old extents no longer holds.
+/// Discards results that depend on the old extents.
 void ForgetExtents(BodyData& body)
 {
     if (body.jointList != nullptr)
     {
-        body.world->graph.NoteMasses(); // or the centre
+        body.world->graph.NoteMasses(); // also for a change of the centre
     }
     body.room = 0.0f;
 }
@@ -251,8 +251,8 @@ void MeasureNewest(BodyData& body)
 namespace
 {
 
-/// Smaller masses and inertias than this have no finite inverse, larger ones no finite product with
-/// a speed: such a body counts as one without, or with the most.
+/// Limits of masses and inertias: smaller ones have no finite inverse, larger ones no finite
+/// product with a speed. Beyond them they count as zero, or as the maximum.
 constexpr float32 kLeastMass = 1e-20f;
 constexpr float32 kMostMass = 1e20f;
 
@@ -265,7 +265,8 @@ void SetInertia(BodyData& body, float32 mass, float32 inertiaAboutCenter)
     body.invInertia = turns ? 1.0f / body.inertia : 0.0f;
 }
 
-/// Of two bodies that become one: each turns about the common centre (Huygens and Steiner).
+/// Combines two rigidly connected bodies: each rotates about the common centre (parallel axis
+/// theorem).
 MassProperties Sum(const MassProperties& a, const MassProperties& b)
 {
     MassProperties sum;
@@ -288,7 +289,7 @@ void SetMassData(BodyData& body, const b2MassData& massData)
         return;
     }
     body.flags |= kBodyMassSet;
-    // A body without mass does not turn.
+    // A body without mass does not rotate.
     const float32 aboutCenter = massData.I - massData.mass * massData.center.LengthSquared();
     SetInertia(body, massData.mass, massData.mass > 0.0f ? aboutCenter : 0.0f);
     MoveCenter(body, massData.center);
@@ -298,7 +299,7 @@ void SetMassData(BodyData& body, const b2MassData& massData)
 namespace
 {
 
-/// A shape may have been changed in place.
+/// Discards manifolds, because a shape may have been changed in place.
 void ForgetManifolds(BodyData& body)
 {
     for (b2ContactEdge* edge = body.contactList; edge; edge = edge->next)
@@ -340,7 +341,7 @@ void ResetMassData(BodyData& body)
 void SetMobility(World& world, b2Body& body, Mobility mobility)
 {
     BodyData& data = Data(body);
-    // Everything that was built on the old mobility goes; contacts come back in the next step.
+    // Contacts and proxies of the old type are removed; the next step creates new contacts.
     while (data.contactList)
     {
         DestroyContact(world, *data.contactList->contact);

@@ -18,10 +18,10 @@
 
 #include <algorithm>
 
-/// The world as calls of a b2Draw: shapes in the colour of their body's state, joints as lines
-/// between anchors, boxes, pairs, centres of mass. Oldest body first, so that what came later lies
-/// on top. With a view the trees say which shapes are seen, and everything else has its place
-/// looked at.
+/// Draws the world by calls of a b2Draw: shapes in the colour of their body's state, joints as
+/// lines between anchors, boxes, pairs, centres of mass. Oldest body first, so that newer ones are
+/// on top. With a view, the trees return the visible shapes; all other items are tested by
+/// position.
 namespace box2d
 {
 
@@ -150,7 +150,7 @@ private:
     const World& m_world;
     b2Draw& m_draw;
     b2AABB m_view;                 // if there is one
-    Array<const b2Body*> m_bodies; // oldest first; of centres and without a view only
+    Array<const b2Body*> m_bodies; // oldest first; for centres and without a view only
     Array<SeenChild> m_seen;       // with a view only
 };
 

@@ -40,7 +40,7 @@ bool IsSound(const b2FixtureDef& def)
                       "A fixture's restitution must be finite and not negative.");
 }
 
-/// Something with a place and a size that a tree can hold.
+/// True for a finite position and size.
 bool IsSound(const b2Shape& shape)
 {
     bool sound = shape.GetChildCount() > 0;

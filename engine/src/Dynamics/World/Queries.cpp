@@ -15,12 +15,12 @@ namespace box2d
 namespace
 {
 
-/// A ray through one tree, asking the shapes whose boxes it meets.
+/// Casts a ray through one tree and tests the shapes of the boxes it hits.
 struct RayVisitor
 {
     const b2DynamicTree* tree;
     b2RayCastCallback* callback;
-    float32 maxFraction; // what is left of the ray, over all trees
+    float32 maxFraction; // remaining fraction of the ray, over all trees
 
     float32 RayCastCallback(const b2RayCastInput& input, int32 node)
     {
@@ -35,7 +35,7 @@ struct RayVisitor
             callback->ReportFixture(proxy->fixture, point, output.normal, output.fraction);
         if (answer >= 0.0f)
         {
-            maxFraction = b2Min(maxFraction, answer); // what was clipped stays so
+            maxFraction = b2Min(maxFraction, answer); // clipping is permanent
         }
         return maxFraction;
     }

@@ -14,7 +14,7 @@ namespace box2d
 namespace
 {
 
-/// Finds the children of a fixture; the addresses order nothing that leaves this file.
+/// Order to find the children of a fixture; it depends on addresses and does not leave this file.
 bool IsBefore(const SeenChild& a, const SeenChild& b)
 {
     if (a.body != b.body)
@@ -28,7 +28,8 @@ bool IsBefore(const SeenChild& a, const SeenChild& b)
     return a.child < b.child;
 }
 
-/// What is seen of one body, from `begin` to `end`, into the order of the body's fixtures.
+/// Sorts the visible children of one body, from `begin` to `end`, into the order of the body's
+/// fixtures.
 void OrderAsListed(Array<SeenChild>& seen, std::size_t begin, std::size_t end,
                    Array<SeenChild>& scratch)
 {

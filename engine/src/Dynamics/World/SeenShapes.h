@@ -4,8 +4,8 @@
 #include <Box2D/Common/Array.h>
 #include <Box2D/Dynamics/b2Fixture.h>
 
-/// Which shapes lie in a view, for the debug drawing. Found by the broad phase, so what is not seen
-/// costs nothing. Only reads the world.
+/// Finds the shapes in a view, for debug drawing. Uses the broad phase, so invisible shapes cost no
+/// time. Only reads the world.
 namespace box2d
 {
 

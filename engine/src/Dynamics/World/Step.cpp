@@ -16,12 +16,12 @@ namespace box2d
 namespace
 {
 
-/// Shorter steps than this count as none, longer ones as this long [s]: their squares and inverses
-/// would leave single precision.
+/// Shorter steps do nothing, longer ones are clamped [s]: their squares and inverses would exceed
+/// single precision.
 constexpr float32 kShortestStep = 1e-9f;
 constexpr float32 kLongestStep = 1e6f;
 
-/// Keeps the threads ready while a step lasts.
+/// Keeps the threads polling during a step.
 class ThreadsReady
 {
 public:

@@ -12,7 +12,7 @@
 #include <Box2D/Dynamics/b2Fixture.h>
 #include <Box2D/Dynamics/b2World.h>
 
-/// The public face of box2d::BodyData: checks what the caller may do, then passes it on.
+/// The public interface of box2d::BodyData: checks preconditions, then forwards.
 
 namespace
 {
@@ -23,7 +23,7 @@ bool IsUnlocked(const box2d::BodyData& body)
                       "A body must not be changed from inside a callback of its world.");
 }
 
-// Forces on what does not take part in the step would pile up unseen.
+// Forces on inactive bodies would accumulate unnoticed.
 bool TakesForces(b2Body& body, bool wake)
 {
     box2d::BodyData& data = box2d::Data(body);
@@ -171,7 +171,7 @@ void b2Body::ApplyAngularImpulse(float32 impulse, bool wake)
 
 float32 b2Body::GetInertia() const
 {
-    // What does not turn about its centre does not turn about its origin either.
+    // A body that does not rotate has no inertia about its origin either.
     const float32 ofOrigin = m_data.mass * m_data.localCenter.LengthSquared();
     return m_data.inertia > 0.0f ? b2Min(m_data.inertia + ofOrigin, b2_maxFloat) : 0.0f;
 }
@@ -305,7 +305,7 @@ void b2Body::Dump()
     b2Log("  bd.type = b2BodyType(%d);\n", int(GetType()));
     b2Log("  bd.position.Set(%.8ef, %.8ef);\n", double(GetPosition().x), double(GetPosition().y));
     b2Log("  bd.angle = %.8ef;\n", double(GetAngle()));
-    // Of the origin, which is the centre of mass as long as there are no fixtures.
+    // Velocity of the origin, which is the centre of mass without fixtures.
     const b2Vec2 velocity = GetLinearVelocityFromWorldPoint(GetPosition());
     b2Log("  bd.linearVelocity.Set(%.8ef, %.8ef);\n", double(velocity.x), double(velocity.y));
     b2Log("  bd.angularVelocity = %.8ef;\n", double(GetAngularVelocity()));

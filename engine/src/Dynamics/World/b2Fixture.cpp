@@ -91,7 +91,7 @@ void DumpPoints(const b2Vec2* points, int32 count)
     }
 }
 
-/// Nothing of what has two, as shapes of 2.3 have.
+/// Writes only one-sided collision; two-sided is the default of 2.3.
 void DumpSides(bool isOneSided)
 {
     if (isOneSided)

@@ -75,7 +75,7 @@ b2PosesBetween::b2PosesBetween(b2World& world, const b2PoseRecord& before, doubl
     }
     m_locked = Data(*body).world;
     m_locked->locked = true;
-    auto entry = before.m_entries.begin(); // both lists lead from high numbers to low ones
+    auto entry = before.m_entries.begin(); // both lists have descending numbers
     for (; body; body = body->GetNext())
     {
         while (entry != before.m_entries.end() && entry->number > body->GetNumber())
@@ -100,7 +100,7 @@ void b2PosesBetween::Show(b2Body& body, const Pose& pose)
     }
     m_owns.push_back(
         {&body, data.pose, data.rotation, data.transform, data.worldCenter, data.room});
-    // The arc is longer than its chord, so no point is farther away.
+    // The arc is longer than its chord, so this is an upper bound.
     const double way = Distance(pose, data.pose) +
                        std::fabs(pose.angle - data.pose.angle) * double(data.maxExtent);
     m_farthest = b2Max(m_farthest, float32(1.0001 * way)); // rounded up

@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-/// The public face of box2d::World: checks what the caller may do, then passes it on.
+/// The public interface of box2d::World: checks preconditions, then forwards.
 
 b2World::b2World(const b2Vec2& gravity, bool doSleep)
     : m_world(std::make_unique<box2d::World>(*this, gravity, doSleep))
@@ -38,7 +38,7 @@ void b2World::SetContactFilter(b2ContactFilter* filter)
 void b2World::SetContactListener(b2ContactListener* listener)
 {
     m_world->listener = listener;
-    m_world->graph.NoteAllForms(); // it may have switched contacts off before it goes
+    m_world->graph.NoteAllForms(); // the old listener may have disabled contacts
 }
 
 void b2World::SetDebugDraw(b2Draw* debugDraw)
@@ -198,7 +198,7 @@ void b2World::SetThreadCount(int32 count)
     count = b2Clamp(count, 1, box2d::ThreadPool::kMaxThreads);
     if (count != GetThreadCount())
     {
-        m_world->threads.reset(); // the old ones end before the new ones begin
+        m_world->threads.reset(); // destroy the old threads before creating new ones
         m_world->threads = count > 1 ? std::make_unique<box2d::ThreadPool>(count) : nullptr;
     }
 }
@@ -359,7 +359,7 @@ void b2World::Dump()
           double(GetGravity().y));
     b2Log("std::map<int, b2Body*> bodies;\n");
     b2Log("std::map<int, b2Joint*> joints;\n");
-    // Oldest first, for the order of creation is a part of what a world does.
+    // Oldest first, because the order of creation affects the simulation.
     box2d::Array<b2Body*> bodies;
     for (b2Body* body = GetBodyList(); body; body = body->GetNext())
     {

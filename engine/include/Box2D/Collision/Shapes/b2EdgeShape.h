@@ -6,21 +6,25 @@
 /// @file
 /// Single edges.
 
-/// A line segment that circles and polygons collide with from both sides, or from its right alone;
-/// edges never collide with edges. The ghost vertices are those of the neighbouring edges: with
-/// them set, bodies slide over the joints between edges without catching.
+/// A line segment that circles and polygons collide with from both sides, or from the right side
+/// only. Edges never collide with edges. The ghost vertices are those of the neighbouring edges:
+/// with them, bodies slide over the connection without catching.
 class b2EdgeShape final : public b2Shape
 {
 public:
     b2EdgeShape() : b2Shape(e_edge, b2_polygonRadius) {}
 
-    /// An edge by itself, without ghost vertices, between two points [m], finite and within 1e15 of
-    /// zero: b2Body::CreateFixture refuses others.
+    /// Sets an edge without ghost vertices between two points [m]. Coordinates are finite and
+    /// within 1e15 of zero; b2Body::CreateFixture refuses others.
     void Set(const b2Vec2& v1, const b2Vec2& v2);
-    void SetTwoSided(const b2Vec2& v1, const b2Vec2& v2) { Set(v1, v2); } ///< as Set, as in 2.4
-    /// An edge from v1 to v2 between the ghost vertices v0 and v3 [m] that stops only what is on
-    /// its right, by the middle of the circle or polygon; rays from the left do not meet it. As in
-    /// 2.4.
+    void SetTwoSided(const b2Vec2& v1, const b2Vec2& v2)
+    {
+        Set(v1, v2);
+    } ///< as Set, by the name
+      ///< of 2.4
+    /// Sets an edge from v1 to v2 between the ghost vertices v0 and v3 [m], as in 2.4. It collides
+    /// only with circles and polygons whose centre is on its right. Rays from the left do not hit
+    /// it.
     void SetOneSided(const b2Vec2& v0, const b2Vec2& v1, const b2Vec2& v2, const b2Vec2& v3);
 
     b2Shape* Clone(b2BlockAllocator* allocator) const override;
@@ -35,7 +39,7 @@ public:
     b2Vec2 m_vertex2;          ///< the other end [m]
     b2Vec2 m_vertex0;          ///< the neighbour's vertex before m_vertex1, if m_hasVertex0 [m]
     b2Vec2 m_vertex3;          ///< the neighbour's vertex after m_vertex2, if m_hasVertex3 [m]
-    bool m_hasVertex0 = false; ///< whether m_vertex0 counts
-    bool m_hasVertex3 = false; ///< whether m_vertex3 counts
-    bool m_oneSided = false;   ///< whether it stops only what is on its right
+    bool m_hasVertex0 = false; ///< true if m_vertex0 is used
+    bool m_hasVertex3 = false; ///< true if m_vertex3 is used
+    bool m_oneSided = false;   ///< true if it collides on its right side only
 };

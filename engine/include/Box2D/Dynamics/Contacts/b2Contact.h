@@ -5,56 +5,67 @@
 #include <Box2D/Dynamics/b2Fixture.h>
 
 /// @file
-/// Contacts, and the ways to them.
+/// Contacts.
 
 namespace box2d
 {
 ContactData& Data(b2Contact& contact);
 } // namespace box2d
 
-/// Two fixtures whose broad-phase boxes overlap. Created and destroyed by the world; they touch
-/// only when IsTouching says so.
+/// Two fixtures whose broad-phase boxes overlap. Created and destroyed by the world. The shapes
+/// touch only if IsTouching is true.
 class b2Contact
 {
 public:
-    /// In the frames of the bodies; see b2WorldManifold.
+    /// Returns the manifold in the frames of the bodies; see b2WorldManifold.
     b2Manifold* GetManifold() { return &m_data.manifold; }
-    const b2Manifold* GetManifold() const { return &m_data.manifold; } ///< the same, to be read
-    /// In the world, at the bodies' present transforms; untouched when there are no points.
-    /// `worldManifold` is not null.
+    const b2Manifold* GetManifold() const { return &m_data.manifold; } ///< as above, read-only
+    /// Computes the manifold in world coordinates at the bodies' current transforms.
+    /// `worldManifold` is not null; it is unchanged if there are no points.
     void GetWorldManifold(b2WorldManifold* worldManifold) const;
 
-    bool IsTouching() const { return m_data.IsTouching(); } ///< whether the shapes overlap
-    /// Inside b2ContactListener::PreSolve: false switches the contact off for this step.
+    bool IsTouching() const { return m_data.IsTouching(); } ///< true if the shapes overlap
+    /// Disables the contact for this step if `flag` is false. For use in
+    /// b2ContactListener::PreSolve.
     void SetEnabled(bool flag);
-    bool IsEnabled() const { return m_data.IsEnabled(); } ///< false: switched off for this step
+    bool IsEnabled() const { return m_data.IsEnabled(); } ///< false if disabled for this step
 
-    b2Contact* GetNext() { return m_data.next; } ///< of the world's list; nullptr: this is the last
-    /// Of the world's list; nullptr: this is the last.
+    b2Contact* GetNext() { return m_data.next; } ///< next in the world's list; nullptr at the end
+    /// Returns the next in the world's list; nullptr at the end.
     const b2Contact* GetNext() const { return m_data.next; }
-    b2Fixture* GetFixtureA() { return m_data.fixtureA; }             ///< the first fixture
-    const b2Fixture* GetFixtureA() const { return m_data.fixtureA; } ///< the first fixture
-    b2Fixture* GetFixtureB() { return m_data.fixtureB; }             ///< the second fixture
-    const b2Fixture* GetFixtureB() const { return m_data.fixtureB; } ///< the second fixture
-    int32 GetChildIndexA() const { return m_data.childA; }           ///< of the first shape, from 0
-    int32 GetChildIndexB() const { return m_data.childB; } ///< of the second shape, from 0
+    b2Fixture* GetFixtureA() { return m_data.fixtureA; }             ///< returns the first fixture
+    const b2Fixture* GetFixtureA() const { return m_data.fixtureA; } ///< returns the first fixture
+    b2Fixture* GetFixtureB() { return m_data.fixtureB; }             ///< returns the second fixture
+    const b2Fixture* GetFixtureB() const { return m_data.fixtureB; } ///< returns the second fixture
+    int32 GetChildIndexA() const
+    {
+        return m_data.childA;
+    }                                                      ///< child of the first shape,
+                                                           ///< from 0
+    int32 GetChildIndexB() const { return m_data.childB; } ///< child of the second shape, from 0
 
-    /// Overrides the mixed friction until reset. Finite, >= 0; else it asserts and nothing changes.
+    /// Overrides the mixed friction until reset. Finite, >= 0; otherwise it asserts and changes
+    /// nothing.
     void SetFriction(float32 friction);
-    float32 GetFriction() const { return m_data.friction; } ///< mixed or set, >= 0
-    /// To the mixture of the fixtures' values.
+    float32 GetFriction() const { return m_data.friction; } ///< mixed value or user override, >= 0
+    /// Restores the mixed value of the two fixtures.
     void ResetFriction();
-    /// Overrides the mixed restitution until reset. Finite, >= 0; else it asserts and nothing
-    /// changes.
+    /// Overrides the mixed restitution until reset. Finite, >= 0; otherwise it asserts and changes
+    /// nothing.
     void SetRestitution(float32 restitution);
-    float32 GetRestitution() const { return m_data.restitution; } ///< mixed or set, >= 0
-    /// To the mixture of the fixtures' values.
+    float32 GetRestitution() const
+    {
+        return m_data.restitution;
+    } ///< mixed value or user override, >= 0
+    /// Restores the mixed value of the two fixtures.
     void ResetRestitution();
-    /// The surface speed of a conveyor belt [m/s], finite; else it asserts and nothing changes.
+    /// Sets the surface speed of a conveyor belt [m/s], finite; otherwise it asserts and changes
+    /// nothing.
     void SetTangentSpeed(float32 speed);
     float32 GetTangentSpeed() const { return m_data.tangentSpeed; } ///< of a conveyor belt [m/s]
 
-    /// The manifold of the two shapes at the given transforms, finite. `manifold` is not null.
+    /// Computes the manifold of the two shapes at the given transforms, finite. `manifold` is not
+    /// null.
     void Evaluate(b2Manifold* manifold, const b2Transform& xfA, const b2Transform& xfB);
 
 private:

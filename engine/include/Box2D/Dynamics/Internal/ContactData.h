@@ -18,8 +18,7 @@ struct b2ContactEdge
     b2ContactEdge* next = nullptr;
 };
 
-/// What the engine keeps of a contact. b2Contact is the public face of it. Not for programs that
-/// use the engine.
+/// The engine's data of a contact. b2Contact is its public interface. Internal to the engine.
 namespace box2d
 {
 
@@ -28,32 +27,32 @@ enum ContactFlag : std::uint32_t
     kContactTouching = 1u << 0,
     kContactEnabled = 1u << 1,
     kContactSensor = 1u << 2, ///< one of the fixtures is a sensor
-    kContactFilter = 1u << 3, ///< the filters have changed: look again whether they collide
-    kContactLinked = 1u << 4, ///< joins its bodies' islands
-    // From the first part of an update to the second:
-    kContactComputed = 1u << 5, ///< the first part is done
-    kContactApart = 1u << 6,    ///< the boxes do not overlap any more
+    kContactFilter = 1u << 3, ///< the filters have changed: check again if the fixtures collide
+    kContactLinked = 1u << 4, ///< connects the islands of its bodies
+    // From the first phase of an update to the second:
+    kContactComputed = 1u << 5, ///< the first phase is done
+    kContactApart = 1u << 6,    ///< the boxes no longer overlap
     kContactMeets = 1u << 7,    ///< the shapes touch
-    kContactKept = 1u << 8,     ///< the manifold serves while the bodies stay as they are
+    kContactKept = 1u << 8,     ///< the manifold stays valid while the bodies do not move
     kContactObstacle = 1u << 9, ///< one of the bodies is not dynamic
 };
 
 struct ContactData
 {
-    // What a step reads, side by side.
+    // The data that a step reads, side by side.
     b2Body* bodyA = nullptr;
     b2Body* bodyB = nullptr;
     std::uint32_t flags = 0;
     float32 friction = 0.0f;
     float32 restitution = 0.0f;
     float32 tangentSpeed = 0.0f; ///< of a conveyor belt [m/s]
-    float32 radiusA = 0.0f;      ///< of the shapes' skins, as of the last update [m]
+    float32 radiusA = 0.0f;      ///< radius of the skin at the last update [m]
     float32 radiusB = 0.0f;
     std::int16_t toiCount = 0; ///< times of impact handled in this step
-    std::int8_t color = -1;    ///< of the constraint graph, -1 when not solved
-    std::uint8_t solvedAs = 0; ///< the form in which it was last put among the blocks
+    std::int8_t color = -1;    ///< in the constraint graph, -1 when not solved
+    std::uint8_t solvedAs = 0; ///< Form() of its last block
     b2Manifold manifold;
-    b2Transform relative; ///< body B in A's frame when the manifold was computed
+    b2Transform relative; ///< transform of body B in A's frame when the manifold was computed
 
     b2Fixture* fixtureA = nullptr;
     b2Fixture* fixtureB = nullptr;
@@ -61,12 +60,12 @@ struct ContactData
     std::int32_t childB = 0;
 
     std::int32_t awakeIndex =
-        -1; ///< place among the contacts updated each step, -1 when both bodies rest
-    std::int32_t oldIndex = 0; ///< of its manifold before the present update
+        -1; ///< index among the contacts updated each step, -1 when both bodies are at rest
+    std::int32_t oldIndex = 0; ///< index of its manifold before the current update
     std::int32_t colorIndex = -1;
-    std::int32_t place = 0; ///< in the list of a snapshot while that is made or read
-    /// Of the impulses of a step of small ones, the last kick's share; negative: it has been in
-    /// none.
+    std::int32_t place = 0; ///< index in the list of a snapshot while it is written or read
+    /// With sub-steps: the fraction of the step's impulse that the last sub-step applied. Negative
+    /// before the first.
     float32 lasting = -1.0f;
 
     b2ContactEdge edgeA; ///< in the list of body A
@@ -74,8 +73,8 @@ struct ContactData
     b2Contact* prev = nullptr;
     b2Contact* next = nullptr;
 
-    /// What decides which contacts are solved side by side: how the overlap is measured and at how
-    /// many points; 0 when the contact is not solved.
+    /// Returns the form of the contact: how the overlap is measured and at how many points.
+    /// Contacts of the same form share blocks. 0 if it is not solved.
     std::uint8_t Form() const
     {
         const bool solved = (flags & kContactEnabled) != 0 && manifold.pointCount > 0;

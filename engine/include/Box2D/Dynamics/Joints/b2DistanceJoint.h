@@ -6,17 +6,18 @@
 /// @file
 /// Distance joints.
 
-/// Keeps two points at a distance, rigidly or like a spring, or between a minimum and a maximum.
+/// Definition of a distance joint: keeps two points at a distance, rigidly, like a spring, or
+/// between a minimum and a maximum.
 struct b2DistanceJointDef : public b2JointDef
 {
     b2DistanceJointDef() { type = e_distanceJoint; }
-    /// From world points [m] at the bodies' present transforms; the length is theirs.
+    /// Sets bodies, anchors and length from world points [m] at the bodies' current transforms.
     void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchorA, const b2Vec2& anchorB);
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    float32 length = 1.0f; ///< at rest, between the anchors [m]; not shorter than the slop
-    /// Of the spring [Hz], >= 0, less than half the step rate; 0: rigid.
+    float32 length = 1.0f; ///< rest length between the anchors [m]; at least the slop
+    /// Frequency of the spring [Hz], >= 0, less than half the step rate; 0: rigid.
     float32 frequencyHz = 0.0f;
     float32 dampingRatio = 0.0f; ///< of the spring, >= 0; 0: none, 1: critical
     /// Limits of the distance [m], finite. 0 and b2_maxFloat together: none, so a rod or a spring.
@@ -27,26 +28,29 @@ struct b2DistanceJointDef : public b2JointDef
     float32 maxLength = b2_maxFloat; ///< see minLength; b2_maxFloat: no maximum
 };
 
-/// Keeps two anchors at a length, rigid, as a spring, or between limits.
+/// Keeps two anchors at a distance: rigid, as a spring, or between limits.
 class b2DistanceJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; // also that of the last step
+    using b2Joint::GetReactionTorque; // adds the overload for the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
     const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
-    void SetLength(float32 length); ///< at rest, between the anchors [m]; not shorter than the slop
-    float32 GetLength() const { return m_length; } ///< at rest, between the anchors [m]
-    /// Of the spring [Hz], >= 0, less than half the step rate; 0: rigid.
+    void SetLength(float32 length); ///< rest length between the anchors [m]; at least the slop
+    float32 GetLength() const { return m_length; } ///< rest length between the anchors [m]
+    /// Sets the frequency of the spring [Hz], >= 0, less than half the step rate; 0: rigid.
     void SetFrequency(float32 hz);
-    float32 GetFrequency() const { return m_frequencyHz; } ///< of the spring [Hz]; 0: rigid
-    void SetDampingRatio(float32 ratio); ///< of the spring, >= 0; 0: none, 1: critical
-    /// Of the spring, >= 0; 0: none, 1: critical.
+    float32 GetFrequency() const
+    {
+        return m_frequencyHz;
+    }                                    ///< frequency of the spring [Hz]; 0: rigid
+    void SetDampingRatio(float32 ratio); ///< damping ratio of the spring, >= 0; 1 is critical
+    /// Returns the damping ratio of the spring, >= 0; 1 is critical.
     float32 GetDampingRatio() const { return m_dampingRatio; }
     /// Limits the distance [m] from below. Clamps the finite length to b2_linearSlop and the
     /// maximum, and returns the result. By the name of 2.4, as the next four. A rod without limits
@@ -56,9 +60,13 @@ public:
     /// Limits the distance [m] from above. Clamps the length to the minimum or more, and returns
     /// the result. b2_maxFloat: no maximum.
     float32 SetMaxLength(float32 maxLength);
-    float32 GetMaxLength() const { return m_maxLength; } ///< b2_maxFloat: no limit [m]
-    float32 GetCurrentLength() const; ///< between the anchors at the bodies' present transforms [m]
-    /// Whether a spring acts: it has a frequency, and limits leave it a way.
+    float32 GetMaxLength() const
+    {
+        return m_maxLength;
+    }                                 ///< returns the upper limit [m]; b2_maxFloat: no limit
+    float32 GetCurrentLength() const; ///< distance of the anchors at the bodies' current transforms
+                                      ///< [m]
+    /// True if a spring acts: it has a frequency, and the limits allow motion.
     bool IsSpring() const { return m_springHz > 0.0f; }
     void Dump() override;
 
@@ -72,7 +80,7 @@ protected:
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
 
     void SetLimits(float32 minLength, float32 maxLength);
-    /// What follows from the numbers, so that a step need not ask.
+    /// Computes the derived members, once per change instead of once per step.
     void ChooseForm();
 
     b2Vec2 m_localAnchorA;
@@ -82,11 +90,11 @@ protected:
     float32 m_dampingRatio;
     float32 m_minLength;
     float32 m_maxLength;
-    bool m_isLimited;              ///< the distance may differ from what it is kept at
-    float32 m_restLength;          ///< that a rod or spring is to have [m]
+    bool m_isLimited;              ///< true if the distance may differ from the rest length
+    float32 m_restLength;          ///< rest length of the rod or spring [m]
     float32 m_springHz;            ///< 0: no spring
-    float32 m_impulse = 0.0f;      ///< of the rod or spring, of the last step [N s]
-    float32 m_lowerImpulse = 0.0f; ///< of the limits, of the last step [N s], >= 0
+    float32 m_impulse = 0.0f;      ///< impulse of the rod or spring in the last step [N s]
+    float32 m_lowerImpulse = 0.0f; ///< impulse of the lower limit in the last step [N s], >= 0
     float32 m_upperImpulse = 0.0f; ///< see m_lowerImpulse
-    b2Vec2 m_axis;                 ///< unit vector from anchor A to anchor B, of the last step
+    b2Vec2 m_axis;                 ///< unit vector from anchor A to anchor B in the last step
 };

@@ -19,25 +19,26 @@ struct b2GearJointDef : public b2JointDef
 
     b2Joint* joint1 = nullptr; ///< revolute or prismatic
     b2Joint* joint2 = nullptr; ///< revolute or prismatic
-    float32 ratio = 1.0f; ///< finite, may be negative; with one joint of each kind it has the unit
-                          ///< of a length or its inverse
+    float32 ratio = 1.0f; ///< finite, may be negative; with one joint of each type its unit is a
+                          ///< length or an inverse length
 };
 
-/// Couples two joints: one moves as the other does, times a ratio.
+/// Couples two joints: the motion of one is the motion of the other times a ratio.
 class b2GearJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; // also that of the last step
+    using b2Joint::GetReactionTorque; // adds the overload for the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
     b2Joint* GetJoint1() { return m_joint1; } ///< revolute or prismatic
     b2Joint* GetJoint2() { return m_joint2; } ///< revolute or prismatic
-    void SetRatio(float32 ratio); ///< finite, may be negative; its unit is that of the definition
-    float32 GetRatio() const { return m_ratio; } ///< as it was set
+    void SetRatio(float32 ratio); ///< sets the ratio: finite, may be negative; unit as in the
+                                  ///< definition
+    float32 GetRatio() const { return m_ratio; } ///< returns the ratio
     void Dump() override;
 
 protected:
@@ -50,7 +51,7 @@ protected:
     void GetRowImpulses(float32 (&impulse)[3]) const override;
     void SetRowImpulses(const float32 (&within)[3], const float32 (&beyond)[3]) override;
 
-    /// One of the two joints as the gear sees it: a coordinate of its body B against its body A.
+    /// One of the two joints: a coordinate of its body B relative to its body A.
     struct Side
     {
         b2Joint* joint = nullptr;
@@ -62,7 +63,7 @@ protected:
         b2Vec2 localAxis; ///< in the frame's axes
         float32 referenceAngle = 0.0f;
 
-        // Of one step: how the coordinate changes with the velocities.
+        // Values of one step: the derivative of the coordinate by the velocities.
         b2Vec2 axis; ///< zero for a hinge
         float32 armFrame = 0.0f;
         float32 armBody = 0.0f;
@@ -80,5 +81,5 @@ protected:
     Side m_side2;
     double m_constant; ///< coordinate 1 + ratio * coordinate 2
     float32 m_ratio;
-    float32 m_impulse = 0.0f; ///< of the last step
+    float32 m_impulse = 0.0f; ///< impulse of the last step
 };

@@ -6,40 +6,43 @@
 /// @file
 /// Weld joints.
 
-/// Glues two bodies together. The glue may be soft against turning; a chain of them bends, for the
-/// solver is iterative.
+/// Definition of a weld joint: fixes two bodies to each other. The angle can have a spring. A chain
+/// of welds bends, because the solver is iterative.
 struct b2WeldJointDef : public b2JointDef
 {
     b2WeldJointDef() { type = e_weldJoint; }
-    /// From a world point [m] at the bodies' present transforms.
+    /// Sets bodies and anchors from a world point [m] at the bodies' current transforms.
     void Initialize(b2Body* bodyA, b2Body* bodyB, const b2Vec2& anchor);
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
     float32 referenceAngle = 0.0f;            ///< body B's angle minus body A's [rad]
-    float32 frequencyHz = 0.0f;  ///< of the spring against turning [Hz], >= 0; 0: rigid
-    float32 dampingRatio = 0.0f; ///< of the spring, >= 0; 0: none, 1: critical
+    float32 frequencyHz = 0.0f;  ///< frequency of the angular spring [Hz], >= 0; 0: rigid
+    float32 dampingRatio = 0.0f; ///< damping ratio of the spring, >= 0; 1 is critical
 };
 
-/// Glues two bodies together; the angle can be a spring.
+/// Fixes two bodies to each other; the angle can have a spring.
 class b2WeldJoint : public b2Joint
 {
 public:
     b2Vec2 GetAnchorA() const override;
     b2Vec2 GetAnchorB() const override;
     using b2Joint::GetReactionForce;
-    using b2Joint::GetReactionTorque; // also that of the last step
+    using b2Joint::GetReactionTorque; // adds the overload for the last step
     b2Vec2 GetReactionForce(float32 inv_dt) const override;
     float32 GetReactionTorque(float32 inv_dt) const override;
 
     const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
-    /// Body B's angle minus body A's where the joint is at rest [rad].
+    /// Returns body B's angle minus body A's in the reference pose [rad].
     float32 GetReferenceAngle() const { return m_referenceAngle; }
-    void SetFrequency(float32 hz); ///< of the angle's spring [Hz], >= 0; 0: rigid
-    float32 GetFrequency() const { return m_frequencyHz; } ///< of the angle's spring [Hz]; 0: rigid
-    void SetDampingRatio(float32 ratio); ///< of the spring, >= 0; 0: none, 1: critical
-    /// Of the spring, >= 0; 0: none, 1: critical.
+    void SetFrequency(float32 hz); ///< frequency of the angular spring [Hz], >= 0; 0: rigid
+    float32 GetFrequency() const
+    {
+        return m_frequencyHz;
+    }                                    ///< frequency of the angular spring [Hz]; 0: rigid
+    void SetDampingRatio(float32 ratio); ///< damping ratio of the spring, >= 0; 1 is critical
+    /// Returns the damping ratio of the spring, >= 0; 1 is critical.
     float32 GetDampingRatio() const { return m_dampingRatio; }
     void Dump() override;
 
@@ -59,5 +62,5 @@ protected:
     float32 m_dampingRatio;
 
     b2Vec2 m_impulse = b2Vec2(0.0f, 0.0f); ///< of the last step, of the point [N s]
-    float32 m_angularImpulse = 0.0f;       ///< of the last step [N m s]
+    float32 m_angularImpulse = 0.0f;       ///< angular impulse of the last step [N m s]
 };
