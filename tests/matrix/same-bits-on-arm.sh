@@ -23,7 +23,7 @@ cmake -S "$source" -B "$work" -G Ninja -DBOXREEL_BUILD_TOOLKIT=OFF -DBOXREEL_WER
     -DCMAKE_CXX_FLAGS=-O2 >"$work.log" 2>&1 &&
     cmake --build "$work" --target boxreel_engine >>"$work.log" 2>&1 &&
     clang++ --target=$target -fuse-ld=lld -static $flags -I"$source/engine/include" -I"$source/debugdraw/include" \
-        -I"$source/golden/include" -I"$source/testbed" "$source/tests/matrix/PrintStates.cpp" "$source/golden/src/StateHash.cpp" \
+        -I"$source/golden/include" -I"$source/base/include" -I"$source/testbed" "$source/tests/matrix/PrintStates.cpp" "$source/golden/src/StateHash.cpp" \
         "$source"/testbed/scenes/*.cpp "$work/engine/libboxreel_engine.a" -o "$work/print-states" >>"$work.log" 2>&1 || {
     tail -n 40 "$work.log"
     exit 1
