@@ -3,9 +3,12 @@
 
 #include <Box2D/Common/b2Settings.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
+#if __cplusplus > 201703L
+#include <span>
+#endif
 
 class b2World;
 
@@ -44,5 +47,14 @@ std::vector<uint8> b2SaveSnapshot(const b2World& world, b2SnapshotUserData* user
 /// Returns null on success. Otherwise returns a sentence and leaves the world unchanged. This
 /// happens if the bytes are not a snapshot, have another version, or are truncated or damaged, or
 /// if the world is inside a callback.
-const char* b2RestoreSnapshot(b2World& world, std::span<const uint8> bytes,
+const char* b2RestoreSnapshot(b2World& world, const uint8* bytes, std::size_t size,
                               b2SnapshotUserData* userData = nullptr);
+
+#ifdef __cpp_lib_span
+/// The same for a span or a vector. For programs in C++20 or later.
+inline const char* b2RestoreSnapshot(b2World& world, std::span<const uint8> bytes,
+                                     b2SnapshotUserData* userData = nullptr)
+{
+    return b2RestoreSnapshot(world, bytes.data(), bytes.size(), userData);
+}
+#endif

@@ -7,6 +7,7 @@
 #include "ListState.h"
 #include "SolverState.h"
 
+#include <span>
 #include <utility>
 
 namespace box2d
@@ -179,9 +180,10 @@ std::vector<uint8> b2SaveSnapshot(const b2World& world, b2SnapshotUserData* user
     return bytes;
 }
 
-const char* b2RestoreSnapshot(b2World& world, std::span<const uint8> bytes,
+const char* b2RestoreSnapshot(b2World& world, const uint8* data, std::size_t size,
                               b2SnapshotUserData* userData)
 {
+    const std::span<const uint8> bytes(data, size);
     if (world.IsLocked())
     {
         return "b2RestoreSnapshot must not be called from inside a callback.";
