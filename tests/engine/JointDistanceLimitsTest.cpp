@@ -3,6 +3,7 @@
 
 #include <Box2D/Dynamics/b2Snapshot.h>
 
+#include <limits>
 #include <string>
 
 /// Distance joints between a minimum and a maximum length, with one step and with small ones.
@@ -10,6 +11,8 @@ namespace
 {
 
 using namespace dynamics;
+
+constexpr float32 kInfinity = std::numeric_limits<float32>::infinity();
 
 /// A load that hangs below a post, or stands above it.
 struct Hanger : JointScene
@@ -221,6 +224,8 @@ TEST(DistanceLimitsDefinition, IsClampedAsIn24)
                  {0.0f, 0.0f, b2_linearSlop, b2_linearSlop},
                  {-2.0f, -3.0f, b2_linearSlop, b2_linearSlop},
                  {-1.0f, b2_maxFloat, b2_linearSlop, b2_maxFloat},
+                 {0.0f, kInfinity, 0.0f, b2_maxFloat},
+                 {2.0f, kInfinity, 2.0f, b2_maxFloat},
                  {2.0f, 2.0f, 2.0f, 2.0f}};
     for (const auto& c : cases)
     {
@@ -263,6 +268,19 @@ TEST(DistanceLimitsSetters, KeepTheMinimumBelowTheMaximum)
     EXPECT_EQ(h.joint->SetMaxLength(1.0f), 2.0f);
     EXPECT_EQ(h.joint->SetMaxLength(b2_maxFloat), b2_maxFloat);
     EXPECT_EQ(h.joint->SetMaxLength(-1.0f), 2.0f);
+    EXPECT_EQ(h.joint->SetMaxLength(kInfinity), b2_maxFloat);
+    EXPECT_EQ(h.joint->GetMaxLength(), b2_maxFloat);
+}
+
+TEST(DistanceJointLength, IsReturnedAndKeptBelowTheSlop)
+{
+    b2DistanceJointDef def = Numbers(0.0f, b2_maxFloat);
+    def.length = 0.0f;
+    Hanger h(1, -3.0f, def);
+    EXPECT_EQ(h.joint->GetLength(), 0.0f);
+    EXPECT_EQ(h.joint->SetLength(2.0f), 2.0f);
+    EXPECT_EQ(h.joint->SetLength(0.25f * b2_linearSlop), 0.25f * b2_linearSlop);
+    EXPECT_EQ(h.joint->GetLength(), 0.25f * b2_linearSlop);
 }
 
 TEST(DistanceLimitsSetters, WakeWhatTheyMove)

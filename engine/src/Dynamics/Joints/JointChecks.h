@@ -39,12 +39,13 @@ inline bool IsLength(float32 length)
                       "A joint's length must be finite, within 1e15 m and not negative.");
 }
 
-/// Lengths below the slop and limits in the wrong order are clamped, so they are sound.
+/// Lengths below the slop and limits in the wrong order are clamped, so they are sound. The joint
+/// stores an infinite maximum as b2_maxFloat.
 inline bool AreLengthLimits(float32 minLength, float32 maxLength)
 {
     return B2_REQUIRE(IsWithinReach(minLength) &&
-                          (maxLength == b2_maxFloat || IsWithinReach(maxLength)),
-                      "A distance joint's limits must be finite and within 1e15 m.");
+                          (maxLength >= b2_maxFloat || IsWithinReach(maxLength)),
+                      "A distance joint's limits must be within 1e15 m, but for no maximum.");
 }
 
 inline bool IsSpring(float32 frequencyHz, float32 dampingRatio)

@@ -40,7 +40,7 @@ bool HasNoLimits(float32 minLength, float32 maxLength)
 b2DistanceJoint::b2DistanceJoint(const b2DistanceJointDef* def)
     : b2Joint(def), m_localAnchorA(def->localAnchorA), m_localAnchorB(def->localAnchorB),
       m_length(def->length), m_frequencyHz(def->frequencyHz), m_dampingRatio(def->dampingRatio),
-      m_minLength(def->minLength), m_maxLength(def->maxLength)
+      m_minLength(def->minLength), m_maxLength(b2Min(def->maxLength, b2_maxFloat))
 {
     if (!HasNoLimits(m_minLength, m_maxLength))
     {
@@ -201,7 +201,7 @@ float32 b2DistanceJoint::GetReactionTorque(float32) const
     return 0.0f;
 }
 
-void b2DistanceJoint::SetLength(float32 length)
+float32 b2DistanceJoint::SetLength(float32 length)
 {
     if (box2d::IsLength(length) && length != m_length)
     {
@@ -210,6 +210,7 @@ void b2DistanceJoint::SetLength(float32 length)
         ChooseForm();
         NoteChange();
     }
+    return m_length;
 }
 
 float32 b2DistanceJoint::SetMinLength(float32 minLength)
@@ -226,7 +227,7 @@ float32 b2DistanceJoint::SetMaxLength(float32 maxLength)
     if (box2d::AreLengthLimits(m_minLength, maxLength))
     {
         const float32 minLength = b2Max(m_minLength, b2_linearSlop);
-        SetLimits(minLength, b2Max(maxLength, minLength));
+        SetLimits(minLength, b2Clamp(maxLength, minLength, b2_maxFloat));
     }
     return m_maxLength;
 }

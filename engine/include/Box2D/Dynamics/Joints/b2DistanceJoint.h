@@ -16,16 +16,16 @@ struct b2DistanceJointDef : public b2JointDef
 
     b2Vec2 localAnchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 localAnchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    float32 length = 1.0f; ///< rest length between the anchors [m]; at least the slop
+    float32 length = 1.0f; ///< rest length between the anchors [m], finite, >= 0; not clamped
     /// Frequency of the spring [Hz], >= 0, less than half the step rate; 0: rigid.
     float32 frequencyHz = 0.0f;
     float32 dampingRatio = 0.0f; ///< of the spring, >= 0; 0: none, 1: critical
-    /// Limits of the distance [m], finite. 0 and b2_maxFloat together: none, so a rod or a spring.
+    /// Limits of the distance [m]. 0 and b2_maxFloat together: none, so a rod or a spring.
     /// Others are clamped as in 2.4: minLength to b2_linearSlop or more, maxLength to minLength or
     /// more. Between them the anchors are free, or the spring holds them. When both are the same
     /// they are rigid.
     float32 minLength = 0.0f;
-    float32 maxLength = b2_maxFloat; ///< see minLength; b2_maxFloat: no maximum
+    float32 maxLength = b2_maxFloat; ///< see minLength; b2_maxFloat or infinity: no maximum
 };
 
 /// Keeps two anchors at a distance: rigid, as a spring, or between limits.
@@ -41,7 +41,9 @@ public:
 
     const b2Vec2& GetLocalAnchorA() const { return m_localAnchorA; } ///< in body A's frame [m]
     const b2Vec2& GetLocalAnchorB() const { return m_localAnchorB; } ///< in body B's frame [m]
-    void SetLength(float32 length); ///< rest length between the anchors [m]; at least the slop
+    /// Sets the rest length between the anchors [m], finite, >= 0, and returns it. Unlike the
+    /// limits it is not clamped to b2_linearSlop.
+    float32 SetLength(float32 length);
     float32 GetLength() const { return m_length; } ///< rest length between the anchors [m]
     /// Sets the frequency of the spring [Hz], >= 0, less than half the step rate; 0: rigid.
     void SetFrequency(float32 hz);
@@ -58,7 +60,7 @@ public:
     float32 SetMinLength(float32 minLength);
     float32 GetMinLength() const { return m_minLength; } ///< 0: none was set [m]
     /// Limits the distance [m] from above. Clamps the length to the minimum or more, and returns
-    /// the result. b2_maxFloat: no maximum.
+    /// the result. b2_maxFloat or infinity: no maximum.
     float32 SetMaxLength(float32 maxLength);
     float32 GetMaxLength() const
     {
