@@ -5,10 +5,13 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Nearest.h>
+#include <base/Quoting.h>
 
 #include <cstdlib>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace boxreel
 {
@@ -19,8 +22,6 @@ constexpr std::pair<const char*, Backend> kNames[] = {{"auto", Backend::Auto},
                                                       {"osmesa", Backend::OSMesa},
                                                       {"egl", Backend::Egl},
                                                       {"egl-gpu", Backend::EglGpu}};
-
-constexpr const char* kVariable = "BOXREEL_BACKEND";
 
 // OSMesa first: the script `boxreel` installs it, so its users all draw with the same library.
 constexpr Backend kAutomatic[] = {Backend::OSMesa, Backend::Egl};
@@ -41,10 +42,47 @@ std::string NameOf(Backend backend)
     return "unknown";
 }
 
-Result<Backend> FromVariable()
+/// A back end, and what named it, for errors.
+struct Choice
 {
-    const char* const text = std::getenv(kVariable);
-    return text == nullptr || *text == '\0' ? Backend::Auto : ParseBackend(kVariable, text);
+    Backend backend = Backend::Auto;
+    std::string culprit;
+    std::string otherRemedy; ///< what helps beside installing it; empty if nothing
+};
+
+Result<Choice> Choose(Backend backend)
+{
+    const char* const text = std::getenv(kBackendVariable);
+    if (backend == Backend::Auto && text != nullptr && *text != '\0')
+    {
+        ASSIGN_OR_RETURN(backend, ParseBackend(kBackendVariable, text));
+        if (backend != Backend::Auto)
+        {
+            return Choice{backend, AsTyped(kBackendVariable, text), "unset the variable"};
+        }
+    }
+    return Choice{backend, "back end " + NameOf(backend),
+                  backend == Backend::Auto ? "" : "choose another back end"};
+}
+
+/// One sentence. With several candidates the problem names each, and any remedy is enough.
+Error NothingDraws(const Choice& choice, const std::vector<std::pair<Backend, Error>>& failures)
+{
+    std::string problems;
+    std::string remedies;
+    const auto addRemedy = [&remedies](const std::string& remedy) {
+        const bool isNeeded = !remedy.empty() && !remedies.empty();
+        remedies.append(isNeeded ? ", or " : "").append(remedy);
+    };
+    for (const auto& [candidate, error] : failures)
+    {
+        problems.append(problems.empty() ? "" : ", ");
+        problems.append(failures.size() > 1 ? NameOf(candidate) + ": " : "");
+        problems.append(Error{error.kind, error.culprit, error.problem}.Text());
+        addRemedy(error.remedy);
+    }
+    addRemedy(choice.otherRemedy);
+    return Error{ErrorKind::Absent, choice.culprit, "cannot draw (" + problems + ")", remedies};
 }
 
 Result<std::unique_ptr<Context>> CreateOne(Backend backend, const ContextLibraries& libraries)
@@ -122,33 +160,24 @@ void Context::Leave()
 
 Result<std::unique_ptr<Context>> CreateContext(Backend backend, const ContextLibraries& libraries)
 {
-    if (backend == Backend::Auto)
-    {
-        ASSIGN_OR_RETURN(const Backend chosen, FromVariable());
-        backend = chosen;
-    }
-    if (backend != Backend::EglGpu)
+    ASSIGN_OR_RETURN(const Choice choice, Choose(backend));
+    if (choice.backend != Backend::EglGpu)
     {
         RETURN_IF_ERROR(CheckVectorWidth());
     }
-    std::string failures;
-    for (const Backend candidate :
-         backend == Backend::Auto ? std::span<const Backend>(kAutomatic) : std::span(&backend, 1))
+    std::vector<std::pair<Backend, Error>> failures;
+    for (const Backend candidate : choice.backend == Backend::Auto
+                                       ? std::span<const Backend>(kAutomatic)
+                                       : std::span(&choice.backend, 1))
     {
         Result<std::unique_ptr<Context>> context = CreateOne(candidate, libraries);
         if (context)
         {
             return context;
         }
-        failures += "\n  " + NameOf(candidate) + ": " + context.GetError().Text();
+        failures.emplace_back(candidate, context.GetError());
     }
-    std::string names;
-    for (const std::string& name : BackendNames())
-    {
-        names.append(names.empty() ? "" : ", ").append(name);
-    }
-    return Error{ErrorKind::Absent, "back end " + NameOf(backend), "cannot draw" + failures,
-                 std::string("set ") + kVariable + " to one of " + names};
+    return NothingDraws(choice, failures);
 }
 
 } // namespace boxreel

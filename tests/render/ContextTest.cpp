@@ -266,30 +266,36 @@ TEST(Backend, OfAnUnknownNameInTheVariableIsRefused)
 TEST(Context, ListsLibraryAndPackageOfEachTriedBackEnd)
 {
     const Variable none(nullptr);
+    EXPECT_THAT(CreateContext(Backend::Auto, kNoLibraries),
+                Fails(ErrorKind::Absent, "back end auto"));
     EXPECT_THAT(Refusal(Backend::Auto, kNoLibraries),
-                AllOf(HasSubstr("\n  osmesa: libNoSuchMesa.so.8"), HasSubstr("libosmesa6"),
-                      HasSubstr("\n  egl: libNoSuchEgl.so.1"), HasSubstr("libegl1"),
-                      HasSubstr("BOXREEL_BACKEND")));
+                AllOf(HasSubstr("osmesa: libNoSuchMesa.so.8"), HasSubstr("libosmesa6"),
+                      HasSubstr("egl: libNoSuchEgl.so.1"), HasSubstr("libegl1"),
+                      Not(HasSubstr("\n"))));
 }
 
 TEST(Context, TriesOnlyTheBackEndThatIsNamed)
 {
     EXPECT_THAT(Refusal(Backend::OSMesa, kNoLibraries),
-                AllOf(HasSubstr("\n  osmesa: libNoSuchMesa.so.8"), Not(HasSubstr("\n  egl"))));
+                AllOf(HasSubstr("libNoSuchMesa.so.8"), Not(HasSubstr("libNoSuchEgl"))));
     EXPECT_THAT(Refusal(Backend::Egl, kNoLibraries),
-                AllOf(HasSubstr("\n  egl: libNoSuchEgl.so.1"), Not(HasSubstr("\n  osmesa"))));
+                AllOf(HasSubstr("libNoSuchEgl.so.1"), Not(HasSubstr("libNoSuchMesa"))));
     EXPECT_THAT(Refusal(Backend::EglGpu, kNoLibraries),
-                AllOf(HasSubstr("\n  egl-gpu: libNoSuchEgl.so.1"), Not(HasSubstr("\n  osmesa"))));
+                AllOf(HasSubstr("libNoSuchEgl.so.1"), Not(HasSubstr("libNoSuchMesa"))));
+    EXPECT_THAT(CreateContext(Backend::EglGpu, kNoLibraries),
+                Fails(ErrorKind::Absent, "back end egl-gpu"));
     const Variable variable("egl");
+    EXPECT_THAT(CreateContext(Backend::Auto, kNoLibraries),
+                Fails(ErrorKind::Absent, "BOXREEL_BACKEND egl"));
     EXPECT_THAT(Refusal(Backend::Auto, kNoLibraries),
-                AllOf(HasSubstr("\n  egl: libNoSuchEgl.so.1"), Not(HasSubstr("\n  osmesa"))));
+                AllOf(HasSubstr("libNoSuchEgl.so.1"), Not(HasSubstr("libNoSuchMesa"))));
 }
 
 TEST(Context, RefusesLibraryThatIsAnother)
 {
     const ContextLibraries foreign{"libm.so.6", "libm.so.6"};
-    EXPECT_THAT(Refusal(Backend::OSMesa, foreign), HasSubstr("\n  osmesa: libm.so.6"));
-    EXPECT_THAT(Refusal(Backend::Egl, foreign), HasSubstr("\n  egl: libm.so.6"));
+    EXPECT_THAT(Refusal(Backend::OSMesa, foreign), HasSubstr("(libm.so.6"));
+    EXPECT_THAT(Refusal(Backend::Egl, foreign), HasSubstr("(libm.so.6"));
 }
 
 TEST_F(FakeEglLibrary, DrawsInSoftwareBesideAGpu)

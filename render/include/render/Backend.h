@@ -21,6 +21,9 @@ enum class Backend
     EglGpu, ///< EGL without a surface, on a GPU; never selected by Auto
 };
 
+/// The environment variable that names what Backend::Auto draws with.
+inline constexpr const char* kBackendVariable = "BOXREEL_BACKEND";
+
 /// Returns "auto", "osmesa", "egl", "egl-gpu".
 std::vector<std::string> BackendNames();
 
