@@ -9,6 +9,7 @@
 #include <base/Terminal.h>
 #include <base/WorkFolder.h>
 #include <recorder/VideoWriter.h>
+#include <render/Backend.h>
 #include <render/Figure.h>
 #include <render/Renderer.h>
 #include <render/Window.h>
@@ -175,22 +176,31 @@ private:
 };
 
 /// One back end is enough. Mesa 25.1 and later have no OSMesa, so its package is not asked for
-/// where EGL draws.
+/// where EGL draws. Where the variable names one, only that one is needed.
 void AddBackends(Report& report)
 {
     const Finding osMesa = LookAtBackend(Backend::OSMesa);
     const Finding egl = LookAtBackend(Backend::Egl);
-    const auto add = [&report](const char* name, const Finding& finding, const char* otherName,
-                               const Finding& other) {
-        if (!finding && other)
+    const char* const variable = std::getenv(kBackendVariable);
+    const bool isNamed = variable != nullptr && *variable != '\0';
+    const auto add = [&report, isNamed](const char* name, const Finding& finding,
+                                        const std::string& otherName, const Finding& other) {
+        if (!finding && (other || isNamed))
         {
-            report.AddNone(name, std::string(otherName) + " is used instead");
+            report.AddNone(name, isNamed ? std::string("see ") + kBackendVariable
+                                         : otherName + " is used instead");
             return;
         }
         report.Add(name, finding);
     };
     add("OSMesa", osMesa, "EGL", egl);
     add("EGL", egl, "OSMesa", osMesa);
+    if (isNamed)
+    {
+        const Finding drawn = LookAtBackend(Backend::Auto);
+        report.Add(kBackendVariable,
+                   drawn ? Finding(std::string(variable) + ", so " + *drawn) : drawn);
+    }
 }
 
 } // namespace
