@@ -67,7 +67,8 @@ Paint DrawCollector::PaintOf(const b2Color& color) const
 {
     const Color asked = From(color);
     const bool isOwn = m_list.layer == DrawLayer::Shapes && m_list.owner == kNoOwner;
-    return isOwn ? Paint(asked) : Paint(asked, EngineRole(m_list.layer, asked));
+    const DrawLayer roles = m_list.layer == DrawLayer::Scene ? m_sceneRoles : m_list.layer;
+    return isOwn ? Paint(asked) : Paint(asked, EngineRole(roles, asked));
 }
 
 const Vec2* DrawCollector::Convert(const b2Vec2* vertices, int32 vertexCount)
@@ -128,7 +129,8 @@ void DrawCollector::DrawTransform(const b2Transform& xf)
 
 void DrawCollector::BeginLayer(uint32 flag)
 {
-    m_list.layer = LayerFrom(flag);
+    DrawLayer& layer = m_list.layer == DrawLayer::Scene ? m_sceneRoles : m_list.layer;
+    layer = LayerFrom(flag);
 }
 
 void DrawCollector::BeginBody(int32 number)

@@ -81,6 +81,7 @@ public:
 
     void Draw(b2Draw& draw) const override
     {
+        draw.BeginLayer(b2Draw::e_jointBit); // themes give it their colour of joints
         draw.DrawSegment(kStart, kStart + kTravel * kAxis, b2Color(0.5f, 0.8f, 0.8f));
     }
 

@@ -82,6 +82,19 @@ TEST_F(Collected, ColoursOfAUserHaveNoRole)
     }
 }
 
+TEST_F(Collected, SceneItemsHaveTheRolesOfTheLayerTheyAnnounce)
+{
+    const b2Color likeJoint(0.5f, 0.8f, 0.8f);
+    list.layer = DrawLayer::Scene;
+    collector.DrawSegment({0.0f, 1.0f}, {2.0f, 3.0f}, likeJoint);
+    collector.BeginLayer(b2Draw::e_jointBit);
+    collector.DrawSegment({0.0f, 1.0f}, {2.0f, 3.0f}, likeJoint);
+    ASSERT_EQ(list.items.size(), 2u);
+    EXPECT_EQ(list.items[0].role, ColorRole::None);
+    EXPECT_EQ(list.items[1].role, ColorRole::Joint);
+    EXPECT_EQ(list.items[1].layer, DrawLayer::Scene);
+}
+
 TEST_F(Collected, ColoursAreRoundedToTheNearestAndCutToTheirRange)
 {
     EXPECT_EQ(Of(b2Color(0.9f, 0.7f, 0.5f, 0.3f)), (Color{230, 179, 128, 77}));

@@ -36,8 +36,10 @@ public:
     void DrawSegment(const b2Vec2& p1, const b2Vec2& p2, const b2Color& color) override;
     void DrawTransform(const b2Transform& xf) override;
 
-    /// Sets the layer and body of the calls that follow.
+    /// Sets the layer of the calls that follow. In a list whose layer is DrawLayer::Scene they stay
+    /// in that layer, and only the engine's colours take their roles from the announced one.
     void BeginLayer(uint32 flag) override;
+    /// Sets the body of the calls that follow.
     void BeginBody(int32 number) override;
 
 private:
@@ -45,7 +47,8 @@ private:
     const Vec2* Convert(const b2Vec2* vertices, int32 vertexCount);
 
     DrawList& m_list;
-    std::vector<Vec2> m_points; // scratch, kept to avoid allocations per frame
+    DrawLayer m_sceneRoles = DrawLayer::Scene; // whose roles the layer Scene has; Scene: none
+    std::vector<Vec2> m_points;                // scratch, kept to avoid allocations per frame
 };
 
 /// Returns the debug drawing of a world, for the layers in b2Draw's bits. Replaces the world's
