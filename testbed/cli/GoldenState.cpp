@@ -82,7 +82,7 @@ Result<std::filesystem::path> FindOtherProgram(const std::filesystem::path& prog
         const bool isFolder = std::filesystem::is_directory(program, ignored);
         return Error{ErrorKind::Unusable, "--against " + program.string(),
                      isFolder ? "is a folder" : "no such file",
-                     "give the program of another build, such as build/boxreel"};
+                     "name the program of another build, such as ../before/boxreel"};
     }
     // A name without a folder would be looked for along PATH, where another program may have it.
     return std::filesystem::absolute(program);
