@@ -329,7 +329,8 @@ CLI::App* Declare(CLI::App& program, GoldenOptions& golden)
         AddPath(*action, "--references", "DIR", golden.references,
                 "Read references from here (golden/references)");
         AddPath(*action, "--output", "DIR", golden.output,
-                "Write what differs here (build/golden-output)");
+                "Write what differs here (build/golden-output; without\ngolden/references around, "
+                "./golden-output)");
         AddBackend(*action, golden.backend);
         DeclareGoldenFilm(*action, golden);
         action->callback([action, &golden] {

@@ -106,8 +106,10 @@ CLI::App* Declare(CLI::App& program, GoldenReportOptions& options)
     const auto read = [&options](const std::vector<std::string>& texts) {
         options.folders.assign(texts.begin(), texts.end());
     };
-    CLI::Option* folders = AddTexts(*command, "FOLDERS", read,
-                                    "Output folders of tests, one per shard (build/golden-output)");
+    CLI::Option* folders =
+        AddTexts(*command, "FOLDERS", read,
+                 "Output folders of tests, one per shard (build/golden-output;\nwithout "
+                 "golden/references around, ./golden-output)");
     Completes(folders->type_name(""), {Completion::Kind::Folders, {}});
     AddPath(*command, "-o,--output", "FILE", options.output,
             "Write the page here (report.html in the first folder)", {".html"});
