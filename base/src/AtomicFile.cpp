@@ -168,6 +168,18 @@ int Rename(const fs::path& from, const fs::path& to, bool overwrite)
 
 } // namespace
 
+Result<void> CheckFolderOf(const fs::path& path)
+{
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code code;
+    if (fs::exists(folder, code) && !fs::is_directory(folder, code))
+    {
+        return CannotOpen(path, ENOTDIR);
+    }
+    const bool takesFiles = ::access(folder.c_str(), W_OK | X_OK) == 0;
+    return takesFiles ? Result<void>() : CannotOpen(path, errno);
+}
+
 std::filesystem::path PartPath(const std::filesystem::path& path, std::string_view mark)
 {
     fs::path part = path;

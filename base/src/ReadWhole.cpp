@@ -16,6 +16,11 @@ std::string SizeText(std::uintmax_t bytes)
 
 } // namespace
 
+Error FileNotFound(const std::filesystem::path& path)
+{
+    return Error{ErrorKind::Unusable, path.string(), "does not exist", "check the name"};
+}
+
 Result<std::string> ReadWhole(const std::filesystem::path& path, std::uintmax_t limit)
 {
     const auto unusable = [&](const std::string& problem, const std::string& remedy) {
@@ -25,7 +30,7 @@ Result<std::string> ReadWhole(const std::filesystem::path& path, std::uintmax_t 
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     if (status.type() == std::filesystem::file_type::not_found)
     {
-        return unusable("does not exist", "");
+        return FileNotFound(path);
     }
     if (error)
     {

@@ -7,6 +7,7 @@
 #include "GifRate.h"
 
 #include <base/ErrorMacros.h>
+#include <base/ReadWhole.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,8 +119,9 @@ Result<void> FFmpegReader::OpenInput()
     std::error_code error;
     if (!std::filesystem::is_regular_file(m_path, error))
     {
-        return Error{ErrorKind::Unusable, m_path.string(),
-                     std::filesystem::exists(m_path, error) ? "is not a file" : "does not exist"};
+        return std::filesystem::exists(m_path, error)
+                   ? Error{ErrorKind::Unusable, m_path.string(), "is not a file", "name a film"}
+                   : FileNotFound(m_path);
     }
     AVDictionary* options = nullptr;
     FFmpeg().av_dict_set(&options, "format_whitelist", kContainers, 0);

@@ -3,6 +3,7 @@
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
+#include <base/ReadWhole.h>
 
 #include <algorithm>
 #include <cassert>
@@ -178,10 +179,10 @@ Result<void> OpenFile(Reader& reader, const fs::path& path)
     reader.file.reset(std::fopen(path.c_str(), "rb"));
     if (!reader.file)
     {
-        const bool isMissing = errno == ENOENT || errno == ENOTDIR;
-        return CannotRead(ErrorKind::Unusable, path,
-                          isMissing ? "it does not exist" : std::generic_category().message(errno),
-                          isMissing ? "check the name" : "check its permissions");
+        return errno == ENOENT || errno == ENOTDIR
+                   ? FileNotFound(path)
+                   : CannotRead(ErrorKind::Unusable, path, std::generic_category().message(errno),
+                                "check its permissions");
     }
     return {};
 }

@@ -67,16 +67,18 @@ std::string Suggestion(const CLI::App& command, const std::string& word,
 Error UnexpectedWord(CLI::App& command)
 {
     const std::vector<std::string> words = command.remaining();
+    const std::vector<std::string> commands = CommandNames(command);
     const auto isOption = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
+    // Behind an unknown command stand its own options.
+    const bool isCommand = !commands.empty() && !words.empty() && !isOption(words.front());
     const auto found = std::find_if(words.begin(), words.end(), isOption);
-    if (found != words.end())
+    if (found != words.end() && !isCommand)
     {
         const std::string option = found->substr(0, found->find('='));
         return {ErrorKind::Unusable, option, "unknown option",
                 Suggestion(command, option, OptionNames(command), "options")};
     }
     const std::string word = words.empty() ? "" : words.front();
-    const std::vector<std::string> commands = CommandNames(command);
     if (commands.empty())
     {
         return {ErrorKind::Unusable, "'" + word + "'", "too many arguments",
@@ -140,7 +142,12 @@ Error Explain(CLI::App& program, const CLI::ParseError& error,
     }
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
     {
-        return UnexpectedWord(command);
+        CLI::App* owner = &command; // words before a command belong to a parent
+        while (owner->remaining().empty() && owner->get_parent() != nullptr)
+        {
+            owner = owner->get_parent();
+        }
+        return UnexpectedWord(*owner);
     }
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
     {

@@ -48,7 +48,7 @@ Error Missing(const std::string& subject, const std::string& argument, const std
 
 Error Conflict(const std::string& option, const std::string& other)
 {
-    return {ErrorKind::Unusable, option, "cannot be used with " + other};
+    return {ErrorKind::Unusable, option, "cannot be used with " + other, "remove one of them"};
 }
 
 Error Requires(const std::string& option, const std::string& other)
@@ -59,22 +59,44 @@ Error Requires(const std::string& option, const std::string& other)
 CLI::Option* AddScene(CLI::App& command, std::string& scene)
 {
     CLI::Option* option =
-        command.add_option("SCENE", scene, "A name from `boxreel list`, or a R.U.B.E. .json file");
-    return Completes(option->type_name(""), {Completion::Kind::Scenes, {".json"}});
+        AddName(command, "SCENE", scene, "A name from `boxreel list`, or a R.U.B.E. .json file");
+    return Completes(option, {Completion::Kind::Scenes, {".json"}});
+}
+
+CLI::Option* AddName(CLI::App& command, const std::string& argument, std::string& name,
+                     const std::string& help)
+{
+    const auto read = [&name](const std::string& text) {
+        name = NotEmpty("", text, "give a name");
+    };
+    return AddText(command, argument, read, help)->type_name("");
+}
+
+std::string NotEmpty(const std::string& option, const std::string& text, const std::string& remedy)
+{
+    if (text.empty())
+    {
+        throw Refusal({ErrorKind::Unusable, option.empty() ? "\"\"" : option, "is empty", remedy});
+    }
+    return text;
+}
+
+std::vector<std::filesystem::path> PathsOf(const std::vector<std::string>& texts)
+{
+    std::vector<std::filesystem::path> paths;
+    for (const std::string& text : texts)
+    {
+        paths.emplace_back(NotEmpty("", text));
+    }
+    return paths;
 }
 
 void AddPath(CLI::App& command, const std::string& names, const std::string& unit,
              std::filesystem::path& path, const std::string& help,
              const std::vector<std::string>& ends)
 {
-    const auto read = [&path, names](const std::string& text) {
-        if (text.empty() && names.starts_with("-"))
-        {
-            throw Refusal(
-                {ErrorKind::Unusable, names.substr(0, names.find(',')), "is empty", "give a path"});
-        }
-        path = text;
-    };
+    const std::string named = names.starts_with("-") ? names.substr(0, names.find(',')) : "";
+    const auto read = [&path, named](const std::string& text) { path = NotEmpty(named, text); };
     CLI::Option* option = AddText(command, names, read, help);
     option->type_name(unit);
     Completes(option, unit == "DIR" ? Completion{Completion::Kind::Folders, {}}

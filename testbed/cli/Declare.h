@@ -146,6 +146,15 @@ CLI::Option* AddValue(CLI::App& command, const std::string& names, const std::st
     return option;
 }
 
+/// The text, or throws a Refusal that names the option, or "" for an argument without one.
+std::string NotEmpty(const std::string& option, const std::string& text,
+                     const std::string& remedy = "give a path");
+/// The texts as paths, or throws a Refusal if one is empty.
+std::vector<std::filesystem::path> PathsOf(const std::vector<std::string>& texts);
+/// An argument that must not be empty.
+CLI::Option* AddName(CLI::App& command, const std::string& argument, std::string& name,
+                     const std::string& help);
+
 /// Options that several commands share.
 CLI::Option* AddScene(CLI::App& command, std::string& scene);
 /// `unit`: DIR for a folder. `ends`: of the files' names, for shells; none: any.

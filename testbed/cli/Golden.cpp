@@ -154,7 +154,8 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     }
     if (warning)
     {
-        WriteMessage("boxreel: no verdict is kept of what passed: " + warning->Text());
+        warning->problem += ", so reports do not list what passed";
+        WriteMessage("boxreel: " + warning->Text());
     }
     const std::string what = Counted(moments, "moment");
     const std::string output = folders.output.string();

@@ -59,12 +59,7 @@ Result<void> CheckGoldenReportPath(const fs::path& path, bool force)
                      "already exists and is not a golden report",
                      "name another file or remove this one"};
     }
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, code))
-    {
-        return Error{ErrorKind::Unusable, folder.string(), "no such folder", "create it first"};
-    }
-    return {};
+    return CheckFolderOf(path);
 }
 
 Result<void> WriteGoldenReport(const GoldenReportOptions& options,
@@ -104,7 +99,7 @@ CLI::App* Declare(CLI::App& program, GoldenReportOptions& options)
     CLI::App* command = program.get_subcommand("golden")->add_subcommand(
         "report", "Write an HTML report of golden tests");
     const auto read = [&options](const std::vector<std::string>& texts) {
-        options.folders.assign(texts.begin(), texts.end());
+        options.folders = PathsOf(texts);
     };
     CLI::Option* folders =
         AddTexts(*command, "FOLDERS", read,

@@ -81,7 +81,7 @@ Result<std::filesystem::path> FindOtherProgram(const std::filesystem::path& prog
     {
         const bool isFolder = std::filesystem::is_directory(program, ignored);
         return Error{ErrorKind::Unusable, "--against " + program.string(),
-                     isFolder ? "is a folder" : "no such file",
+                     isFolder ? "is a folder" : "does not exist",
                      "name the program of another build, such as ../before/boxreel"};
     }
     // A name without a folder would be looked for along PATH, where another program may have it.
@@ -128,8 +128,8 @@ CLI::App* Declare(CLI::App& program, GoldenStateOptions& options)
 {
     CLI::App* command = program.get_subcommand("golden")->add_subcommand(
         "state", "Print a scene's state at a step, body by body");
-    CLI::Option* scene = command->add_option("SCENE", options.scene, "A name from `boxreel list`");
-    Completes(scene->type_name(""), {Completion::Kind::Scenes, {}});
+    Completes(AddName(*command, "SCENE", options.scene, "A name from `boxreel list`"),
+              {Completion::Kind::Scenes, {}});
     AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000),
              "Set the step since the start (300)");
     AddFlag(*command, "--trace", options.trace, "Print the hash of every step instead");

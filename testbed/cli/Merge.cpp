@@ -5,6 +5,7 @@
 
 #include <base/Counting.h>
 #include <base/ErrorMacros.h>
+#include <base/ReadWhole.h>
 #include <base/Terminal.h>
 #include <film/Manifest.h>
 #include <film/StopSignals.h>
@@ -33,7 +34,7 @@ Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path
         const std::filesystem::file_status status = std::filesystem::status(path, ignored);
         if (!std::filesystem::exists(status))
         {
-            return Error{ErrorKind::Unusable, path.string(), "no such file"};
+            return FileNotFound(path);
         }
         if (!std::filesystem::is_regular_file(status))
         {
@@ -188,9 +189,7 @@ CLI::App* Declare(CLI::App& program, MergeOptions& merge)
         program.add_subcommand("merge", "Join parts of a film, without encoding them again");
     CLI::Option* parts = AddTexts(
         *command, "PARTS",
-        [&merge](const std::vector<std::string>& names) {
-            merge.parts.assign(names.begin(), names.end());
-        },
+        [&merge](const std::vector<std::string>& names) { merge.parts = PathsOf(names); },
         "Films made with --frame-range, in any order, each with its .json");
     Completes(parts->type_name(""), {Completion::Kind::Files, FilmExtensions()});
     AddPath(*command, "-o,--output", "FILE", merge.output,
@@ -214,11 +213,6 @@ Result<void> Check(MergeOptions& options)
     if (options.parts.empty())
     {
         return Missing("merge", "PARTS", "boxreel merge a.mkv b.mkv -o film.mkv");
-    }
-    if (std::any_of(options.parts.begin(), options.parts.end(),
-                    [](const std::filesystem::path& part) { return part.empty(); }))
-    {
-        return Error{ErrorKind::Unusable, "\"\"", "is empty", "give a path"};
     }
     if (options.output.empty())
     {

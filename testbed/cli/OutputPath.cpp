@@ -6,9 +6,6 @@
 #include <recorder/VideoWriter.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <unistd.h>
 
 namespace boxreel
 {
@@ -50,7 +47,6 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force,
                      "name a file in it, such as picture.png"};
     }
     RETURN_IF_ERROR(CheckExtension(path, ends));
-    RETURN_IF_ERROR(CheckFolderOf(path));
     if (!force && std::filesystem::exists(path, ignored))
     {
         return Error{ErrorKind::Unusable, path.string(), "already exists",
@@ -106,23 +102,6 @@ std::vector<std::string> FilmExtensions()
     std::vector<std::string> all = VideoEnds();
     all.emplace_back(".png");
     return all;
-}
-
-Result<void> CheckFolderOf(const std::filesystem::path& path)
-{
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(folder, ignored))
-    {
-        return Error{ErrorKind::Unusable, folder.string(), "no such folder", "create it first"};
-    }
-    if (access(folder.c_str(), W_OK | X_OK) != 0)
-    {
-        return Error{ErrorKind::Failed, folder.string(),
-                     std::string("cannot write to this folder: ") + std::strerror(errno),
-                     "choose another"};
-    }
-    return {};
 }
 
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)

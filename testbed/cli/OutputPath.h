@@ -23,9 +23,6 @@ Result<void> CheckFilmName(const std::filesystem::path& film);
 /// a file, and no file is in the way unless `force`. Leaves everything as it was.
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force);
 
-/// Whether the folder that a file is to be in exists and takes files.
-Result<void> CheckFolderOf(const std::filesystem::path& path);
-
 /// Whether two names are of one file, whatever the spelling, or one is of a frame of the other, a
 /// numbered film.
 bool IsSameFile(const std::filesystem::path& a, const std::filesystem::path& b);

@@ -3,6 +3,7 @@
 #include "Declare.h"
 #include "OutputPath.h"
 
+#include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <film/FilmRun.h>

@@ -515,7 +515,10 @@ Result<Script> ReadScript(const std::filesystem::path& file)
     if (!text)
     {
         Error error = text.GetError();
-        error.remedy = "name a script, such as car.play";
+        if (error.remedy.empty())
+        {
+            error.remedy = "name a script, such as car.play";
+        }
         return error;
     }
     if (text->find('\0') != std::string::npos)

@@ -199,6 +199,18 @@ TEST(AtomicFile, NamesAPlaceThatCannotBeWritten)
     EXPECT_THAT(folder.Names(), UnorderedElementsAre("file", "sub"));
 }
 
+TEST(CheckFolderOf, NamesAFileWhoseFolderTakesNone)
+{
+    const TemporaryFolder folder;
+    WriteBytes(folder / "file", "x");
+    EXPECT_TRUE(CheckFolderOf(folder / "a.png"));
+    EXPECT_TRUE(CheckFolderOf("a.png"));
+    for (const std::filesystem::path& path : {folder / "none/a.png", folder / "file/a.png"})
+    {
+        EXPECT_THAT(CheckFolderOf(path), Refuses(path.string()));
+    }
+}
+
 TEST(AtomicFile, NamesWhatIsInTheWayOfItsPart)
 {
     const TemporaryFolder folder;

@@ -77,6 +77,9 @@ private:
     int m_descriptor = -1; // -1: committed or moved from
 };
 
+/// Checks that the folder of `path` exists and takes files, with the Errors of Create.
+Result<void> CheckFolderOf(const std::filesystem::path& path);
+
 /// Returns the path of a part file: dir/film.mp4 becomes dir/film.part.mp4. The extension stays,
 /// because libraries choose the format by it.
 std::filesystem::path PartPath(const std::filesystem::path& path, std::string_view mark = "part");

@@ -12,6 +12,9 @@
 namespace boxreel
 {
 
+/// Returns the Error (Unusable) for a file that the user named and that does not exist.
+Error FileNotFound(const std::filesystem::path& path);
+
 /// Returns the bytes of a regular file. An Error names the path. Unusable: the file does not exist,
 /// is not regular, is larger than `limit` [bytes] or cannot be opened. Failed: reading fails.
 Result<std::string> ReadWhole(const std::filesystem::path& path, std::uintmax_t limit);

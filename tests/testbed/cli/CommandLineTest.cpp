@@ -253,9 +253,34 @@ INSTANTIATE_TEST_SUITE_P(Words, RefusedLine,
                              {"shot a b --at 1s -o x.png", "'b'", "boxreel shot --help"},
                              {"bench", "'bench'", "./boxreel bench"},
                              {"bnech", "'bnech'"},
-                             {"bench --accuracy", "--accuracy"},
+                             {"bench --accuracy", "'bench'", "./boxreel bench"},
+                             {"pictur Pyramid -o x.png", "'pictur'"},
+                             {"golden verfy --every 3", "'verfy'", "verify"},
+                             {"--sise 3x3 shot", "--sise"}, // before a known one
                              {"golden accept --report page.html", "--report"},
                          }));
+
+TEST(EmptyArgument, IsNamedByEveryCommand)
+{
+    const std::vector<std::string> lines[] = {{"diff", "", "v.png"},
+                                              {"diff", "v.png", ""},
+                                              {"shot", "", "--at", "1s", "-o", "a.png"},
+                                              {"record", "", "-o", "a.mp4"},
+                                              {"check", ""},
+                                              {"play", ""},
+                                              {"export", "", "-o", "a.json"},
+                                              {"golden", "state", ""},
+                                              {"golden", "report", ""},
+                                              {"merge", "a.mkv", "", "-o", "b.mkv"}};
+    for (const std::vector<std::string>& line : lines)
+    {
+        const Result<Request> request = ParseCommandLine(line);
+        ASSERT_FALSE(request) << line.front();
+        EXPECT_EQ(request.GetError().kind, ErrorKind::Unusable);
+        EXPECT_EQ(request.GetError().culprit, "\"\"") << testing::PrintToString(line);
+        EXPECT_NE(request.GetError().remedy, "");
+    }
+}
 
 INSTANTIATE_TEST_SUITE_P(Missing, RefusedLine,
                          testing::ValuesIn(std::vector<BadLine>{

@@ -69,23 +69,23 @@ TEST_F(Command, NamesWhatLacksAFileNameWhereOneIsEmpty)
         std::vector<std::string> arguments;
         std::string culprit;
     } cases[] = {
-        {{"merge", "", "-o", "x.mp4"}, "boxreel: \"\": "},
-        {{"merge", "a.mp4", "", "-o", "x.mp4"}, "boxreel: \"\": "},
-        {{"merge", "a.mp4", "-o", ""}, "boxreel: -o: "},
-        {{"record", "", "-o", "x.gif"}, "boxreel: record: "},
-        {{"record", "bridge", "-o", ""}, "boxreel: -o: "},
-        {{"shot", "", "--at", "0s", "-o", "x.png"}, "boxreel: shot: "},
-        {{"shot", "bridge", "--at", "0s", "-o", ""}, "boxreel: -o: "},
-        {{"diff", "", "b.png"}, "boxreel: diff: "},
-        {{"diff", "a.png", ""}, "boxreel: diff: "},
-        {{"diff", "a.png", "b.png", "-o", ""}, "boxreel: -o: "},
-        {{"play", ""}, "boxreel: play: "},
-        {{"check", ""}, "boxreel: check: "},
-        {{"export", "bridge", "-o", ""}, "boxreel: -o: "},
-        {{"golden", "verify", "--references", ""}, "boxreel: --references: "},
-        {{"golden", "verify", "--output", ""}, "boxreel: --output: "},
-        {{"golden", "accept", "--references", ""}, "boxreel: --references: "},
-        {{"golden", "report", "-o", ""}, "boxreel: -o: "},
+        {{"merge", "", "-o", "x.mp4"}, "\"\""},
+        {{"merge", "a.mp4", "", "-o", "x.mp4"}, "\"\""},
+        {{"merge", "a.mp4", "-o", ""}, "-o"},
+        {{"record", "", "-o", "x.gif"}, "\"\""},
+        {{"record", "bridge", "-o", ""}, "-o"},
+        {{"shot", "", "--at", "0s", "-o", "x.png"}, "\"\""},
+        {{"shot", "bridge", "--at", "0s", "-o", ""}, "-o"},
+        {{"diff", "", "b.png"}, "\"\""},
+        {{"diff", "a.png", ""}, "\"\""},
+        {{"diff", "a.png", "b.png", "-o", ""}, "-o"},
+        {{"play", ""}, "\"\""},
+        {{"check", ""}, "\"\""},
+        {{"export", "bridge", "-o", ""}, "-o"},
+        {{"golden", "verify", "--references", ""}, "--references"},
+        {{"golden", "verify", "--output", ""}, "--output"},
+        {{"golden", "accept", "--references", ""}, "--references"},
+        {{"golden", "report", "-o", ""}, "-o"},
     };
     for (const auto& c : cases)
     {
@@ -289,9 +289,37 @@ TEST_F(Command, OutputsThatCannotBeWrittenAreRefusedBeforeAnythingIsSimulated)
     ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "picture.jpg"}, 1,
                   "picture.jpg");
     ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "."}, 1, ".");
-    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "none/a.png"}, 1, "none");
+    ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "none/a.png"}, 1, "none/a.png");
     EXPECT_EQ(ReadFile(folder / "there.mp4"), "a film");
     EXPECT_EQ(ReadFile(folder / "there.png"), "a picture");
+}
+
+TEST_F(Command, DescribesAMissingFileTheSameEverywhere)
+{
+    const std::pair<std::vector<std::string>, std::string> cases[] = {
+        {{"shot", "none.json", "--step", "1", "-o", "a.png"}, "none.json"},
+        {{"check", "none.json"}, "none.json"},
+        {{"play", "none.play"}, "none.play"},
+        {{"diff", "none.png", "none.png"}, "none.png"},
+        {{"merge", "none.mkv", "-o", "a.mkv"}, "none.mkv"}};
+    const std::string first = Run(cases[0].first).errors;
+    for (const auto& [arguments, name] : cases)
+    {
+        const Outcome outcome = Run(arguments);
+        ExpectRefused(outcome, name);
+        const std::size_t end = std::string("boxreel: ").size() + name.size();
+        EXPECT_EQ(outcome.errors.substr(end), first.substr(first.find(": does")));
+    }
+}
+
+TEST_F(Command, DescribesAMissingFolderTheSameForPicturesAndFilms)
+{
+    const Outcome picture = Run({"shot", "pyramid", "--step", "1", "-o", "none/a.png"});
+    const Outcome film = Run({"record", "pyramid", "--frames", "2", "-o", "none/a.mp4"});
+    ExpectRefused(picture, "none/a.png");
+    ExpectRefused(film, "none/a.mp4");
+    EXPECT_EQ(picture.errors.substr(picture.errors.find(": cannot")),
+              film.errors.substr(film.errors.find(": cannot")));
 }
 
 TEST_F(Command, AFolderThatIsNotThereIsNamed)

@@ -250,8 +250,8 @@ TEST_F(FigureCommand, WhatCannotBeIsRefusedBeforeAnythingIsSimulated)
     ExpectRefusal(shot("a.svg", {"--theme", "neon"}), 1, "--theme neon");
     ExpectRefusal(shot("a.svg", {"--hud"}), 1, "--hud");
     ExpectRefusal(shot("a.jpg", {}), 1, "a.jpg");
-    ExpectRefusal(shot("none/a.pdf", {}), 1, "none");
-    ExpectRefusal(shot("none/a.svg", {"--theme", "both"}), 1, "none");
+    ExpectRefusal(shot("none/a.pdf", {}), 1, "none/a.pdf");
+    ExpectRefusal(shot("none/a.svg", {"--theme", "both"}), 1, "none/a-light.svg");
     std::filesystem::create_directory(folder / "a.pdf");
     ExpectRefusal(shot("a.pdf", {}), 1, "a.pdf");
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--frames", "10000000", "--theme", "both"},

@@ -102,7 +102,8 @@ TEST_F(GoldenReport, ComesWithVerifyOfWhatWasVerifiedAlone)
     EXPECT_THAT(ReadFile(folder / "page.html"),
                 AllOf(HasSubstr("bridge/0.5s"), Not(HasSubstr("car/2s"))));
     ExpectRefusal({"verify", "bridge", "--report", "x.html", "--against", "y"}, "--report");
-    ExpectRefusal({"verify", "bridge", "--references", "r", "--report", "none/x.html"}, "none");
+    ExpectRefusal({"verify", "bridge", "--references", "r", "--report", "none/x.html"},
+                  "none/x.html");
 }
 
 TEST_F(GoldenReport, MergesShards)
@@ -137,7 +138,7 @@ TEST_F(GoldenReport, IsWrittenWholeOrNotAtAll)
     std::ofstream(folder / "mine.html") << "mine";
     ExpectRefusal({"report", "o", "-o", "mine.html"}, "mine.html");
     ExpectRefusal({"report", "o", "-o", "o"}, "o");
-    ExpectRefusal({"report", "o", "-o", "none/a.html"}, "none");
+    ExpectRefusal({"report", "o", "-o", "none/a.html"}, "none/a.html");
     EXPECT_EQ(ReadFile(folder / "mine.html"), "mine");
     EXPECT_EQ(Run({"report", "o", "-o", "mine.html", "--force"}).code, 0);
     EXPECT_EQ(folder.Files().size(), 2u) << "nothing unfinished is left";
