@@ -82,7 +82,7 @@ Error NothingDraws(const Choice& choice, const std::vector<std::pair<Backend, Er
         addRemedy(error.remedy);
     }
     addRemedy(choice.otherRemedy);
-    return Error{ErrorKind::Absent, choice.culprit, "cannot draw (" + problems + ")", remedies};
+    return Error{ErrorKind::Absent, choice.culprit, "does not work (" + problems + ")", remedies};
 }
 
 Result<std::unique_ptr<Context>> CreateOne(Backend backend, const ContextLibraries& libraries)
