@@ -156,7 +156,7 @@ void DestroyProxies(Proxies& proxies, b2Fixture& fixture)
 
 void UpdateProxies(Proxies& proxies, BodyData& body, bool swept)
 {
-    if (swept && (body.flags & kBodySwept) != 0)
+    if (swept && (body.flags & kBodyPathBox) != 0)
     {
         GrowBoxes(proxies, body);
     }
@@ -170,7 +170,7 @@ bool RefreshBoxes(BodyData& body, bool swept)
 {
     const bool bullet = swept && (body.flags & kBodyBullet) != 0;
     // The boxes of a bullet's way serve for one step.
-    const bool anew = bullet || (body.flags & kBodySwept) != 0;
+    const bool anew = bullet || (body.flags & kBodyPathBox) != 0;
     bool left = anew;
     b2Transform before;
     float32 room = b2_maxFloat;
@@ -195,7 +195,7 @@ bool RefreshBoxes(BodyData& body, bool swept)
             room = b2Min(room, RoomIn(proxy.aabb, box));
         }
     }
-    body.flags = bullet ? body.flags | kBodySwept : body.flags & ~std::uint32_t(kBodySwept);
+    body.flags = bullet ? body.flags | kBodyPathBox : body.flags & ~std::uint32_t(kBodyPathBox);
     body.room = bullet ? 0.0f : room - BoxRounding(body);
     return left;
 }
@@ -219,7 +219,7 @@ void MoveProxies(Proxies& proxies, BodyData& body)
 
 void ResetProxies(Proxies& proxies, BodyData& body)
 {
-    body.flags &= ~std::uint32_t(kBodySwept);
+    body.flags &= ~std::uint32_t(kBodyPathBox);
     for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
     {
         for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)

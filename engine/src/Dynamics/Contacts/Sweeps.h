@@ -243,8 +243,8 @@ inline bool StaysInFront(const BodyData& body, const Pose& from, const b2Shape& 
 inline bool WaysMeet(const BodyData& a, const b2Shape& shapeA, int32 childA, const BodyData& b,
                      const b2Shape& shapeB, int32 childB)
 {
-    const bool sweptA = (a.flags & kBodySwept) != 0;
-    const bool sweptB = (b.flags & kBodySwept) != 0;
+    const bool sweptA = (a.flags & kBodyPathBox) != 0;
+    const bool sweptB = (b.flags & kBodyPathBox) != 0;
     if (!(sweptA && (sweptB || b.mobility == Mobility::Static)) &&
         !(sweptB && a.mobility == Mobility::Static))
     {

@@ -71,7 +71,7 @@ private:
     struct Account
     {
         int32 island = -1;
-        double owed = 0.0;  ///< negative: credit [J]
+        double debt = 0.0;  ///< negative: credit [J]
         double past = 0.0;  ///< decaying maximum of the kinetic energy, before the step [J]
         double scale = 0.0; ///< the same after the step
     };

@@ -73,8 +73,8 @@ void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& wo
     accounts.resize(std::size_t(count));
     for (auto& account : accounts)
     {
-        auto& [island, owed, past, scale] = account;
-        archive(island, owed, past, scale);
+        auto& [island, debt, past, scale] = account;
+        archive(island, debt, past, scale);
     }
     if (count > 0)
     {

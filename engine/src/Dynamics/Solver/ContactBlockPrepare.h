@@ -85,7 +85,7 @@ struct BlockPreparer
         const Vector<F> onB = Add(offset, At(overlap.pointX[0], overlap.pointY[0]));
         const Vector<F> between = Subtract(onB, reference);
         const F length = Sqrt(between.x * between.x + between.y * between.y);
-        const auto apart = AtLeast(length, F::Set(kNearlyNothing));
+        const auto apart = AtLeast(length, F::Set(kMinLength));
         const F inverse = one / Select(apart, length, one);
         g.normal = {Select(apart, between.x * inverse, one),
                     Select(apart, between.y * inverse, zero)};

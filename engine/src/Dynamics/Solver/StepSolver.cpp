@@ -194,14 +194,15 @@ void StepSolver::SolveVelocities(int32 iterations)
     for (int32 i = 0; i < iterations; ++i)
     {
         m_memory.joints.SolveVelocities(m_context, m_threads);
-        const bool changed = SolveContacts(ColorDirectionOf(i, iterations, m_world.sweepsTurned));
+        const bool changed =
+            SolveContacts(ColorDirectionOf(i, iterations, m_world.directionReversed));
         // After an iteration that changed nothing, none changes anything. Joints do not report it.
         if (!changed && m_memory.joints.IsEmpty())
         {
             break;
         }
     }
-    m_world.sweepsTurned = !m_world.sweepsTurned;
+    m_world.directionReversed = !m_world.directionReversed;
     m_memory.joints.StoreImpulses(m_threads);
     ForBlocks([](ContactBlock& block, OverlapBlock&) { StoreImpulses(block); });
 }
@@ -376,7 +377,7 @@ void StepSolver::WriteBack()
     int32 bullets = 0;
     for (std::size_t i = 0; m_world.hasBullets && i < m_memory.left.size(); ++i)
     {
-        bullets += (Data(*m_world.awakeBodies[i]).flags & kBodySwept) != 0;
+        bullets += (Data(*m_world.awakeBodies[i]).flags & kBodyPathBox) != 0;
     }
     m_world.proxies.BeginMoves(bullets);
     for (std::size_t i = 0; i < m_memory.left.size(); ++i)

@@ -16,7 +16,7 @@ inline constexpr int32 kMostCloses = 3;
 /// by velocities. For a large one these velocities would persist, so a fraction of it is closed per
 /// drift by poses only. Large errors occur in iteratively solved joints, or are created by the
 /// program.
-inline float32 Lasting(float32 before)
+inline float32 RemainingError(float32 before)
 {
     return b2Abs(before) <= kNearlyClosed ? 0.0f : before;
 }

@@ -77,7 +77,7 @@ void FirstLoads::GatherPoint(const World& world, ContactBlock& block, int32 lane
     const int32 a = block.bodyA[lane];
     const int32 b = block.bodyB[lane];
     const ContactData& contact = Data(*block.contact[lane]);
-    if (contact.lasting >= 0.0f || !IsAtRest(Data(*contact.bodyA)) ||
+    if (contact.lastShare >= 0.0f || !IsAtRest(Data(*contact.bodyA)) ||
         !IsAtRest(Data(*contact.bodyB)))
     {
         return;

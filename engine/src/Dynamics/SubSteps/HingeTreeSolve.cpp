@@ -22,7 +22,7 @@ constexpr int32 kMostPoseCloses = 12;
 /// levers become invalid.
 float32 Correction(float32 open, float32 before)
 {
-    return b2Clamp(open - (1.0f - kClosedShare) * Lasting(before), -b2_maxLinearCorrection,
+    return b2Clamp(open - (1.0f - kClosedShare) * RemainingError(before), -b2_maxLinearCorrection,
                    b2_maxLinearCorrection);
 }
 

@@ -194,7 +194,8 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
     m_system.ForItems(part, [&](std::size_t joint) {
         for (int32 k = 0; k < JointRows::kMostRows; ++k)
         {
-            m_left[joint].at[k] = (1.0f - kClosedShare) * Lasting(m_system.Rows(joint).error[k]);
+            m_left[joint].at[k] =
+                (1.0f - kClosedShare) * RemainingError(m_system.Rows(joint).error[k]);
         }
         p.factored = (m_gives[joint] == 0 || !SetActiveToClose(joint)) && p.factored;
     });
@@ -347,7 +348,7 @@ void JointSystem::NoteOpen(const ConstraintGraph& graph, const SolverContext& co
         JointAccess::FillRows(*m_joints[i], context, m_now);
         for (int32 k = 0; k < JointRows::kMostRows; ++k)
         {
-            m_left[i].at[k] = k < m_now.Rigid() ? Lasting(m_now.error[k]) : 0.0f;
+            m_left[i].at[k] = k < m_now.Rigid() ? RemainingError(m_now.error[k]) : 0.0f;
         }
     }
 }
@@ -411,7 +412,7 @@ void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32
         const JointRows& rows = m_system.Rows(joint);
         for (int32 k = 0; k < JointRows::kMostRows; ++k)
         {
-            const float32 open = k < rows.Rigid() ? Lasting(rows.error[k]) : 0.0f;
+            const float32 open = k < rows.Rigid() ? RemainingError(rows.error[k]) : 0.0f;
             m_system.Lack(joint).at[k] = -double(kClosedShare * open) / double(timeStep);
             any = any || open != 0.0f;
         }
@@ -483,7 +484,7 @@ float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep,
 /// Sets the change of speed that closes a joint in the given time, up to the part that remains.
 /// Returns the gap.
 float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
-                                float32 lasting)
+                                float32 remaining)
 {
     JointRows& now = m_now;
     now.Clear();
@@ -492,7 +493,7 @@ float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context,
     Vector3 error = now.giving > 0 ? Beyond(joint, now, timeStep) : Vector3{};
     for (int32 k = 0; k < now.Rigid(); ++k)
     {
-        error.at[k] = double(now.error[k]) - double(lasting * Lasting(before[k]));
+        error.at[k] = double(now.error[k]) - double(remaining * RemainingError(before[k]));
     }
     float32 widest = 0.0f;
     for (int32 k = 0; k < JointRows::kMostRows; ++k)

@@ -222,7 +222,7 @@ private:
     void CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps);
     float32 SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps);
     float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
-                       float32 lasting);
+                       float32 remaining);
 
     void Start(const SolverContext& context, std::size_t joint, float32 share);
     void BuildTrees();

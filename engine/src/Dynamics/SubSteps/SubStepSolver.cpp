@@ -63,21 +63,21 @@ bool TakeBias(ContactBlock& block)
 
 /// Scales each contact's impulses to the fraction still applied at the end of the last step: an
 /// impact is over.
-void KeepLasting(ContactBlock& block)
+void ScaleToLastShare(ContactBlock& block)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
     {
-        const float32 lasting = b2Max(Data(*block.contact[lane]).lasting, 0.0f);
+        const float32 share = b2Max(Data(*block.contact[lane]).lastShare, 0.0f);
         for (int32 i = 0; i < block.pointCount; ++i)
         {
-            block.points[i].normalImpulse[lane] *= lasting;
-            block.points[i].tangentImpulse[lane] *= lasting;
+            block.points[i].normalImpulse[lane] *= share;
+            block.points[i].tangentImpulse[lane] *= share;
         }
     }
 }
 
 /// Stores that fraction; see ScaleImpulses: it includes half of the last kick's change.
-void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
+void NoteLastShare(const ContactBlock& block, const BlockTotals& totals)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
     {
@@ -88,7 +88,7 @@ void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
             last += 0.5f * (block.points[i].normalImpulse[lane] + totals.firstNormal[i][lane]);
             all += totals.normal[i][lane];
         }
-        Data(*block.contact[lane]).lasting = all > 0.0f ? b2Min(last / all, 1.0f) : 0.0f;
+        Data(*block.contact[lane]).lastShare = all > 0.0f ? b2Min(last / all, 1.0f) : 0.0f;
     }
 }
 
@@ -177,8 +177,8 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
         // From half a kick to a whole one, and back.
         kick(last ? 0.5f * h : h, (i == 1 ? 2.0f : 1.0f) * (last ? 0.5f : 1.0f));
     }
-    world.sweepsTurned =
-        velocitySweeps > 1 ? (count % 2 == 0) != world.sweepsTurned : !world.sweepsTurned;
+    world.directionReversed =
+        velocitySweeps > 1 ? (count % 2 == 0) != world.directionReversed : !world.directionReversed;
     {
         ProfileScope position(world.profiling, world.profile.solvePosition);
         solve.End();
@@ -222,7 +222,7 @@ void SubStepSolver::Begin(int32 count)
     if (wereSmall)
     {
         ForEachBlock(Direction::Forward, m_threads,
-                     [](ContactBlocks& blocks, int32 i) { KeepLasting(blocks.Contacts(i)); });
+                     [](ContactBlocks& blocks, int32 i) { ScaleToLastShare(blocks.Contacts(i)); });
     }
     m_subSteps.firstLoads.Find(m_world, m_memory, 0.5f * m_context.timeStep / float32(count));
     Bounce();
@@ -327,7 +327,7 @@ void SubStepSolver::Sweep(int32 iterations)
     {
         joints.SolveVelocities(m_context, i == 0);
         const bool changed =
-            SolveContacts(KickDirectionOf(m_kick, i, iterations, m_world.sweepsTurned));
+            SolveContacts(KickDirectionOf(m_kick, i, iterations, m_world.directionReversed));
         if (!changed && joints.IsExact())
         {
             break;
@@ -465,7 +465,7 @@ void SubStepSolver::End()
         FindDeep();
     }
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
-        NoteLasting(blocks.Contacts(i), blocks.Totals(i));
+        NoteLastShare(blocks.Contacts(i), blocks.Totals(i));
         TakeTotals(blocks.Contacts(i), blocks.Totals(i));
         StoreImpulses(blocks.Contacts(i));
     });

@@ -177,7 +177,7 @@ void SetTransform(World& world, b2Body& body, const b2Vec2& position, float32 an
     data.previous = data.pose;
     SynchronizePose(data);
     data.transform.p = position; // exactly what was asked for
-    data.movedAt = world.stepNumber;
+    data.userMovedAt = world.stepNumber;
     ResetProxies(world.proxies, data);
     WakeAttached(world, body);
 }

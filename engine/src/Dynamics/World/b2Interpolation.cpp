@@ -40,7 +40,7 @@ Pose Between(const Pose& before, const Pose& now, double fraction)
 /// By a user change, not by a step. A small change is interpolated.
 bool HasJumped(const box2d::BodyData& body, const Pose& before, std::uint32_t step)
 {
-    return body.movedAt >= step && Distance(before, body.pose) > double(b2_maxTranslation);
+    return body.userMovedAt >= step && Distance(before, body.pose) > double(b2_maxTranslation);
 }
 
 bool IsSame(const Pose& a, const Pose& b)
