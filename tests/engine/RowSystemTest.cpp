@@ -57,7 +57,7 @@ public:
         {
             system.Rows(i) = rows[i];
             const Vector3 speed = SpeedOf(context, rows[i]);
-            system.Lack(i) = Vector3{{-speed.at[0], -speed.at[1], 0.0}};
+            system.Residual(i) = Vector3{{-speed.at[0], -speed.at[1], 0.0}};
         }
     }
 

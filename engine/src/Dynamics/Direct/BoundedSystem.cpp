@@ -206,7 +206,7 @@ bool BoundedSystem::Improve(const SolverContext& context)
         for (int32 row = 0; row < JointRows::kMostRows; ++row)
         {
             const double soft = double(m_system.Rows(i).laws[row].softness);
-            m_system.Lack(i).at[row] =
+            m_system.Residual(i).at[row] =
                 m_items[i].speeds.at[row] - soft * m_items[i].impulse.at[row] - speed.at[row];
         }
     }

@@ -98,8 +98,8 @@ template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 {
     // All else is made again with the pattern, or filled before it is read.
-    auto& [pattern, rows, active, weights, lack, found, sides, exact, stiffness, x, diagonal,
-           entries, ballast, own] = system;
+    auto& [pattern, rows, active, weights, residuals, found, sides, exact, stiffness, x, diagonal,
+           entries, addedMass, own] = system;
     constexpr std::size_t leastBytes = 69;
     auto count = int32(rows.size());
     archive.Count(count, leastBytes);

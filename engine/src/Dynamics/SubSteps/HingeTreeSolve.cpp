@@ -158,8 +158,8 @@ void HingeTree::Gather(Want&& want)
 
 void HingeTree::AddGiven(const Link& link, Link& parent)
 {
-    const double x = link.k11 * link.lack.x + link.k12 * link.lack.y - link.given.x;
-    const double y = link.k12 * link.lack.x + link.k22 * link.lack.y - link.given.y;
+    const double x = link.k11 * link.residual.x + link.k12 * link.residual.y - link.given.x;
+    const double y = link.k12 * link.residual.x + link.k22 * link.residual.y - link.given.y;
     parent.given.x -= x;
     parent.given.y -= y;
     parent.givenTurn += link.aboveLever.x * x + link.aboveLever.y * y;
@@ -189,7 +189,7 @@ void HingeTree::ForgetGiven()
 
 void HingeTree::FindChange(Link& link, const Link* parent)
 {
-    Pair u = link.lack;
+    Pair u = link.residual;
     if (parent != nullptr)
     {
         u.x += parent->change.x - parent->changeTurn * link.aboveLever.x;
@@ -214,10 +214,10 @@ void HingeTree::Stop()
     Gather([](Link& link) {
         const SolverBody& a = *link.aboveState;
         const SolverBody& b = *link.state;
-        link.lack.x = double(a.v.x) - double(a.w) * link.aboveLever.x - double(b.v.x) +
-                      double(b.w) * link.lever.x;
-        link.lack.y = double(a.v.y) - double(a.w) * link.aboveLever.y - double(b.v.y) +
-                      double(b.w) * link.lever.y;
+        link.residual.x = double(a.v.x) - double(a.w) * link.aboveLever.x - double(b.v.x) +
+                          double(b.w) * link.lever.x;
+        link.residual.y = double(a.v.y) - double(a.w) * link.aboveLever.y - double(b.v.y) +
+                          double(b.w) * link.lever.y;
     });
     Spread([](Link& link) { AddVelocity(link); });
 }
@@ -249,7 +249,7 @@ float32 HingeTree::WantClosed(Link& link, float32 timeStep)
     const float32 x = Correction(open.x, link.open.x);
     const float32 y = Correction(open.y, link.open.y);
     const double perTime = 1.0 / double(timeStep);
-    link.lack = {-double(x) * perTime, -double(y) * perTime};
+    link.residual = {-double(x) * perTime, -double(y) * perTime};
     return b2Max(b2Abs(x), b2Abs(y));
 }
 

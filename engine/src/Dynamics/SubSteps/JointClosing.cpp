@@ -279,13 +279,14 @@ float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
     m_system.ForItems(part, [&](std::size_t joint) {
         const JointRows& rows = FillHere(joint, context);
         (void)SetActiveToClose(joint);
-        Vector3& lack = m_system.Lack(joint);
-        lack = Vector3{};
+        Vector3& residual = m_system.Residual(joint);
+        residual = Vector3{};
         for (int32 k = 0; k < rows.Rigid(); ++k)
         {
             const float32 open = rows.error[k] - m_left[joint].at[k];
             widest = b2Max(widest, b2Abs(open));
-            lack.at[k] = -double(b2Clamp(open, -b2_maxLinearCorrection, b2_maxLinearCorrection));
+            residual.at[k] =
+                -double(b2Clamp(open, -b2_maxLinearCorrection, b2_maxLinearCorrection));
         }
     });
     return widest;
@@ -356,7 +357,7 @@ void JointSystem::NoteOpen(const ConstraintGraph& graph, const SolverContext& co
 void JointSystem::LetGo(int32 part)
 {
     m_system.ForBodies(
-        part, [&](const BodyData&, std::size_t place) { m_system.SetBallast(place, 0.0, 0.0); });
+        part, [&](const BodyData&, std::size_t place) { m_system.SetAddedMass(place, 0.0, 0.0); });
 }
 
 /// True if closing added velocities that no drift explains. Closing corrects the difference of a
@@ -413,7 +414,7 @@ void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32
         for (int32 k = 0; k < JointRows::kMostRows; ++k)
         {
             const float32 open = k < rows.Rigid() ? RemainingError(rows.error[k]) : 0.0f;
-            m_system.Lack(joint).at[k] = -double(kClosedShare * open) / double(timeStep);
+            m_system.Residual(joint).at[k] = -double(kClosedShare * open) / double(timeStep);
             any = any || open != 0.0f;
         }
     });
@@ -455,7 +456,7 @@ float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep,
         widest = b2Max(widest, WantClosed(i, context, timeStep, 1.0f - kClosedShare));
         for (int32 k = 0; k < JointRows::kMostRows; ++k)
         {
-            m_speeds[i].at[k] = speed.at[k] + m_system.Lack(i).at[k];
+            m_speeds[i].at[k] = speed.at[k] + m_system.Residual(i).at[k];
         }
     }
     for (int32 sweep = 0; sweep < sweeps; ++sweep)
@@ -463,7 +464,7 @@ float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep,
         for (const int32 joint : m_system.Swept())
         {
             const auto i = std::size_t(joint);
-            Lack(i, context, m_speeds[i]);
+            SetResidual(i, context, m_speeds[i]);
             m_system.SolveSwept(i);
             Push(context, m_system.Rows(i), m_system.Found(i));
         }
@@ -498,7 +499,7 @@ float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context,
     float32 widest = 0.0f;
     for (int32 k = 0; k < JointRows::kMostRows; ++k)
     {
-        m_system.Lack(joint).at[k] = -error.at[k] / double(timeStep);
+        m_system.Residual(joint).at[k] = -error.at[k] / double(timeStep);
         widest = b2Max(widest, b2Abs(float32(error.at[k])));
     }
     return widest;

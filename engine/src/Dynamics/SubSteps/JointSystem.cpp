@@ -225,12 +225,13 @@ void JointSystem::Start(const SolverContext& context, std::size_t joint, float32
 }
 
 /// Sets the residuals of the target speeds.
-void JointSystem::Lack(std::size_t joint, const SolverContext& context, const Vector3& wanted)
+void JointSystem::SetResidual(std::size_t joint, const SolverContext& context,
+                              const Vector3& wanted)
 {
     const Vector3 speed = SpeedOf(context, m_system.Rows(joint));
     for (int32 k = 0; k < JointRows::kMostRows; ++k)
     {
-        m_system.Lack(joint).at[k] = wanted.at[k] - speed.at[k];
+        m_system.Residual(joint).at[k] = wanted.at[k] - speed.at[k];
     }
 }
 

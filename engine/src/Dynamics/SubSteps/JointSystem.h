@@ -230,7 +230,7 @@ private:
     void TakeImpulses(std::size_t joint);
     double ComplianceOf(int32 part) const;
     void SolvePart(int32 part, const SolverContext& context);
-    void Lack(std::size_t joint, const SolverContext& context, const Vector3& wanted);
+    void SetResidual(std::size_t joint, const SolverContext& context, const Vector3& wanted);
 
     /// How many times as heavy a body that an impact has stopped counts as the rest of its
     /// component.
@@ -285,7 +285,8 @@ bool JointSystem::HoldStopped(int32 part, Fate&& fate)
             const double held = fate(body) == AfterImpact::Free ? mass : kHeldShare * mass;
             const double turn = std::abs(body.pose.angle - body.previous.angle);
             const double reach = double(body.maxExtent);
-            m_system.SetBallast(place, held, (turn > kMostHeldTurn ? mass : held) * reach * reach);
+            m_system.SetAddedMass(place, held,
+                                  (turn > kMostHeldTurn ? mass : held) * reach * reach);
         });
     }
     return any;

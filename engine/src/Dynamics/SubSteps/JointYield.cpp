@@ -47,11 +47,12 @@ Pair ResponseOf(const JointRows& rows)
     return k;
 }
 
-/// Returns the impulse of length `most` that is parallel to the residual g - K x, with g = lacking
-/// + K now: (K + s) x = g, s >= 0. Newton's method for 1 / |x(s)| = 1 / most, in the axes of K,
-/// converges from below (More and Sorensen, "Computing a Trust Region Step", 1983). If a shorter
-/// impulse leaves no residual, returns that; otherwise the length slightly exceeds `most`.
-b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, float32 most)
+/// Returns the impulse x of length `most` that is parallel to its residual g - K x. `residual` is
+/// that of `now`, so that g = residual + K now. The condition is (K + s) x = g, s >= 0. Newton's
+/// method for 1 / |x(s)| = 1 / most, in the axes of K, converges from below (More and Sorensen,
+/// "Computing a Trust Region Step", 1983). If a shorter impulse leaves no residual, returns that;
+/// otherwise the length slightly exceeds `most`.
+b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& residual, float32 most)
 {
     const double half = 0.5 * (k.xx - k.yy);
     const double root = std::sqrt(half * half + k.xy * k.xy);
@@ -67,8 +68,8 @@ b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, 
     const double length = std::sqrt(c * c + s * s);
     c = length > 0.0 ? c / length : 1.0;
     s = length > 0.0 ? s / length : 0.0;
-    const double gx = double(lacking.x) + k.xx * double(now.x) + k.xy * double(now.y);
-    const double gy = double(lacking.y) + k.xy * double(now.x) + k.yy * double(now.y);
+    const double gx = double(residual.x) + k.xx * double(now.x) + k.xy * double(now.y);
+    const double gy = double(residual.y) + k.xy * double(now.x) + k.yy * double(now.y);
     const double g1 = c * gx + s * gy;
     const double g2 = c * gy - s * gx;
     const double bound = double(most);
@@ -95,7 +96,7 @@ b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, 
 }
 
 /// Returns the impulse that brings a single row to its target speed.
-float32 LackingImpulse(const JointRows& rows, int32 row, float32 speed)
+float32 ResidualImpulse(const JointRows& rows, int32 row, float32 speed)
 {
     const JointRows::Law& law = rows.laws[row];
     float32 response = law.softness;
@@ -105,8 +106,8 @@ float32 LackingImpulse(const JointRows& rows, int32 row, float32 speed)
         response += c.invMass * (c.x[row] * c.x[row] + c.y[row] * c.y[row]) +
                     c.invInertia * c.w[row] * c.w[row];
     }
-    const float32 lacking = WantedOf(law) - law.softness * rows.impulse[row] - speed;
-    return response > 0.0f ? lacking / response : 0.0f;
+    const float32 residual = WantedOf(law) - law.softness * rows.impulse[row] - speed;
+    return response > 0.0f ? residual / response : 0.0f;
 }
 
 b2Vec2 PairOf(const float32 (&impulse)[JointRows::kMostRows])
@@ -201,7 +202,7 @@ void JointSystem::WantSpeeds(std::size_t joint, const SolverContext& context)
     {
         wanted.at[i] = WantedSpeed(rows, m_yields[joint].of[i], i, double(rows.impulse[i]));
     }
-    Lack(joint, context, wanted);
+    SetResidual(joint, context, wanted);
 }
 
 double JointSystem::WantedSpeed(const JointRows& rows, Yield yield, int32 row, double impulse)
@@ -278,7 +279,7 @@ bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, in
     if (settles && next == Yield::Holds && yield != Yield::Holds)
     {
         next = yield;
-        bound = b2Clamp(impulse + LackingImpulse(rows, row, speed), -law.most, law.most);
+        bound = b2Clamp(impulse + ResidualImpulse(rows, row, speed), -law.most, law.most);
     }
     const bool moves = (next == Yield::Most || next == Yield::Least) && impulse != bound;
     if (moves)
@@ -367,10 +368,10 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
     if (yields.of[0] != Yield::Holds)
     {
         const Pair k = ResponseOf(rows);
-        const b2Vec2 lacking(
+        const b2Vec2 residual(
             rows.laws[0].wanted - rows.laws[0].softness * impulse.x - float32(speed.at[0]),
             rows.laws[1].wanted - rows.laws[1].softness * impulse.y - float32(speed.at[1]));
-        wanted = SlippingImpulse(k, impulse, lacking, most);
+        wanted = SlippingImpulse(k, impulse, residual, most);
     }
     const bool slips = most == 0.0f || wanted.LengthSquared() > most * most ||
                        (settles && yields.of[0] == Yield::Most);
