@@ -73,7 +73,7 @@ struct JointRows
     /// Tolerance of speeds [m/s], [rad/s]: rounding must not release a limit.
     static constexpr float32 kSameSpeed = 1e-5f;
 
-    int32 Rigid() const { return rows - giving; }
+    int32 Rigid() const { return rows - boundedRows; }
     /// True if the row has a motor, a spring, or friction in addition to a limit.
     bool IsDriven() const
     {
@@ -84,11 +84,11 @@ struct JointRows
     /// Resets the rows at low cost: columns are cleared when they are added.
     void Clear()
     {
-        if (giving > 0)
+        if (boundedRows > 0)
         {
             std::fill_n(laws, kMostRows, Law());
         }
-        rows = giving = bodies = 0;
+        rows = boundedRows = bodies = 0;
         point = disc = false;
         length = 0.0f;
         std::fill_n(error, kMostRows, 0.0f);
@@ -96,9 +96,9 @@ struct JointRows
     }
     void SetImpulse(const float32 (&value)[kMostRows]) { std::copy_n(value, kMostRows, impulse); }
 
-    int32 rows = 0;     ///< 0 to 3; the remaining array elements are zero
-    int32 giving = 0;   ///< number of bounded rows, the last ones
-    bool point = false; ///< the first two rows hold a point
+    int32 rows = 0;        ///< 0 to 3; the remaining array elements are zero
+    int32 boundedRows = 0; ///< number of bounded rows, the last ones
+    bool point = false;    ///< the first two rows hold a point
     /// The first two rows are bounded together: `most` limits the length of both impulses.
     bool disc = false;
     float32 length = 0.0f; ///< length of the line for the first row
@@ -206,7 +206,7 @@ struct RowFiller
 
     JointRows::Law& Give()
     {
-        ++rows.giving;
+        ++rows.boundedRows;
         return rows.laws[rows.rows - 1];
     }
     void GiveToMotor(float32 speed, float32 mostForce)
@@ -227,7 +227,7 @@ struct RowFiller
     void GiveToFriction(float32 mostForce, float32 mostTorque)
     {
         AddAngle(0.0f);
-        rows.giving = rows.rows;
+        rows.boundedRows = rows.rows;
         rows.disc = true;
         rows.laws[0].most = rows.laws[1].most = context.timeStep * mostForce;
         rows.laws[2].most = context.timeStep * mostTorque;

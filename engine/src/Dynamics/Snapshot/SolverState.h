@@ -113,9 +113,9 @@ void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& world)
 {
-    auto& [joints, sides, rowSystem, parts, trees, treeOf, inTree, rowed, gives, yields, totals,
-           kicks, poses, opened, left, before, speeds, sweptBodies, now, elimination, partJoints,
-           version, restored, restoredVersion] = system;
+    auto& [joints, sides, rowSystem, parts, trees, treeOf, inTree, rowed, hasBounded, states,
+           totals, kicks, poses, opened, left, before, speeds, sweptBodies, now, elimination,
+           partJoints, version, restored, restoredVersion] = system;
     Visit(archive, rowSystem);
     const int32 present = world.graph.JointVersion();
     bool followed = version == present || restoredVersion == present;
@@ -125,14 +125,14 @@ void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& w
         return;
     }
     // The list is used when the next step has woken all bodies that must wake.
-    auto& kept = version == present ? yields : restored;
+    auto& kept = version == present ? states : restored;
     restoredVersion = Archive::kReads ? present : restoredVersion;
     kept.resize(world.graph.Joints().size());
-    for (JointSystem::Yields& joint : kept)
+    for (JointSystem::RowStates& joint : kept)
     {
-        for (JointSystem::Yield& yield : joint.of)
+        for (JointSystem::RowState& state : joint.of)
         {
-            archive.Within(yield, JointSystem::Yield::Holds, JointSystem::Yield::Fastest);
+            archive.Within(state, JointSystem::RowState::Holds, JointSystem::RowState::Fastest);
         }
     }
 }

@@ -140,7 +140,7 @@ bool CarryGuard::HasWon(const World& world, SolverMemory& solver, const JointSys
     end.bodies = solver.bodies.data();
     joints.ForRowed([&](std::size_t joint, const JointRows& rows) {
         const int32 island = IslandOf(solver, joints.Sides(joint));
-        if (rows.giving > 0 && island != -1)
+        if (rows.boundedRows > 0 && island != -1)
         {
             m_islands[std::size_t(island)].before += joints.MostWork(joint, start, end);
         }

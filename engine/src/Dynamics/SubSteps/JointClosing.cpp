@@ -89,9 +89,9 @@ int32 JointSystem::Cycles(int32 part, float32 timeStep) const
     {
         return 1;
     }
-    const double now =
-        p.gives ? m_system.SquaredFrequency(part) / (0.5 * double(timeStep)) : p.squaredFrequency;
-    const double margin = p.gives || p.lines ? kSnapMargin : kCycleMargin;
+    const double now = p.hasBounded ? m_system.SquaredFrequency(part) / (0.5 * double(timeStep))
+                                    : p.squaredFrequency;
+    const double margin = p.hasBounded || p.lines ? kSnapMargin : kCycleMargin;
     const double square =
         margin * std::max(p.squaredFrequency, now) * double(timeStep) * double(timeStep);
     int32 count = 1;
@@ -128,7 +128,7 @@ void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& co
         });
         ClosePart(part, cycle, time);
         KickPart(part, cycle, i < count ? time : back, kicks);
-        if (!m_parts[std::size_t(part)].gives)
+        if (!m_parts[std::size_t(part)].hasBounded)
         {
             MeetKick(part, cycle);
         }
@@ -177,7 +177,7 @@ void JointSystem::MeetKick(int32 part, const SolverContext& context)
     m_system.ForItems(part, [&](std::size_t joint) { (void)FillHere(joint, context); });
     p.factored = false;
     SolvePart(part, context);
-    if (p.gives)
+    if (p.hasBounded)
     {
         m_system.ForItems(part, [&](std::size_t joint) { NoteKick(joint); });
     }
@@ -197,7 +197,7 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
             m_left[joint].at[k] =
                 (1.0f - kClosedShare) * RemainingError(m_system.Rows(joint).error[k]);
         }
-        p.factored = (m_gives[joint] == 0 || !SetActiveToClose(joint)) && p.factored;
+        p.factored = (m_hasBounded[joint] == 0 || !SetActiveToClose(joint)) && p.factored;
     });
     if (!p.factored)
     {
@@ -491,7 +491,7 @@ float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context,
     now.Clear();
     JointAccess::FillRows(*m_joints[joint], context, now);
     const float32(&before)[3] = m_system.Rows(joint).error;
-    Vector3 error = now.giving > 0 ? Beyond(joint, now, timeStep) : Vector3{};
+    Vector3 error = now.boundedRows > 0 ? Beyond(joint, now, timeStep) : Vector3{};
     for (int32 k = 0; k < now.Rigid(); ++k)
     {
         error.at[k] = double(now.error[k]) - double(remaining * RemainingError(before[k]));

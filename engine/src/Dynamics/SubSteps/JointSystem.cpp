@@ -39,11 +39,11 @@ void JointSystem::Update(const ConstraintGraph& graph)
     m_system.Build(m_sides, kMostUpdates, m_elimination);
     m_parts.assign(std::size_t(m_system.Components()), Part());
     BuildTrees();
-    m_gives.assign(m_joints.size(), 0);
-    m_yields.assign(m_joints.size(), Yields());
+    m_hasBounded.assign(m_joints.size(), 0);
+    m_states.assign(m_joints.size(), RowStates());
     if (m_restoredVersion == m_version && m_restored.size() == m_joints.size())
     {
-        m_yields.swap(m_restored);
+        m_states.swap(m_restored);
     }
     m_restoredVersion = -1;
     m_totals.resize(m_joints.size());
@@ -180,18 +180,18 @@ void JointSystem::Prepare(const SolverContext& context)
         rows.Clear();
         JointAccess::FillRows(*m_joints[i], context, rows);
         std::copy_n(kept.at, rows.rows, rows.impulse);
-        m_gives[i] = rows.giving > 0;
-        if (rows.giving > 0)
+        m_hasBounded[i] = rows.boundedRows > 0;
+        if (rows.boundedRows > 0)
         {
-            Validate(rows, m_yields[i]);
+            Validate(rows, m_states[i]);
         }
     }
     for (std::size_t i = 0; i < m_parts.size(); ++i)
     {
         Part& part = m_parts[i];
-        part.gives = part.driven = part.lines = part.factored = false;
+        part.hasBounded = part.driven = part.lines = part.factored = false;
         m_system.ForItems(int32(i), [&](std::size_t item) {
-            part.gives = part.gives || m_gives[item] != 0;
+            part.hasBounded = part.hasBounded || m_hasBounded[item] != 0;
             part.driven = part.driven || m_system.Rows(item).IsDriven();
             part.lines = part.lines || m_system.Rows(item).length > 0.0f;
         });
@@ -251,16 +251,16 @@ void JointSystem::SolvePart(int32 part, const SolverContext& context)
         m_system.Apply(part, context);
         bool changed = false;
         // The last active set is solved as well; otherwise rigid rows would keep a residual.
-        if (p.gives && tries + 1 < kMostTries)
+        if (p.hasBounded && tries + 1 < kMostTries)
         {
             // All with the same factorization.
             m_system.ForItems(part, [&](std::size_t joint) {
                 m_speeds[joint] = SpeedOf(context, m_system.Rows(joint));
             });
             m_system.ForItems(part, [&](std::size_t joint) {
-                changed =
-                    (m_gives[joint] != 0 && Reconsider(joint, context, tries >= kSettlingTry)) ||
-                    changed;
+                changed = (m_hasBounded[joint] != 0 &&
+                           Reconsider(joint, context, tries >= kSettlingTry)) ||
+                          changed;
             });
         }
         p.factored = !changed;
@@ -292,7 +292,7 @@ void JointSystem::SolveVelocities(const SolverContext& context, bool first)
             m_system.SolveSwept(i);
             Push(context, m_system.Rows(i), m_system.Found(i));
             m_speeds[i] = SpeedOf(context, m_system.Rows(i));
-            if (m_gives[i] == 0 || !Reconsider(i, context, tries >= kSettlingTry))
+            if (m_hasBounded[i] == 0 || !Reconsider(i, context, tries >= kSettlingTry))
             {
                 break;
             }
@@ -306,14 +306,14 @@ void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::It
     item = BoundedSystem::Item();
     for (int32 i = 0; i < rows.rows; ++i)
     {
-        const Yield yield = i < rows.Rigid() ? Yield::Holds : m_yields[joint].of[i];
+        const RowState state = i < rows.Rigid() ? RowState::Holds : m_states[joint].of[i];
         const JointRows::Law& law = rows.laws[i];
         const bool bounded = i >= rows.Rigid() && law.most < b2_maxFloat;
         item.impulse.at[i] = double(rows.impulse[i]);
-        item.speeds.at[i] = i < rows.Rigid() ? 0.0 : WantedSpeed(rows, yield, i, 0.0);
-        item.least.at[i] = bounded && yield != Yield::Fastest ? -double(law.most) : -kEndless;
-        item.most.at[i] = bounded && yield != Yield::Slowest ? double(law.most) : kEndless;
-        const bool held = yield != Yield::Most && yield != Yield::Least;
+        item.speeds.at[i] = i < rows.Rigid() ? 0.0 : WantedSpeed(rows, state, i, 0.0);
+        item.least.at[i] = bounded && state != RowState::Fastest ? -double(law.most) : -kEndless;
+        item.most.at[i] = bounded && state != RowState::Slowest ? double(law.most) : kEndless;
+        const bool held = state != RowState::AtMax && state != RowState::AtMin;
         item.active = uint8(item.active | int(held) << i);
     }
 }
@@ -325,9 +325,9 @@ void JointSystem::FillWays(std::size_t joint, JointRows& rows, BoundedSystem::It
     for (int32 i = 0; i < rows.rows; ++i)
     {
         const bool rigid = i < rows.Rigid();
-        const Yield yield = m_yields[joint].of[i];
-        item.least.at[i] = rigid || yield == Yield::Fastest ? -kEndless : 0.0;
-        item.most.at[i] = rigid || yield == Yield::Slowest ? kEndless : 0.0;
+        const RowState state = m_states[joint].of[i];
+        item.least.at[i] = rigid || state == RowState::Fastest ? -kEndless : 0.0;
+        item.most.at[i] = rigid || state == RowState::Slowest ? kEndless : 0.0;
         item.active = uint8(item.active | int(item.least.at[i] < item.most.at[i]) << i);
     }
 }

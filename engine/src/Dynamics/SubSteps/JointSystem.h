@@ -151,17 +151,17 @@ private:
         float32 at[JointRows::kMostRows];
     };
     /// The state of a bounded row.
-    enum class Yield : uint8
+    enum class RowState : uint8
     {
         Holds,   ///< active: its speed is the target
-        Most,    ///< inactive: its impulse is at the maximum
-        Least,   ///< inactive: its impulse is at the minimum
+        AtMax,   ///< inactive: its impulse is at the maximum
+        AtMin,   ///< inactive: its impulse is at the minimum
         Slowest, ///< active: its speed is at a bound, with any impulse
         Fastest,
     };
-    struct Yields
+    struct RowStates
     {
-        Yield of[JointRows::kMostRows] = {};
+        RowState of[JointRows::kMostRows] = {};
     };
     /// Sums over the kicks of a step.
     struct Totals
@@ -172,20 +172,20 @@ private:
     /// A connected component.
     struct Part
     {
-        bool touched = false; ///< by contacts
-        bool gives = false;   ///< contains bounded rows
-        bool driven = false;  ///< contains bounded rows other than limits
-        bool lines = false;   ///< contains ropes and rods
+        bool touched = false;    ///< by contacts
+        bool hasBounded = false; ///< contains bounded rows
+        bool driven = false;     ///< contains bounded rows other than limits
+        bool lines = false;      ///< contains ropes and rods
         bool damped = false;
         bool factored = false;
         HingeTree* tree = nullptr;     ///< moves the component through this step
         double squaredFrequency = 0.0; ///< see RowSystem; from the last step's mean forces
     };
 
-    // JointYield.cpp
-    static void Validate(const JointRows& rows, Yields& yields);
+    // JointActiveSet.cpp
+    static void Validate(const JointRows& rows, RowStates& states);
     float32 CarriedOver(std::size_t joint, int32 row, float32 share) const;
-    static double WantedSpeed(const JointRows& rows, Yield yield, int32 row, double impulse);
+    static double WantedSpeed(const JointRows& rows, RowState state, int32 row, double impulse);
     void SetActive(std::size_t joint);
     bool SetActiveToClose(std::size_t joint);
     void WantSpeeds(std::size_t joint, const SolverContext& context);
@@ -194,7 +194,8 @@ private:
                     bool settles);
     bool ReconsiderDisc(const SolverContext& context, std::size_t joint, const Vector3& speed,
                         bool settles);
-    static Yield After(const JointRows::Law& law, Yield yield, float32 impulse, float32 speed);
+    static RowState After(const JointRows::Law& law, RowState state, float32 impulse,
+                          float32 speed);
     Vector3 Beyond(std::size_t joint, const JointRows& now, float32 timeStep) const;
     void AddTotals();
     void AddTotals(std::size_t joint);
@@ -247,8 +248,8 @@ private:
     Array<int32> m_treeOf;      // per component, -1: none
     Array<uint8> m_inTree;      // per joint, in this step
     Array<std::size_t> m_rowed; // joints outside of trees, in this step
-    Array<uint8> m_gives;       // per joint
-    Array<Yields> m_yields;     // per joint
+    Array<uint8> m_hasBounded;  // per joint
+    Array<RowStates> m_states;  // per joint
     Array<Totals> m_totals;     // per joint
     Array<Impulses> m_kicks;    // per joint: impulses before it was closed
     Array<SolverBody> m_poses;  // by index: before the drift
@@ -261,7 +262,7 @@ private:
     Elimination m_elimination;    // scratch of Update, reused as joints wake and sleep
     Array<b2Joint*> m_partJoints; // scratch: of one component
     int32 m_version = -1;
-    Array<Yields> m_restored;     // from a snapshot, for the joint list of
+    Array<RowStates> m_restored;  // from a snapshot, for the joint list of
     int32 m_restoredVersion = -1; // this version, used by Update
 };
 
