@@ -212,7 +212,7 @@ TEST(RowSystem, LeavesOutWhatWouldFillInTooMuch)
     RowSystem system;
     Solve(cheap, system, 4);
     EXPECT_FALSE(system.IsExact());
-    EXPECT_EQ(system.Swept().size(), 190u);
+    EXPECT_EQ(system.Iterative().size(), 190u);
     EXPECT_EQ(system.Components(), 1); // the pair is solved all the same
     Frame frame(22);
     net(frame);

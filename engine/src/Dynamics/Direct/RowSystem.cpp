@@ -196,7 +196,7 @@ void RowSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Eliminati
     resize(m_x, m_diagonal.size());
     assign(m_addedMass, m_diagonal.size(), AddedMass());
     assign(m_exact, sides.size(), uint8(1));
-    for (const int32 item : m_pattern.swept)
+    for (const int32 item : m_pattern.iterative)
     {
         m_exact[std::size_t(item)] = 0;
     }
@@ -259,7 +259,7 @@ void RowSystem::Stiffness::AddLine(const JointRows& rows, const JointRows::Colum
     turning += pull * reach + across * reach * reach;
 }
 
-void RowSystem::FactorSwept(std::size_t item)
+void RowSystem::FactorIterative(std::size_t item)
 {
     m_own[item] = FactorsOfOwn(m_rows[item], m_active[item]);
 }
@@ -475,7 +475,7 @@ void RowSystem::Apply(int32 component, const SolverContext& context, float32 tim
     }
 }
 
-void RowSystem::SolveSwept(std::size_t item)
+void RowSystem::SolveIterative(std::size_t item)
 {
     Vector3& found = m_found[item];
     for (int32 row = 0; row < 3; ++row)

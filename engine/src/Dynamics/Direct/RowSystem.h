@@ -45,7 +45,7 @@ public:
     std::size_t Count() const { return m_rows.size(); }
     JointRows& Rows(std::size_t item) { return m_rows[item]; }
     const JointRows& Rows(std::size_t item) const { return m_rows[item]; }
-    bool IsExact() const { return m_pattern.swept.empty(); }
+    bool IsExact() const { return m_pattern.iterative.empty(); }
     /// Returns all moving bodies.
     const Array<const BodyData*>& Bodies() const { return m_pattern.bodies; }
     /// A connected component, which can be solved by itself, from any thread.
@@ -106,9 +106,9 @@ public:
     void Apply(int32 component, const SolverContext& context, float32 timeStep, bool keep);
 
     /// Returns the constraints that are solved iteratively instead; call after Factor.
-    const Array<int32>& Swept() const { return m_pattern.swept; }
-    void FactorSwept(std::size_t item);
-    void SolveSwept(std::size_t item);
+    const Array<int32>& Iterative() const { return m_pattern.iterative; }
+    void FactorIterative(std::size_t item);
+    void SolveIterative(std::size_t item);
 
 private:
     friend struct SnapshotAccess;

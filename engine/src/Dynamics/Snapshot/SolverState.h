@@ -114,7 +114,7 @@ template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& world)
 {
     auto& [joints, sides, rowSystem, parts, trees, treeOf, inTree, rowed, hasBounded, states,
-           totals, kicks, poses, opened, left, before, speeds, sweptBodies, now, elimination,
+           totals, kicks, poses, opened, left, before, speeds, iterativeBodies, now, elimination,
            partJoints, version, restored, restoredVersion] = system;
     Visit(archive, rowSystem);
     const int32 present = world.graph.JointVersion();

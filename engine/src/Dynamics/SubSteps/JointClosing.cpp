@@ -41,7 +41,7 @@ double KineticEnergyOf(const BodyData& body, const SolverBody& state)
 
 } // namespace
 
-void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
+void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep, int32 iterations,
                                  const BodyKick* kicks)
 {
     for (const std::size_t i : m_rowed)
@@ -58,7 +58,7 @@ void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep,
         cycles > 1 ? DriftInCycles(i, cycles, context, timeStep, kicks)
                    : ClosePart(i, context, timeStep);
     }
-    CloseSwept(context, timeStep, sweeps);
+    CloseIterative(context, timeStep, iterations);
     AddTotals();
 }
 
@@ -426,30 +426,31 @@ void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32
 }
 
 /// By iterations that change only the poses, too.
-void JointSystem::CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps)
+void JointSystem::CloseIterative(const SolverContext& context, float32 timeStep, int32 iterations)
 {
-    if (m_system.Swept().empty())
+    if (m_system.Iterative().empty())
     {
         return;
     }
-    for (int32 i = 0; i < kMostCloses && SweepClosed(context, timeStep, sweeps) >= kNearlyClosed;
-         ++i)
+    for (int32 i = 0;
+         i < kMostCloses && IterateClosing(context, timeStep, iterations) >= kNearlyClosed; ++i)
     {}
-    for (const int32 joint : m_system.Swept())
+    for (const int32 joint : m_system.Iterative())
     {
         m_system.Rows(std::size_t(joint)).SetImpulse(m_kicks[std::size_t(joint)].at);
     }
 }
 
 /// One iteration. Returns the maximum gap.
-float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps)
+float32 JointSystem::IterateClosing(const SolverContext& context, float32 timeStep,
+                                    int32 iterations)
 {
-    for (std::size_t i = 0; i < m_sweptBodies.size(); ++i)
+    for (std::size_t i = 0; i < m_iterativeBodies.size(); ++i)
     {
-        m_before[i] = context.bodies[m_sweptBodies[i]->SolverIndex()];
+        m_before[i] = context.bodies[m_iterativeBodies[i]->SolverIndex()];
     }
     float32 widest = 0.0f;
-    for (const int32 joint : m_system.Swept())
+    for (const int32 joint : m_system.Iterative())
     {
         const auto i = std::size_t(joint);
         const Vector3 speed = SpeedOf(context, m_system.Rows(i));
@@ -459,19 +460,19 @@ float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep,
             m_speeds[i].at[k] = speed.at[k] + m_system.Residual(i).at[k];
         }
     }
-    for (int32 sweep = 0; sweep < sweeps; ++sweep)
+    for (int32 iteration = 0; iteration < iterations; ++iteration)
     {
-        for (const int32 joint : m_system.Swept())
+        for (const int32 joint : m_system.Iterative())
         {
             const auto i = std::size_t(joint);
             SetResidual(i, context, m_speeds[i]);
-            m_system.SolveSwept(i);
+            m_system.SolveIterative(i);
             Push(context, m_system.Rows(i), m_system.Found(i));
         }
     }
-    for (std::size_t i = 0; i < m_sweptBodies.size(); ++i)
+    for (std::size_t i = 0; i < m_iterativeBodies.size(); ++i)
     {
-        SolverBody& body = context.bodies[m_sweptBodies[i]->SolverIndex()];
+        SolverBody& body = context.bodies[m_iterativeBodies[i]->SolverIndex()];
         body.d += timeStep * (body.v - m_before[i].v);
         const float32 turn = timeStep * (body.w - m_before[i].w);
         body.angle += turn;

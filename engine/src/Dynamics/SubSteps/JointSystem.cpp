@@ -53,21 +53,21 @@ void JointSystem::Update(const ConstraintGraph& graph)
     m_left.assign(m_joints.size(), Impulses());
     m_opened.resize(m_system.Bodies().size());
     m_before.resize(m_system.Bodies().size());
-    m_sweptBodies.clear();
-    for (const int32 joint : m_system.Swept())
+    m_iterativeBodies.clear();
+    for (const int32 joint : m_system.Iterative())
     {
         for (const BodyData* body : m_sides[std::size_t(joint)].sides)
         {
             if (body != nullptr)
             {
-                m_sweptBodies.push_back(body);
+                m_iterativeBodies.push_back(body);
             }
         }
     }
-    std::sort(m_sweptBodies.begin(), m_sweptBodies.end(),
+    std::sort(m_iterativeBodies.begin(), m_iterativeBodies.end(),
               [](const BodyData* a, const BodyData* b) { return a->number < b->number; });
-    m_sweptBodies.erase(std::unique(m_sweptBodies.begin(), m_sweptBodies.end()),
-                        m_sweptBodies.end());
+    m_iterativeBodies.erase(std::unique(m_iterativeBodies.begin(), m_iterativeBodies.end()),
+                            m_iterativeBodies.end());
 }
 
 void JointSystem::BuildTrees()
@@ -281,15 +281,15 @@ void JointSystem::SolveVelocities(const SolverContext& context, bool first)
             SolvePart(i, context);
         }
     }
-    for (const int32 joint : m_system.Swept())
+    for (const int32 joint : m_system.Iterative())
     {
         const auto i = std::size_t(joint);
         for (int32 tries = 0; tries < kMostTries; ++tries)
         {
             SetActive(i);
-            m_system.FactorSwept(i);
+            m_system.FactorIterative(i);
             WantSpeeds(i, context);
-            m_system.SolveSwept(i);
+            m_system.SolveIterative(i);
             Push(context, m_system.Rows(i), m_system.Found(i));
             m_speeds[i] = SpeedOf(context, m_system.Rows(i));
             if (m_hasBounded[i] == 0 || !Reconsider(i, context, tries >= kSettlingTry))

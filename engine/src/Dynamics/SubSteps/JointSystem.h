@@ -97,7 +97,7 @@ public:
     /// Call after the bodies moved for `timeStep`. Closes the joints by impulses along the rows of
     /// Prepare, which change velocities and displacements. (RATTLE: Andersen, "Rattle: a 'velocity'
     /// version of the Shake algorithm", 1983.) The kicks are by awake body.
-    void SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
+    void SolvePositions(const SolverContext& context, float32 timeStep, int32 iterations,
                         const BodyKick* kicks);
     /// Call after position correction of overlaps: closes what it opened since SolvePositions.
     void CloseAfterPushes(const SolverContext& context);
@@ -220,8 +220,8 @@ private:
     template <class Fate>
     bool HoldStopped(int32 part, Fate&& fate);
     void LetGo(int32 part);
-    void CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps);
-    float32 SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps);
+    void CloseIterative(const SolverContext& context, float32 timeStep, int32 iterations);
+    float32 IterateClosing(const SolverContext& context, float32 timeStep, int32 iterations);
     float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
                        float32 remaining);
 
@@ -257,7 +257,7 @@ private:
     Array<Impulses> m_left;     // per joint: the error that may remain
     Array<SolverBody> m_before; // by body of iteratively solved joints: before they were closed
     Array<Vector3> m_speeds;    // scratch: per joint
-    Array<const BodyData*> m_sweptBodies;
+    Array<const BodyData*> m_iterativeBodies;
     JointRows m_now;              // scratch
     Elimination m_elimination;    // scratch of Update, reused as joints wake and sleep
     Array<b2Joint*> m_partJoints; // scratch: of one component

@@ -29,7 +29,7 @@ namespace
 /// Iterations suffice for a contact island if contacts approach by less than this fraction of the
 /// speed that weight adds in a kick.
 constexpr float32 kRestTolerance = 0.01f;
-constexpr int32 kSweepsFromNothing = 8; ///< at least, without a warm start
+constexpr int32 kMinColdIterations = 8; ///< without a warm start
 constexpr int32 kMostBounces = 64;      ///< iterations over what bounces in a row
 /// How fast a contact pushes out what started deep in something else [m/s]: faster is seen as a
 /// jump (Catto, "Solver2D", 2024, bounds it alike). What weight and impacts press in is less deep.
@@ -144,15 +144,15 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
 {
     const int32 count = world.subStepCount;
     const float32 h = timeStep / float32(count);
-    const int32 velocitySweeps = b2IterationsOfASubStep(velocityIterations, count);
-    const int32 positionSweeps = b2IterationsOfASubStep(positionIterations, count);
+    const int32 kickIterations = b2IterationsOfASubStep(velocityIterations, count);
+    const int32 pushIterations = b2IterationsOfASubStep(positionIterations, count);
     // Overlaps go at the same pace for every number of sub-steps: a faster one adds energy.
     const float32 rate =
         b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));
     SubStepSolver solve(world, timeStep);
     const auto kick = [&](float32 duration, float32 share) {
         ProfileScope velocity(world.profiling, world.profile.solveVelocity);
-        solve.Kick(duration, share, velocitySweeps);
+        solve.Kick(duration, share, kickIterations);
     };
     {
         ProfileScope init(world.profiling, world.profile.solveInit);
@@ -169,8 +169,8 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
     {
         {
             ProfileScope position(world.profiling, world.profile.solvePosition);
-            solve.Drift(h, velocitySweeps);
-            solve.MoveApart(h, positionSweeps, rate);
+            solve.Drift(h, kickIterations);
+            solve.MoveApart(h, pushIterations, rate);
             solve.CloseAfterPushes();
         }
         const bool last = i == count;
@@ -178,7 +178,7 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
         kick(last ? 0.5f * h : h, (i == 1 ? 2.0f : 1.0f) * (last ? 0.5f : 1.0f));
     }
     world.directionReversed =
-        velocitySweeps > 1 ? (count % 2 == 0) != world.directionReversed : !world.directionReversed;
+        kickIterations > 1 ? (count % 2 == 0) != world.directionReversed : !world.directionReversed;
     {
         ProfileScope position(world.profiling, world.profile.solvePosition);
         solve.End();
@@ -251,10 +251,10 @@ void SubStepSolver::Bounce()
     ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
         any = TakeBias(blocks.Contacts(i)) || any;
     });
-    for (int32 sweep = 0; sweep < kMostBounces && any; ++sweep)
+    for (int32 iteration = 0; iteration < kMostBounces && any; ++iteration)
     {
         any = false;
-        ForEachBlock(DirectionOf(sweep), nullptr, [&](ContactBlocks& blocks, int32 i) {
+        ForEachBlock(DirectionOf(iteration), nullptr, [&](ContactBlocks& blocks, int32 i) {
             ContactBlock& block = blocks.Contacts(i);
             for (int32 lane = 0; lane < block.count; ++lane)
             {
@@ -303,13 +303,13 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
         ScaleImpulses(blocks.Contacts(i), blocks.Totals(i), share);
         WarmStartBlock(blocks.Contacts(i), m_context.bodies);
     });
-    Sweep(iterations);
+    Iterate(iterations);
     if (AnyHeld() && guard.HasWon(m_world, m_memory, joints))
     {
         guard.TakeBack(m_memory);
         joints.StartAgain(kick,
                           [&](const RowSides& sides) { return guard.HasWon(m_memory, sides); });
-        Sweep(b2Max(iterations, kSweepsFromNothing));
+        Iterate(b2Max(iterations, kMinColdIterations));
     }
     ++m_kick;
     m_subSteps.contacts.SolveVelocities(m_memory, m_subSteps.joints, m_context,
@@ -320,7 +320,7 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     });
 }
 
-void SubStepSolver::Sweep(int32 iterations)
+void SubStepSolver::Iterate(int32 iterations)
 {
     JointSystem& joints = m_subSteps.joints;
     for (int32 i = 0; i < iterations; ++i)
@@ -379,7 +379,7 @@ void SubStepSolver::Fly(std::size_t index)
     s.w = Bounded(s.w + (0.5f * h) * alpha);
 }
 
-void SubStepSolver::Drift(float32 timeStep, int32 sweeps)
+void SubStepSolver::Drift(float32 timeStep, int32 iterations)
 {
     m_subSteps.joints.NotePoses(m_context);
     ForBodies([&](std::size_t i) {
@@ -388,17 +388,18 @@ void SubStepSolver::Drift(float32 timeStep, int32 sweeps)
             MoveByVelocity(m_memory.bodies[i + 1], timeStep, kMostSmallMove);
         }
     });
-    m_subSteps.joints.SolvePositions(m_context, timeStep, sweeps, m_subSteps.kicks.data());
+    m_subSteps.joints.SolvePositions(m_context, timeStep, iterations, m_subSteps.kicks.data());
     m_subSteps.joints.NotePoses(m_context);
 }
 
-void SubStepSolver::MoveApart(float32 timeStep, int32 sweeps, float32 rate)
+void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
 {
     m_subSteps.beforePushes = m_memory.bodies;
     // The iterations and the solution after them take equal parts of the way.
-    const float32 most = b2Min(kPushSpeed * timeStep / float32(sweeps + 1), b2_maxLinearCorrection);
+    const float32 most =
+        b2Min(kPushSpeed * timeStep / float32(iterations + 1), b2_maxLinearCorrection);
     float32 deepest = 0.0f;
-    for (int32 i = 0; i < sweeps; ++i)
+    for (int32 i = 0; i < iterations; ++i)
     {
         const float32 found = SolveOverlaps(DirectionOf(i), {rate, most});
         deepest = b2Min(deepest, found);
