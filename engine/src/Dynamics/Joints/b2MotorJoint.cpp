@@ -26,8 +26,8 @@ b2MotorJoint::b2MotorJoint(const b2MotorJointDef* def)
 
 void b2MotorJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    box2d::Carry(m_impulse, box2d::CarryOver(context, *this));
-    box2d::Carry(m_angularImpulse, box2d::CarryOver(context, *this));
+    box2d::Scale(m_impulse, box2d::WarmStartFactor(context, *this));
+    box2d::Scale(m_angularImpulse, box2d::WarmStartFactor(context, *this));
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 armA = f.ArmA(m_linearOffset);

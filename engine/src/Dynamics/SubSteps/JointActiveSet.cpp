@@ -143,7 +143,7 @@ void JointSystem::Validate(const JointRows& rows, RowStates& states)
 
 /// Returns the warm starting impulse of a row. Directly solved rows start at zero: the result is
 /// the same, and contradictory joints do not accumulate impulses.
-float32 JointSystem::CarriedOver(std::size_t joint, int32 row, float32 share) const
+float32 JointSystem::WarmStartImpulse(std::size_t joint, int32 row, float32 share) const
 {
     const JointRows& rows = m_system.Rows(joint);
     const RowStates& states = m_states[joint];

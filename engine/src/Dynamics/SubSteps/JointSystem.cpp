@@ -213,10 +213,10 @@ void JointSystem::Start(const SolverContext& context, std::size_t joint, float32
     bool any = false;
     for (int32 k = 0; k < rows.rows; ++k)
     {
-        const float32 carried = CarriedOver(joint, k, share);
+        const float32 initial = WarmStartImpulse(joint, k, share);
         rows.impulse[k] = 0.0f;
-        impulse.at[k] = double(carried);
-        any = any || carried != 0.0f;
+        impulse.at[k] = double(initial);
+        any = any || initial != 0.0f;
     }
     if (any)
     {

@@ -184,7 +184,7 @@ private:
 
     // JointActiveSet.cpp
     static void Validate(const JointRows& rows, RowStates& states);
-    float32 CarriedOver(std::size_t joint, int32 row, float32 share) const;
+    float32 WarmStartImpulse(std::size_t joint, int32 row, float32 share) const;
     static double WantedSpeed(const JointRows& rows, RowState state, int32 row, double impulse);
     void SetActive(std::size_t joint);
     bool SetActiveToClose(std::size_t joint);

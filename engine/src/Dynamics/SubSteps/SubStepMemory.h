@@ -3,10 +3,10 @@
 
 #include "../State/Solver.h"
 #include "BodyKick.h"
-#include "CarryGuard.h"
 #include "ContactSystem.h"
 #include "FirstLoads.h"
 #include "JointSystem.h"
+#include "WarmStartGuard.h"
 
 namespace box2d
 {
@@ -25,7 +25,7 @@ struct SubStepMemory
     JointSystem joints;
     ContactSystem contacts;
     FirstLoads firstLoads;
-    CarryGuard carryGuard;
+    WarmStartGuard warmStartGuard;
     Array<WayOfBody> ways;          ///< by awake body
     Array<BodyKick> kicks;          ///< by awake body
     Array<SolverBody> beforePushes; ///< by solver index: see MoveApart

@@ -234,7 +234,7 @@ void SubStepSolver::Begin(int32 count)
     if (AnyHeld())
     {
         m_memory.islands.Find(m_world);
-        m_subSteps.carryGuard.Begin(m_memory, m_subSteps.joints);
+        m_subSteps.warmStartGuard.Begin(m_memory, m_subSteps.joints);
     }
     m_subSteps.contacts.Begin(m_memory, m_subSteps.joints);
     m_subSteps.joints.ForTreeBodies([this](const BodyData& body) {
@@ -293,7 +293,7 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
             m_subSteps.kicks[i].Give(m_memory.bodies[i + 1], duration);
         }
     });
-    CarryGuard& guard = m_subSteps.carryGuard;
+    WarmStartGuard& guard = m_subSteps.warmStartGuard;
     if (AnyHeld())
     {
         guard.Note(m_world, m_memory);
@@ -304,11 +304,11 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
         WarmStartBlock(blocks.Contacts(i), m_context.bodies);
     });
     Iterate(iterations);
-    if (AnyHeld() && guard.HasWon(m_world, m_memory, joints))
+    if (AnyHeld() && guard.HasGained(m_world, m_memory, joints))
     {
-        guard.TakeBack(m_memory);
+        guard.Restore(m_memory);
         joints.StartAgain(kick,
-                          [&](const RowSides& sides) { return guard.HasWon(m_memory, sides); });
+                          [&](const RowSides& sides) { return guard.HasGained(m_memory, sides); });
         Iterate(b2Max(iterations, kMinColdIterations));
     }
     ++m_kick;
