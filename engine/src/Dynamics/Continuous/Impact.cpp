@@ -59,8 +59,8 @@ Impact::Impact(World& world, float32 timeStep, int32 velocityIterations)
 b2Vec2 Impact::AccelerationOf(const BodyData& body) const
 {
     const bool known = m_world.subStepCount > 1 && body.IsDynamic() && body.awakeIndex != -1 &&
-                       std::size_t(body.awakeIndex) < m_world.subSteps->ways.size() &&
-                       m_world.subSteps->ways[std::size_t(body.awakeIndex)] == WayOfBody::Flies;
+                       std::size_t(body.awakeIndex) < m_world.subSteps->modes.size() &&
+                       m_world.subSteps->modes[std::size_t(body.awakeIndex)] == BodyMode::Flies;
     return known ? m_world.subSteps->kicks[std::size_t(body.awakeIndex)].acceleration
                  : b2Vec2(0.0f, 0.0f);
 }

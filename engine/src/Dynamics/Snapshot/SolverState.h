@@ -148,13 +148,13 @@ void VisitSolver(Archive& archive, World& world)
     SnapshotAccess::Visit(archive, *world.energyGuard, world);
     SnapshotAccess::Visit(archive, subSteps.joints, world);
     // Accelerations of freely falling bodies with sub-steps, for the remaining impacts.
-    auto count = int32(subSteps.ways.size());
+    auto count = int32(subSteps.modes.size());
     archive.Count(count, sizeof(int32));
-    subSteps.ways.resize(std::size_t(count));
+    subSteps.modes.resize(std::size_t(count));
     subSteps.kicks.resize(std::size_t(count));
-    for (std::size_t i = 0; i < subSteps.ways.size(); ++i)
+    for (std::size_t i = 0; i < subSteps.modes.size(); ++i)
     {
-        archive.Within(subSteps.ways[i], WayOfBody::Together, WayOfBody::InTree);
+        archive.Within(subSteps.modes[i], BodyMode::Together, BodyMode::InTree);
         archive(subSteps.kicks[i].acceleration);
     }
 }

@@ -318,7 +318,8 @@ void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::It
     }
 }
 
-void JointSystem::FillWays(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const
+void JointSystem::FillDisplacements(std::size_t joint, JointRows& rows,
+                                    BoundedSystem::Item& item) const
 {
     rows = m_system.Rows(joint);
     item = BoundedSystem::Item();

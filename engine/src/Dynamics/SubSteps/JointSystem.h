@@ -142,7 +142,7 @@ public:
     void TakeItem(std::size_t joint, const BoundedSystem::Item& item);
     /// As above, with displacements in place of velocities. Rigid rows and active limits must not
     /// move; motors and springs are omitted, because they have target velocities.
-    void FillWays(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
+    void FillDisplacements(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
 
 private:
     friend struct SnapshotAccess;

@@ -12,7 +12,7 @@ namespace box2d
 {
 
 /// How a body moves through a step with sub-steps.
-enum class WayOfBody : uint8
+enum class BodyMode : uint8
 {
     Together, ///< sub-step by sub-step
     Flies,    ///< in one step: without joints and contacts
@@ -26,7 +26,7 @@ struct SubStepMemory
     ContactSystem contacts;
     FirstLoads firstLoads;
     WarmStartGuard warmStartGuard;
-    Array<WayOfBody> ways;          ///< by awake body
+    Array<BodyMode> modes;          ///< by awake body
     Array<BodyKick> kicks;          ///< by awake body
     Array<SolverBody> beforePushes; ///< by solver index: see MoveApart
     Array<float32> farthestPushes;  ///< by number of AwakeIslands: maximum of its bodies [m]

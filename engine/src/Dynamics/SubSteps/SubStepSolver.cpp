@@ -238,7 +238,7 @@ void SubStepSolver::Begin(int32 count)
     }
     m_subSteps.contacts.Begin(m_memory, m_subSteps.joints);
     m_subSteps.joints.ForTreeBodies([this](const BodyData& body) {
-        m_subSteps.ways[std::size_t(body.awakeIndex)] = WayOfBody::InTree;
+        m_subSteps.modes[std::size_t(body.awakeIndex)] = BodyMode::InTree;
     });
 }
 
@@ -277,8 +277,8 @@ bool SubStepSolver::AnyHeld() const
 /// True if any body takes the common sub-steps.
 bool SubStepSolver::AnyTogether() const
 {
-    return AnyHeld() || std::find(m_subSteps.ways.begin(), m_subSteps.ways.end(),
-                                  WayOfBody::Together) != m_subSteps.ways.end();
+    return AnyHeld() || std::find(m_subSteps.modes.begin(), m_subSteps.modes.end(),
+                                  BodyMode::Together) != m_subSteps.modes.end();
 }
 
 void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
@@ -288,7 +288,7 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     kick.timeStep = duration;
     joints.Prepare(kick); // before the kick: springs use these velocities
     ForBodies([&](std::size_t i) {
-        if (m_subSteps.ways[i] == WayOfBody::Together)
+        if (m_subSteps.modes[i] == BodyMode::Together)
         {
             m_subSteps.kicks[i].Give(m_memory.bodies[i + 1], duration);
         }
@@ -339,13 +339,13 @@ void SubStepSolver::Iterate(int32 iterations)
 void SubStepSolver::FindFlying()
 {
     const std::size_t count = m_world.awakeBodies.size();
-    m_subSteps.ways.resize(count);
+    m_subSteps.modes.resize(count);
     for (std::size_t i = 0; i < count; ++i)
     {
         const BodyData& body = Data(*m_world.awakeBodies[i]);
         const bool flies = body.IsDynamic() && body.colorMask == 0 && body.jointList == nullptr &&
                            body.linearDamping == 0.0f && body.angularDamping == 0.0f;
-        m_subSteps.ways[i] = flies ? WayOfBody::Flies : WayOfBody::Together;
+        m_subSteps.modes[i] = flies ? BodyMode::Flies : BodyMode::Together;
     }
     // Contacts in the overflow have no colour.
     for (b2Contact* contact : m_world.graph.Contacts(ConstraintGraph::kOverflow))
@@ -354,7 +354,7 @@ void SubStepSolver::FindFlying()
         {
             if (Data(*body).awakeIndex != -1)
             {
-                m_subSteps.ways[std::size_t(Data(*body).awakeIndex)] = WayOfBody::Together;
+                m_subSteps.modes[std::size_t(Data(*body).awakeIndex)] = BodyMode::Together;
             }
         }
     }
@@ -383,7 +383,7 @@ void SubStepSolver::Drift(float32 timeStep, int32 iterations)
 {
     m_subSteps.joints.NotePoses(m_context);
     ForBodies([&](std::size_t i) {
-        if (m_subSteps.ways[i] == WayOfBody::Together)
+        if (m_subSteps.modes[i] == BodyMode::Together)
         {
             MoveByVelocity(m_memory.bodies[i + 1], timeStep, kMostSmallMove);
         }
@@ -454,7 +454,7 @@ void SubStepSolver::LimitPushes(float32 most)
 void SubStepSolver::End()
 {
     ForBodies([this](std::size_t i) {
-        if (m_subSteps.ways[i] == WayOfBody::Flies)
+        if (m_subSteps.modes[i] == BodyMode::Flies)
         {
             Fly(i);
         }
