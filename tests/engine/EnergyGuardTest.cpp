@@ -562,7 +562,7 @@ TEST(EnergyGuard, ChargesWhatAnImpactWithinTheStepHasLifted)
     Pair pair(b2Vec2(0.0f, -10.0f));
     pair.Begin();
     box2d::BodyData& data = box2d::Data(*pair.b);
-    const box2d::EnergyGuard::Way fallen = {data.pose, data.linearVelocity, data.angularVelocity};
+    const box2d::EnergyGuard::Path fallen = {data.pose, data.linearVelocity, data.angularVelocity};
     data.pose.y += 0.25; // 1 kg, back up with the same speed
     pair.guard.NoteImpact(data, fallen);
     EXPECT_NEAR(data.energyDebt, 2.5f, 1e-4f);
@@ -603,12 +603,12 @@ TEST(EnergyGuard, GivesNoCreditForAWayThatAnImpactHasTakenBack)
     turned.angle = 0.5f * b2_pi; // which slackens it, and makes it twice as stiff
     turned.q.Set(turned.angle);
     pair.Balance();
-    const auto owed = [&] {
+    const auto debt = [&] {
         return box2d::Data(*pair.a).energyDebt + box2d::Data(*pair.b).energyDebt;
     };
-    EXPECT_LT(owed(), -1.0f);
+    EXPECT_LT(debt(), -1.0f);
     pair.guard.ChargeImpacts();
-    EXPECT_NEAR(owed(), 0.0f, 0.01f);
+    EXPECT_NEAR(debt(), 0.0f, 0.01f);
 }
 
 TEST(EnergyGuard, StopsWhatIsNoNumberAndJudgesTheRest)

@@ -160,8 +160,8 @@ void FindNewContacts(World& world)
 {
     const auto isKnown = [&world](const b2FixtureProxy* a, const b2FixtureProxy* b) {
         return !CanCollide(a->fixture->GetType(), b->fixture->GetType()) ||
-               !WaysMeet(Data(*a->fixture->GetBody()), *a->fixture->GetShape(), a->childIndex,
-                         Data(*b->fixture->GetBody()), *b->fixture->GetShape(), b->childIndex) ||
+               !PathsMeet(Data(*a->fixture->GetBody()), *a->fixture->GetShape(), a->childIndex,
+                          Data(*b->fixture->GetBody()), *b->fixture->GetShape(), b->childIndex) ||
                world.pairs.Contains(a->proxyId, b->proxyId);
     };
     // What the default filter would refuse every time is not looked for.

@@ -217,10 +217,10 @@ void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLe
 void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
 {
     const float32 most = kFarthestPush * m_timeStep;
-    const float32 way = PushOf(SolverBody(), pushed, maxExtent);
-    if (m_world.subStepCount > 1 && way > most)
+    const float32 path = PushOf(SolverBody(), pushed, maxExtent);
+    if (m_world.subStepCount > 1 && path > most)
     {
-        ShortenPush(SolverBody(), pushed, most / way);
+        ShortenPush(SolverBody(), pushed, most / path);
     }
 }
 
@@ -425,7 +425,7 @@ void Impact::MoveOn(std::size_t index, float32 time)
 }
 
 /// Returns how the body would have ended the step.
-EnergyGuard::Way Impact::WayOf(std::size_t index, float32 time) const
+EnergyGuard::Path Impact::PathOf(std::size_t index, float32 time) const
 {
     const BodyData& data = Data(*m_bodies[index]);
     const b2Vec2 left = (1.0f - time) * m_timeStep * AccelerationOf(data);
@@ -449,11 +449,11 @@ void Impact::SolveVelocities(float32 time)
     for (std::size_t i = 0; i < m_bodies.size(); ++i)
     {
         BodyData& data = Data(*m_bodies[i]);
-        const EnergyGuard::Way way = WayOf(i, time);
+        const EnergyGuard::Path path = PathOf(i, time);
         MoveOn(i, time);
         if (accounts)
         {
-            m_world.energyGuard->NoteImpact(data, way);
+            m_world.energyGuard->NoteImpact(data, path);
         }
     }
     if (m_world.listener)

@@ -400,7 +400,7 @@ void EnergyGuard::ShareOut(const World& world, const SolverMemory& solver)
     }
 }
 
-void EnergyGuard::NoteImpact(BodyData& body, const Way& before) const
+void EnergyGuard::NoteImpact(BodyData& body, const Path& before) const
 {
     // Islands may have merged since, but both bodies of an impact are then in the same one.
     if (!body.IsDynamic() || body.island == -1 || std::size_t(body.island) >= m_accountOf.size() ||
@@ -409,10 +409,10 @@ void EnergyGuard::NoteImpact(BodyData& body, const Way& before) const
         return;
     }
     const b2Vec2 a = body.gravityScale * m_gravity + body.invMass * body.force;
-    const b2Vec2 way(float32(body.pose.x - before.end.x), float32(body.pose.y - before.end.y));
+    const b2Vec2 path(float32(body.pose.x - before.end.x), float32(body.pose.y - before.end.y));
     const b2Vec2 v = body.linearVelocity;
     const float32 w = body.angularVelocity;
-    Charge(body, body.mass * (0.5f * b2Dot(v - before.v, v + before.v) - b2Dot(a, way)) +
+    Charge(body, body.mass * (0.5f * b2Dot(v - before.v, v + before.v) - b2Dot(a, path)) +
                      body.inertia * (0.5f * (w - before.w) * (w + before.w)));
 }
 

@@ -89,11 +89,11 @@ double box2d::JointAccess::Kind<b2MotorJoint>::MaxPower(const b2MotorJoint& join
     const b2Vec2 armA = pair.ArmA(joint.GetLinearOffset());
     const b2Vec2 armB = pair.ArmB(b2Vec2_zero);
     const double rate = double(joint.GetCorrectionFactor()) / subStep;
-    const double way = double((pair.Offset() + armB - armA).Length());
+    const double distance = double((pair.Offset() + armB - armA).Length());
     const double turn = std::abs(pair.Angle() - double(joint.GetAngularOffset()));
     const double speed = double(pair.SpeedAt(armA, armB).Length());
     const double spin = double(b2Abs(pair.b.w - pair.a.w));
-    return double(joint.GetMaxForce()) * std::min(speed, rate * way) +
+    return double(joint.GetMaxForce()) * std::min(speed, rate * distance) +
            double(joint.GetMaxTorque()) * std::min(spin, rate * turn);
 }
 

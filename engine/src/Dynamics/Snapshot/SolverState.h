@@ -12,7 +12,7 @@
 /// What the solver's memory leaves to the next step. Most of it is filled again in each step; what
 /// is made when joints or contacts come or go follows from the lists, but not all of it:
 ///  - contacts stay in their blocks in an order that places of bodies had in the past;
-///  - joints keep what of them gives way, and how stiff the last step's forces made them;
+///  - joints keep the states of their bounded rows, and how stiff the last step's forces made them;
 ///  - which joints win energy was found when the list was made, with the settings of that time;
 ///  - between the parts of a step of b2World::SetSubStepping the step is still under way.
 namespace box2d

@@ -417,11 +417,11 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     const b2Vec2 moved(float32(body.pose.x - body.previous.x),
                        float32(body.pose.y - body.previous.y));
     const float32 turned = b2Abs(float32(body.pose.angle - body.previous.angle));
-    const float32 way = moved.Length() + turned * body.maxExtent;
-    const bool fast = way > kFastShare * body.minExtent;
-    if (way < room && !(fast && (body.flags & kBodyBullet) != 0))
+    const float32 path = moved.Length() + turned * body.maxExtent;
+    const bool fast = path > kFastShare * body.minExtent;
+    if (path < room && !(fast && (body.flags & kBodyBullet) != 0))
     {
-        body.room = room - way; // no shape can have left its box
+        body.room = room - path; // no shape can have left its box
         return false;
     }
     return RefreshBoxes(body, fast);
@@ -451,10 +451,10 @@ void StepSolver::LetRest()
 
 void MoveByVelocity(SolverBody& body, float32 timeStep, const MostMove& most)
 {
-    const b2Vec2 way = timeStep * body.v;
-    if (way.LengthSquared() > most.way * most.way)
+    const b2Vec2 path = timeStep * body.v;
+    if (path.LengthSquared() > most.distance * most.distance)
     {
-        body.v *= most.way / way.Length();
+        body.v *= most.distance / path.Length();
     }
     const float32 turn = timeStep * body.w;
     if (turn * turn > most.turn * most.turn)

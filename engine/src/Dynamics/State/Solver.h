@@ -187,8 +187,8 @@ void ForEach(List& list, Direction direction, Function&& function)
 /// Maximum motion of a body in a step; faster bodies are slowed down.
 struct MostMove
 {
-    float32 way;  ///< [m]
-    float32 turn; ///< [rad]
+    float32 distance; ///< [m]
+    float32 turn;     ///< [rad]
 };
 
 /// For a step without sub-steps.

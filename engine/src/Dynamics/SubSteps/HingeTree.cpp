@@ -271,9 +271,9 @@ HingeTree::Energy HingeTree::WonEnergy() const
     for (const Link& link : m_links)
     {
         const SolverBody& now = *link.state;
-        const b2Vec2 way = now.d - link.start.d;
+        const b2Vec2 path = now.d - link.start.d;
         const double work =
-            link.mass * double(b2Dot(link.kick.acceleration, way)) +
+            link.mass * double(b2Dot(link.kick.acceleration, path)) +
             link.turning * double(link.kick.angularAcceleration * (now.angle - link.start.angle));
         const double before = KineticEnergy(link.start, link.mass, link.turning);
         energy.now += KineticEnergy(now, link.mass, link.turning);

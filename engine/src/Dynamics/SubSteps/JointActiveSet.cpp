@@ -347,11 +347,12 @@ Vector3 JointSystem::Beyond(std::size_t joint, const JointRows& now, float32 tim
     for (int32 i = rows.Rigid(); i < rows.rows; ++i)
     {
         const RowState state = m_states[joint].of[i];
-        const double way = double(now.laws[i].place) - double(rows.laws[i].place) -
-                           double(timeStep) * WantedSpeed(rows, state, i, double(rows.impulse[i]));
-        if ((state == RowState::Slowest && way < 0.0) || (state == RowState::Fastest && way > 0.0))
+        const double path = double(now.laws[i].place) - double(rows.laws[i].place) -
+                            double(timeStep) * WantedSpeed(rows, state, i, double(rows.impulse[i]));
+        if ((state == RowState::Slowest && path < 0.0) ||
+            (state == RowState::Fastest && path > 0.0))
         {
-            beyond.at[i] = way;
+            beyond.at[i] = path;
         }
     }
     return beyond;

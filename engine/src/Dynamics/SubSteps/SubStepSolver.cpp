@@ -395,7 +395,7 @@ void SubStepSolver::Drift(float32 timeStep, int32 iterations)
 void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
 {
     m_subSteps.beforePushes = m_memory.bodies;
-    // The iterations and the solution after them take equal parts of the way.
+    // The iterations and the solution after them take equal parts of the push.
     const float32 most =
         b2Min(kPushSpeed * timeStep / float32(iterations + 1), b2_maxLinearCorrection);
     float32 deepest = 0.0f;
@@ -435,9 +435,9 @@ void SubStepSolver::LimitPushes(float32 most)
     };
     bool any = false;
     forPushed([&](const BodyData& body, float32& far, const SolverBody& before, SolverBody& s) {
-        const float32 way = PushOf(before, s, body.maxExtent);
-        far = b2Max(far, way);
-        any = any || way > most;
+        const float32 path = PushOf(before, s, body.maxExtent);
+        far = b2Max(far, path);
+        any = any || path > most;
     });
     if (!any)
     {

@@ -101,9 +101,9 @@ void b2PosesBetween::Show(b2Body& body, const Pose& pose)
     m_owns.push_back(
         {&body, data.pose, data.rotation, data.transform, data.worldCenter, data.room});
     // The arc is longer than its chord, so this is an upper bound.
-    const double way = Distance(pose, data.pose) +
-                       std::fabs(pose.angle - data.pose.angle) * double(data.maxExtent);
-    m_farthest = b2Max(m_farthest, float32(1.0001 * way)); // rounded up
+    const double distance = Distance(pose, data.pose) +
+                            std::fabs(pose.angle - data.pose.angle) * double(data.maxExtent);
+    m_farthest = b2Max(m_farthest, float32(1.0001 * distance)); // rounded up
     data.pose = pose;
     box2d::SynchronizePose(data);
 }
