@@ -16,7 +16,7 @@ using labels::Box;
 using labels::Point;
 
 constexpr double kSmallestCell = 64.0; // [px]
-constexpr double kMostCells = 64.0;    // per side, for any picture
+constexpr double kMaxCells = 64.0;     // per side, for any picture
 constexpr double kTouch = 0.5;         // smaller overlaps are ignored [px]
 
 /// Clips the segment from a to b to two bounds; `t0` and `t1` are the parameters of the remaining
@@ -68,7 +68,7 @@ Box Widened(const Box& box, double by)
 
 LabelGround::LabelGround(const Camera& camera, const DrawList& list)
     : m_camera(camera),
-      m_cell(std::max(kSmallestCell, std::max(camera.width, camera.height) / kMostCells)),
+      m_cell(std::max(kSmallestCell, std::max(camera.width, camera.height) / kMaxCells)),
       m_columns(1 + static_cast<int>(camera.width / m_cell)),
       m_rows(1 + static_cast<int>(camera.height / m_cell)),
       m_cells(std::size_t(m_columns) * std::size_t(m_rows))

@@ -36,7 +36,7 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kMostRounds = 4;    ///< rounds of closing joints and containment
+constexpr int32 kMaxRounds = 4;     ///< rounds of closing joints and containment
 constexpr int32 kContactGrain = 64; ///< contacts per part of a parallel loop
 
 bool IsLater(const ImpactEvent& a, const ImpactEvent& b)
@@ -157,7 +157,7 @@ void ContinuousCollision::Run()
     }
     // Closing joints may move bodies through a wall, and containment may open joints.
     (void)m_containment.Hold(m_joints);
-    for (int32 i = 0; i < kMostRounds && m_joints.Close(); ++i)
+    for (int32 i = 0; i < kMaxRounds && m_joints.Close(); ++i)
     {
         FindNewContacts(m_world);
         if (!m_containment.Hold(m_joints))

@@ -201,13 +201,13 @@ void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLe
 {
     if (m_world.subStepCount == 1)
     {
-        return MoveByVelocity(body, timeLeft, kMostMove);
+        return MoveByVelocity(body, timeLeft, kMaxMove);
     }
     body.v += 0.5f * timeLeft * acceleration;
     const int32 parts = m_world.subStepCount;
     for (int32 i = 0; i < parts; ++i)
     {
-        MoveByVelocity(body, timeLeft / float32(parts), kMostSmallMove);
+        MoveByVelocity(body, timeLeft / float32(parts), kMaxSmallMove);
     }
     body.v += 0.5f * timeLeft * acceleration;
 }

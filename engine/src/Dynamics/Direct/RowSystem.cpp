@@ -449,7 +449,7 @@ void RowSystem::Apply(int32 component, const SolverContext& context)
         body.w = data.SolverInvInertia() > 0.0f ? float32(double(body.w) + x.at[2]) : body.w;
     }
     ForItems(component, [this](std::size_t item) {
-        for (int32 row = 0; row < JointRows::kMostRows; ++row)
+        for (int32 row = 0; row < JointRows::kMaxRows; ++row)
         {
             m_rows[item].impulse[row] += float32(m_found[item].at[row]);
         }

@@ -22,7 +22,7 @@ namespace
 constexpr double kTolerance = 0.01;
 /// Maximum credit as a multiple of the scale. A bridge of planks under falling boxes returns up to
 /// three times its kinetic energy; with more, a long deceleration could be followed by a burst.
-constexpr double kMostCredit = 3.0;
+constexpr double kMaxCredit = 3.0;
 /// Maximum stored debt as a fraction of the scale; a larger one is paid at once. With five times as
 /// much some random worlds gain energy; with a tenth small debts stop motions.
 constexpr double kMaxDebt = 0.1;
@@ -30,12 +30,12 @@ constexpr double kMaxDebt = 0.1;
 constexpr double kFade = 0.1;
 /// Energy that corrections may store in springs of bodies at rest [J/kg], equivalent to 1 m/s. A
 /// body on springs that is pushed out of the ground needs a hundredth of it.
-constexpr double kMostFromRest = 0.5;
+constexpr double kMaxFromRest = 0.5;
 /// Minimum scale, as the energy of a fall by this distance [m]. Joints are closed to within a slop;
 /// lifting a body by that, a hundredth of this energy, is not a gain.
-constexpr float32 kLeastFall = b2_linearSlop / float32(kTolerance);
+constexpr float32 kMinFall = b2_linearSlop / float32(kTolerance);
 /// Keeps all sums in the range of float [J].
-constexpr float32 kMostScale = 1e30f;
+constexpr float32 kMaxScale = 1e30f;
 
 bool MovesByItself(const b2Body& body)
 {
@@ -109,7 +109,7 @@ double EnergyAtStart(const b2Body& first)
 float32 ScaleOf(float32 past, const BodyData& body, const SolverBody& s)
 {
     const auto kinetic = float32(KineticEnergy(s, double(body.mass), double(body.inertia)));
-    return kinetic > past ? b2Min(kinetic, kMostScale) : past;
+    return kinetic > past ? b2Min(kinetic, kMaxScale) : past;
 }
 
 /// What impacts have won. A body's credit, what joints took from it, does not pay for that: nothing
@@ -151,7 +151,7 @@ void EnergyGuard::Begin(const World& world, const SolverMemory& solver, float32 
     m_timeStep = timeStep;
     m_subSteps = world.subStepCount;
     m_gravity = world.gravity;
-    m_leastFall = kLeastFall * m_gravity.Length();
+    m_leastFall = kMinFall * m_gravity.Length();
     // Cleared above only for islands with an account: most islands may be asleep.
     m_accountOf.resize(b2Max(m_accountOf.size(), std::size_t(world.islands.Size())), -1);
     for (const b2Joint* joint : m_risky)
@@ -312,7 +312,7 @@ void EnergyGuard::Collect(const World& world, SolverMemory& solver, Account& acc
     const double free = kTolerance * account.past; // from the energy before, because the current
                                                    // one contains the gain
     const IslandMotion found(first, solver.bodies.data());
-    const double payable = free + found.Energy() + kMostFromRest * found.Mass();
+    const double payable = free + found.Energy() + kMaxFromRest * found.Mass();
     for (const float32 time : {m_timeStep, 0.0f}) // first without corrections, then without motion
     {
         if (m_subSteps == 1 && account.debt > payable)
@@ -383,7 +383,7 @@ void EnergyGuard::ShareOut(const World& world, const SolverMemory& solver)
     for (Account& account : m_accounts)
     {
         const double share = account.scale > 0.0 ? account.debt / account.scale : 0.0;
-        account.debt = b2Clamp(share, -kMostCredit, kMaxDebt);
+        account.debt = b2Clamp(share, -kMaxCredit, kMaxDebt);
     }
     for (b2Body* body : world.awakeBodies)
     {

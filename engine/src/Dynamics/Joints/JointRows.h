@@ -12,8 +12,8 @@ namespace box2d
 
 struct JointRows
 {
-    static constexpr int32 kMostRows = 3;
-    static constexpr int32 kMostBodies = 4; ///< a gear has four
+    static constexpr int32 kMaxRows = 3;
+    static constexpr int32 kMaxBodies = 4; ///< a gear has four
 
     /// Derivatives of each row by one body's velocity and angular velocity.
     struct Column
@@ -21,7 +21,7 @@ struct JointRows
         const BodyData* data = nullptr;
         int32 body = 0; ///< solver index
         float32 invMass = 0.0f, invInertia = 0.0f;
-        float32 x[kMostRows] = {}, y[kMostRows] = {}, w[kMostRows] = {};
+        float32 x[kMaxRows] = {}, y[kMaxRows] = {}, w[kMaxRows] = {};
         float32 reach = 0.0f; ///< for a line: from the centre of mass to its end, along it [m]
 
         void AddTo(int32 row, const b2Vec2& direction, float32 lever)
@@ -86,15 +86,15 @@ struct JointRows
     {
         if (boundedRows > 0)
         {
-            std::fill_n(laws, kMostRows, Law());
+            std::fill_n(laws, kMaxRows, Law());
         }
         rows = boundedRows = bodies = 0;
         point = disc = false;
         length = 0.0f;
-        std::fill_n(error, kMostRows, 0.0f);
-        std::fill_n(impulse, kMostRows, 0.0f);
+        std::fill_n(error, kMaxRows, 0.0f);
+        std::fill_n(impulse, kMaxRows, 0.0f);
     }
-    void SetImpulse(const float32 (&value)[kMostRows]) { std::copy_n(value, kMostRows, impulse); }
+    void SetImpulse(const float32 (&value)[kMaxRows]) { std::copy_n(value, kMaxRows, impulse); }
 
     int32 rows = 0;        ///< 0 to 3; the remaining array elements are zero
     int32 boundedRows = 0; ///< number of bounded rows, the last ones
@@ -103,10 +103,10 @@ struct JointRows
     bool disc = false;
     float32 length = 0.0f; ///< length of the line for the first row
     int32 bodies = 0;      ///< number of columns
-    Column columns[kMostBodies];
-    Law laws[kMostRows];
-    float32 error[kMostRows] = {};   ///< [m] or [rad], of rigid rows
-    float32 impulse[kMostRows] = {}; ///< [Ns] or [Nms]
+    Column columns[kMaxBodies];
+    Law laws[kMaxRows];
+    float32 error[kMaxRows] = {};   ///< [m] or [rad], of rigid rows
+    float32 impulse[kMaxRows] = {}; ///< [Ns] or [Nms]
 };
 
 /// A joint's frame with its rows.

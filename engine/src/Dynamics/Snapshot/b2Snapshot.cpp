@@ -71,8 +71,8 @@ void VisitWorld(Archive& archive, World& world)
            autoClearForces, locked, forcesApplied, hasBullets, filtersChanged, directionReversed] =
         world;
     archive(bodyNumber, jointNumber, inactiveCount, gravity);
-    archive.Within(subStepCount, 1, kMostSubSteps);
-    archive.Within(lastSubSteps, 1, kMostSubSteps);
+    archive.Within(subStepCount, 1, kMaxSubSteps);
+    archive.Within(lastSubSteps, 1, kMaxSubSteps);
     archive(inverseStep, stepNumber, allowSleep, warmStarting, continuousPhysics, subStepping,
             stepComplete, autoClearForces, forcesApplied, hasBullets, filtersChanged,
             directionReversed);

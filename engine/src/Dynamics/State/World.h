@@ -33,7 +33,7 @@ struct SolverMemory;
 struct SubStepMemory;
 
 /// Maximum of sub-steps per step.
-inline constexpr int32 kMostSubSteps = 64;
+inline constexpr int32 kMaxSubSteps = 64;
 
 class World
 {

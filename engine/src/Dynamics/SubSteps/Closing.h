@@ -10,7 +10,7 @@ namespace box2d
 /// A joint opened by a drift by less than this [m], [rad] is closed by one solution. Its rows are
 /// those of before the drift, which leaves a few hundredths of the error.
 inline constexpr float32 kNearlyClosed = 1e-4f;
-inline constexpr int32 kMostCloses = 3;
+inline constexpr int32 kMaxCloses = 3;
 
 /// Returns the part of an initial error that remains after a drift. A small error is closed at once
 /// by velocities. For a large one these velocities would persist, so a fraction of it is closed per

@@ -15,11 +15,11 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kMostContacts = 128; ///< per contact island
-constexpr int32 kMostUpdates = 16;   ///< per body of the island, see RowPattern
+constexpr int32 kMaxContacts = 128; ///< per contact island
+constexpr int32 kMaxUpdates = 16;   ///< per body of the island, see RowPattern
 /// A contact sticks below this fraction of its friction limit.
 constexpr double kSticks = 0.9999;
-constexpr int32 kMostRounds = 2;  ///< of determining the friction limits
+constexpr int32 kMaxRounds = 2;   ///< of determining the friction limits
 constexpr double kEndless = 1e30; ///< [Ns]
 /// A kinematic body that presses against a static one has no solution: the impulses of least energy
 /// grow without bound. Contacts of such an island are softened by this fraction of what their
@@ -33,11 +33,11 @@ constexpr double kHeld = 1e-3;
 /// They are also contradictory above this multiple of the impulse that brings the whole island to
 /// the pusher's speed and stops its weight. The speed of the weight in a kick is this many
 /// tolerances.
-constexpr double kMostLoad = 10.0;
+constexpr double kMaxLoad = 10.0;
 constexpr double kTolerancesOfWeight = 100.0;
 /// Overlaps that iterations leave above the one are brought to the other [m]: under any load less
 /// than a slop is left.
-constexpr float32 kMostOverlap = 0.95f * b2_linearSlop;
+constexpr float32 kMaxOverlap = 0.95f * b2_linearSlop;
 constexpr float32 kOverlap = 0.8f * b2_linearSlop;
 constexpr float32 kAllPushes = 1.01f; ///< limit of a row of contacts, a little above the sum
 
@@ -171,7 +171,7 @@ void MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Hol
     {
         (void)system.Limit(context, i, 2, holds(i));
     }
-    for (int32 round = 0; round < kMostRounds; ++round)
+    for (int32 round = 0; round < kMaxRounds; ++round)
     {
         system.Minimize(context, tolerance);
         bool changed = false;
@@ -205,7 +205,7 @@ bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& 
     {
         mass += 1.0 / double(body->SolverInvMass());
     }
-    const double most = kMostLoad * mass * (driven + kTolerancesOfWeight * tolerance);
+    const double most = kMaxLoad * mass * (driven + kTolerancesOfWeight * tolerance);
     for (std::size_t i = 0; i < contacts; ++i)
     {
         const Vector3 speed = SpeedOf(context, system.Rows(i));
@@ -300,7 +300,7 @@ void ContactSystem::ChooseContactIslands(const AwakeIslands& islands)
 {
     const auto isSmall = [this](int32 number) {
         const int32 contacts = number != -1 ? m_contacts[std::size_t(number)] : 0;
-        return contacts > 0 && contacts <= kMostContacts;
+        return contacts > 0 && contacts <= kMaxContacts;
     };
     m_contactIslandOf.assign(m_contacts.size(), -1);
     std::size_t kept = 0;
@@ -414,7 +414,7 @@ bool ContactSystem::Follow(ContactIsland& island, SolverMemory& solver, JointSys
             FindRoom(island);
             MakeRoom(island.sides, m_sides.size());
             island.sides = m_sides;
-            island.system.Build(m_sides, kMostUpdates, m_elimination);
+            island.system.Build(m_sides, kMaxUpdates, m_elimination);
         }
     }
     return island.system.IsExact();
@@ -517,7 +517,7 @@ void ContactSystem::SolveOverlaps(SolverMemory& solver, JointSystem& joints,
                                   .separation);
             }
         }
-        if (smallest < -kMostOverlap && Follow(island, solver, joints))
+        if (smallest < -kMaxOverlap && Follow(island, solver, joints))
         {
             SolveOverlaps(island, solver, joints, context, pace);
         }

@@ -16,7 +16,7 @@ namespace
 constexpr double kStiffening = 0.01;
 constexpr float32 kSmallAngle = 0.01f;
 constexpr float32 kClosed = 5e-6f; ///< the next drift closes this sufficiently [m]
-constexpr int32 kMostPoseCloses = 12;
+constexpr int32 kMaxPoseCloses = 12;
 
 /// Returns how far a hinge is closed at once: a large correction rotates bodies so that their
 /// levers become invalid.
@@ -277,7 +277,7 @@ void HingeTree::Close(float32 timeStep)
 bool HingeTree::CloseByImpulses(float32 timeStep)
 {
     float32 first = 0.0f;
-    for (int32 i = 0; i < kMostCloses; ++i)
+    for (int32 i = 0; i < kMaxCloses; ++i)
     {
         float32 widest = 0.0f;
         Gather([&](Link& link) { widest = b2Max(widest, WantClosed(link, timeStep)); });
@@ -303,7 +303,7 @@ bool HingeTree::CloseByImpulses(float32 timeStep)
 /// would disturb them for long.
 void HingeTree::ClosePoses(float32 timeStep)
 {
-    for (int32 i = 0; i < kMostPoseCloses; ++i)
+    for (int32 i = 0; i < kMaxPoseCloses; ++i)
     {
         for (Link& link : m_links)
         {

@@ -17,8 +17,8 @@ namespace
 
 /// Relative tolerance of impulses that are bounded as a vector.
 constexpr float32 kSameImpulse = 1e-4f;
-constexpr int32 kMostNewtonSteps = 20;   ///< five are usual
-constexpr double kLeastResponse = 1e-12; ///< ratio of the responses in two directions
+constexpr int32 kMaxNewtonSteps = 20;  ///< five are usual
+constexpr double kMinResponse = 1e-12; ///< ratio of the responses in two directions
 
 float32 WantedOf(const JointRows::Law& law)
 {
@@ -75,10 +75,10 @@ b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& residual,
     const double bound = double(most);
     double shift = b2Max(std::sqrt(g1 * g1 + g2 * g2) / bound - large, 0.0);
     double x1 = 0.0, x2 = 0.0;
-    for (int32 i = 0; i < kMostNewtonSteps; ++i)
+    for (int32 i = 0; i < kMaxNewtonSteps; ++i)
     {
         const double d1 = large + shift;
-        const double d2 = b2Max(small + shift, kLeastResponse * large);
+        const double d2 = b2Max(small + shift, kMinResponse * large);
         x1 = g1 / d1;
         x2 = g2 / d2;
         const double square = x1 * x1 + x2 * x2;
@@ -110,7 +110,7 @@ float32 ResidualImpulse(const JointRows& rows, int32 row, float32 speed)
     return response > 0.0f ? residual / response : 0.0f;
 }
 
-b2Vec2 PairOf(const float32 (&impulse)[JointRows::kMostRows])
+b2Vec2 PairOf(const float32 (&impulse)[JointRows::kMaxRows])
 {
     return b2Vec2(impulse[0], impulse[1]);
 }
@@ -224,8 +224,8 @@ double JointSystem::WantedSpeed(const JointRows& rows, RowState state, int32 row
     return double(WantedOf(law));
 }
 
-double JointSystem::MostWork(std::size_t joint, const SolverContext& before,
-                             const SolverContext& after) const
+double JointSystem::MaxWork(std::size_t joint, const SolverContext& before,
+                            const SolverContext& after) const
 {
     const JointRows& rows = m_system.Rows(joint);
     const Vector3 from = SpeedOf(before, rows);

@@ -22,10 +22,10 @@ constexpr double kDamped = 1e-2;
 /// own would let a heavy load sag.
 constexpr double kLoopCompliance = 1e-5;
 
-constexpr int32 kMostPoseCloses = 24;
-constexpr int32 kMostCycles = 16; ///< drifts per sub-step
+constexpr int32 kMaxPoseCloses = 24;
+constexpr int32 kMaxCycles = 16; ///< drifts per sub-step
 /// Maximum relative gain of kinetic energy by closing: see HasGained.
-constexpr double kMostGain = 0.5;
+constexpr double kMaxGain = 0.5;
 /// Forces within a step exceed their mean.
 constexpr double kCycleMargin = 0.75;
 /// Much larger for the jerk of a rope, a rod, or a limit that stops a heavy body. Tuned on 216
@@ -95,7 +95,7 @@ int32 JointSystem::Cycles(int32 part, float32 timeStep) const
     const double square =
         margin * std::max(p.squaredFrequency, now) * double(timeStep) * double(timeStep);
     int32 count = 1;
-    while (double(count * count) < square && count < kMostCycles)
+    while (double(count * count) < square && count < kMaxCycles)
     {
         ++count;
     }
@@ -124,7 +124,7 @@ void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& co
     for (int32 i = 1; i <= count; ++i)
     {
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
-            MoveByVelocity(cycle.bodies[body.SolverIndex()], time, kMostSmallMove);
+            MoveByVelocity(cycle.bodies[body.SolverIndex()], time, kMaxSmallMove);
         });
         ClosePart(part, cycle, time);
         KickPart(part, cycle, i < count ? time : back, kicks);
@@ -163,7 +163,7 @@ const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& c
 {
     JointRows& rows = m_system.Rows(joint);
     Impulses kept;
-    std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
+    std::copy_n(rows.impulse, JointRows::kMaxRows, kept.at);
     rows.Clear();
     JointAccess::FillRows(*m_joints[joint], context, rows);
     rows.SetImpulse(kept.at);
@@ -185,14 +185,14 @@ void JointSystem::MeetKick(int32 part, const SolverContext& context)
 
 void JointSystem::NoteKick(std::size_t joint)
 {
-    std::copy_n(m_system.Rows(joint).impulse, JointRows::kMostRows, m_kicks[joint].at);
+    std::copy_n(m_system.Rows(joint).impulse, JointRows::kMaxRows, m_kicks[joint].at);
 }
 
 void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 timeStep)
 {
     Part& p = m_parts[std::size_t(part)];
     m_system.ForItems(part, [&](std::size_t joint) {
-        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        for (int32 k = 0; k < JointRows::kMaxRows; ++k)
         {
             m_left[joint].at[k] =
                 (1.0f - kClosedShare) * RemainingError(m_system.Rows(joint).error[k]);
@@ -238,7 +238,7 @@ void JointSystem::ClosePoses(int32 part, const SolverContext& context)
 {
     float32 best = b2_maxFloat;
     double compliance = ComplianceOf(part);
-    for (int32 i = 0; i < kMostPoseCloses; ++i)
+    for (int32 i = 0; i < kMaxPoseCloses; ++i)
     {
         float32 widest = WantClosedPoses(part, context);
         if (widest < best)
@@ -260,7 +260,7 @@ void JointSystem::ClosePoses(int32 part, const SolverContext& context)
             compliance = kDamped;
             widest = WantClosedPoses(part, context);
         }
-        if (widest < kNearlyClosed || i + 1 == kMostPoseCloses)
+        if (widest < kNearlyClosed || i + 1 == kMaxPoseCloses)
         {
             break;
         }
@@ -347,7 +347,7 @@ void JointSystem::NoteOpen(const ConstraintGraph& graph, const SolverContext& co
     {
         m_now.Clear();
         JointAccess::FillRows(*m_joints[i], context, m_now);
-        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        for (int32 k = 0; k < JointRows::kMaxRows; ++k)
         {
             m_left[i].at[k] = k < m_now.Rigid() ? RemainingError(m_now.error[k]) : 0.0f;
         }
@@ -370,7 +370,7 @@ bool JointSystem::HasGained(int32 part, const SolverContext& context, float32 ti
     double after = 0.0;
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
         const SolverBody& now = context.bodies[body.SolverIndex()];
-        before += (1.0 + kMostGain) * KineticEnergyOf(body, m_opened[place]) +
+        before += (1.0 + kMaxGain) * KineticEnergyOf(body, m_opened[place]) +
                   0.5 * small * small / double(body.SolverInvMass());
         after += KineticEnergyOf(body, now);
     });
@@ -383,7 +383,7 @@ bool JointSystem::HasGained(int32 part, const SolverContext& context, float32 ti
 bool JointSystem::Close(int32 part, const SolverContext& context, float32 timeStep)
 {
     float32 first = 0.0f;
-    for (int32 i = 0; i < kMostCloses; ++i)
+    for (int32 i = 0; i < kMaxCloses; ++i)
     {
         float32 widest = 0.0f;
         m_system.ForItems(part, [&](std::size_t joint) {
@@ -411,7 +411,7 @@ void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32
     bool any = false;
     m_system.ForItems(part, [&](std::size_t joint) {
         const JointRows& rows = m_system.Rows(joint);
-        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        for (int32 k = 0; k < JointRows::kMaxRows; ++k)
         {
             const float32 open = k < rows.Rigid() ? RemainingError(rows.error[k]) : 0.0f;
             m_system.Residual(joint).at[k] = -double(kClosedShare * open) / double(timeStep);
@@ -433,7 +433,7 @@ void JointSystem::CloseIterative(const SolverContext& context, float32 timeStep,
         return;
     }
     for (int32 i = 0;
-         i < kMostCloses && IterateClosing(context, timeStep, iterations) >= kNearlyClosed; ++i)
+         i < kMaxCloses && IterateClosing(context, timeStep, iterations) >= kNearlyClosed; ++i)
     {}
     for (const int32 joint : m_system.Iterative())
     {
@@ -455,7 +455,7 @@ float32 JointSystem::IterateClosing(const SolverContext& context, float32 timeSt
         const auto i = std::size_t(joint);
         const Vector3 speed = SpeedOf(context, m_system.Rows(i));
         widest = b2Max(widest, WantClosed(i, context, timeStep, 1.0f - kClosedShare));
-        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        for (int32 k = 0; k < JointRows::kMaxRows; ++k)
         {
             m_speeds[i].at[k] = speed.at[k] + m_system.Residual(i).at[k];
         }
@@ -498,7 +498,7 @@ float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context,
         error.at[k] = double(now.error[k]) - double(remaining * RemainingError(before[k]));
     }
     float32 widest = 0.0f;
-    for (int32 k = 0; k < JointRows::kMostRows; ++k)
+    for (int32 k = 0; k < JointRows::kMaxRows; ++k)
     {
         m_system.Residual(joint).at[k] = -error.at[k] / double(timeStep);
         widest = b2Max(widest, b2Abs(float32(error.at[k])));

@@ -13,9 +13,9 @@ namespace
 {
 
 /// Maximum cost of a system, in updates per body: a tree has one, a ladder two.
-constexpr int32 kMostUpdates = 16;
+constexpr int32 kMaxUpdates = 16;
 /// Maximum solutions to determine the active set; one is usual.
-constexpr int32 kMostTries = 12;
+constexpr int32 kMaxTries = 12;
 /// From this solution on inactive rows stay inactive. Otherwise the active set may cycle, and the
 /// last one could contain rows far above their limit, by a factor of fifty in a random world.
 constexpr int32 kSettlingTry = 6;
@@ -36,7 +36,7 @@ void JointSystem::Update(const ConstraintGraph& graph)
     {
         m_sides.push_back(SidesOf(*joint));
     }
-    m_system.Build(m_sides, kMostUpdates, m_elimination);
+    m_system.Build(m_sides, kMaxUpdates, m_elimination);
     m_parts.assign(std::size_t(m_system.Components()), Part());
     BuildTrees();
     m_hasBounded.assign(m_joints.size(), 0);
@@ -176,7 +176,7 @@ void JointSystem::Prepare(const SolverContext& context)
     {
         JointRows& rows = m_system.Rows(i);
         Impulses kept;
-        std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
+        std::copy_n(rows.impulse, JointRows::kMaxRows, kept.at);
         rows.Clear();
         JointAccess::FillRows(*m_joints[i], context, rows);
         std::copy_n(kept.at, rows.rows, rows.impulse);
@@ -229,7 +229,7 @@ void JointSystem::SetResidual(std::size_t joint, const SolverContext& context,
                               const Vector3& wanted)
 {
     const Vector3 speed = SpeedOf(context, m_system.Rows(joint));
-    for (int32 k = 0; k < JointRows::kMostRows; ++k)
+    for (int32 k = 0; k < JointRows::kMaxRows; ++k)
     {
         m_system.Residual(joint).at[k] = wanted.at[k] - speed.at[k];
     }
@@ -238,7 +238,7 @@ void JointSystem::SetResidual(std::size_t joint, const SolverContext& context,
 void JointSystem::SolvePart(int32 part, const SolverContext& context)
 {
     Part& p = m_parts[std::size_t(part)];
-    for (int32 tries = 0; tries < kMostTries; ++tries)
+    for (int32 tries = 0; tries < kMaxTries; ++tries)
     {
         if (!p.factored)
         {
@@ -251,7 +251,7 @@ void JointSystem::SolvePart(int32 part, const SolverContext& context)
         m_system.Apply(part, context);
         bool changed = false;
         // The last active set is solved as well; otherwise rigid rows would keep a residual.
-        if (p.hasBounded && tries + 1 < kMostTries)
+        if (p.hasBounded && tries + 1 < kMaxTries)
         {
             // All with the same factorization.
             m_system.ForItems(part, [&](std::size_t joint) {
@@ -284,7 +284,7 @@ void JointSystem::SolveVelocities(const SolverContext& context, bool first)
     for (const int32 joint : m_system.Iterative())
     {
         const auto i = std::size_t(joint);
-        for (int32 tries = 0; tries < kMostTries; ++tries)
+        for (int32 tries = 0; tries < kMaxTries; ++tries)
         {
             SetActive(i);
             m_system.FactorIterative(i);

@@ -88,8 +88,8 @@ public:
     /// [J]. An impulse acts on a body below its target speed, and does at most the work at the mean
     /// of the speeds before and after. The target speed of a spring may be thousands of metres per
     /// second.
-    double MostWork(std::size_t joint, const SolverContext& before,
-                    const SolverContext& after) const;
+    double MaxWork(std::size_t joint, const SolverContext& before,
+                   const SolverContext& after) const;
     /// Brings all rows to their target speeds; components without contacts only the first time.
     void SolveVelocities(const SolverContext& context, bool first);
     /// Call before a drift.
@@ -148,7 +148,7 @@ private:
     friend struct SnapshotAccess;
     struct Impulses
     {
-        float32 at[JointRows::kMostRows];
+        float32 at[JointRows::kMaxRows];
     };
     /// The state of a bounded row.
     enum class RowState : uint8
@@ -161,13 +161,13 @@ private:
     };
     struct RowStates
     {
-        RowState of[JointRows::kMostRows] = {};
+        RowState of[JointRows::kMaxRows] = {};
     };
     /// Sums over the kicks of a step.
     struct Totals
     {
-        float32 within[JointRows::kMostRows] = {};
-        float32 beyond[JointRows::kMostRows] = {};
+        float32 within[JointRows::kMaxRows] = {};
+        float32 beyond[JointRows::kMaxRows] = {};
     };
     /// A connected component.
     struct Part
@@ -238,7 +238,7 @@ private:
     static constexpr double kHeldShare = 20.0;
     /// Its rotation is held only up to this angle [rad]. An impact ignores joints, and may give a
     /// light body a spin that its joints would prevent.
-    static constexpr double kMostHeldTurn = 0.5;
+    static constexpr double kMaxHeldTurn = 0.5;
 
     Array<b2Joint*> m_joints;
     Array<RowSides> m_sides;
@@ -286,8 +286,7 @@ bool JointSystem::HoldStopped(int32 part, Fate&& fate)
             const double held = fate(body) == AfterImpact::Free ? mass : kHeldShare * mass;
             const double turn = std::abs(body.pose.angle - body.previous.angle);
             const double reach = double(body.maxExtent);
-            m_system.SetAddedMass(place, held,
-                                  (turn > kMostHeldTurn ? mass : held) * reach * reach);
+            m_system.SetAddedMass(place, held, (turn > kMaxHeldTurn ? mass : held) * reach * reach);
         });
     }
     return any;

@@ -30,7 +30,7 @@ namespace
 /// speed that weight adds in a kick.
 constexpr float32 kRestTolerance = 0.01f;
 constexpr int32 kMinColdIterations = 8; ///< without a warm start
-constexpr int32 kMostBounces = 64;      ///< iterations over what bounces in a row
+constexpr int32 kMaxBounces = 64;       ///< iterations over what bounces in a row
 /// How fast a contact pushes out what started deep in something else [m/s]: faster is seen as a
 /// jump (Catto, "Solver2D", 2024, bounds it alike). What weight and impacts press in is less deep.
 constexpr float32 kPushSpeed = 3.0f;
@@ -251,7 +251,7 @@ void SubStepSolver::Bounce()
     ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
         any = TakeBias(blocks.Contacts(i)) || any;
     });
-    for (int32 iteration = 0; iteration < kMostBounces && any; ++iteration)
+    for (int32 iteration = 0; iteration < kMaxBounces && any; ++iteration)
     {
         any = false;
         ForEachBlock(DirectionOf(iteration), nullptr, [&](ContactBlocks& blocks, int32 i) {
@@ -373,7 +373,7 @@ void SubStepSolver::Fly(std::size_t index)
     const SolverBody middle = s;
     for (int32 i = 0; i < m_world.subStepCount; ++i)
     {
-        MoveByVelocity(s, h / float32(m_world.subStepCount), kMostSmallMove);
+        MoveByVelocity(s, h / float32(m_world.subStepCount), kMaxSmallMove);
     }
     s.v = s.v == middle.v ? after : Bounded(s.v + (0.5f * h) * a); // it may have been limited
     s.w = Bounded(s.w + (0.5f * h) * alpha);
@@ -385,7 +385,7 @@ void SubStepSolver::Drift(float32 timeStep, int32 iterations)
     ForBodies([&](std::size_t i) {
         if (m_subSteps.modes[i] == BodyMode::Together)
         {
-            MoveByVelocity(m_memory.bodies[i + 1], timeStep, kMostSmallMove);
+            MoveByVelocity(m_memory.bodies[i + 1], timeStep, kMaxSmallMove);
         }
     });
     m_subSteps.joints.SolvePositions(m_context, timeStep, iterations, m_subSteps.kicks.data());

@@ -142,7 +142,7 @@ bool WarmStartGuard::HasGained(const World& world, SolverMemory& solver, const J
         const int32 island = IslandOf(solver, joints.Sides(joint));
         if (rows.boundedRows > 0 && island != -1)
         {
-            m_islands[std::size_t(island)].before += joints.MostWork(joint, start, end);
+            m_islands[std::size_t(island)].before += joints.MaxWork(joint, start, end);
         }
     });
     return std::any_of(m_islands.begin(), m_islands.end(),
