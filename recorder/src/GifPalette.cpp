@@ -289,7 +289,7 @@ void GifPalette::AddNewColors()
     }
 }
 
-bool GifPalette::LacksColors()
+bool GifPalette::IsMissingColors()
 {
     std::size_t total = 0;
     std::size_t far = 0;
@@ -356,7 +356,7 @@ bool GifPalette::Map(const Frame& frame, std::uint8_t* indices, std::size_t stri
     }
     Count(frame);
     AddNewColors();
-    if (LacksColors())
+    if (IsMissingColors())
     {
         Rebuild();
     }

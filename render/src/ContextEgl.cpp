@@ -226,7 +226,7 @@ Result<std::unique_ptr<Context>> CreateEglContext(const std::string& library, bo
     Egl egl;
     if (!egl.Load(opened))
     {
-        return opened.Lacks("functions of EGL 1.5");
+        return opened.MissingError("functions of EGL 1.5");
     }
     std::string failures;
     for (const Place& place : PlacesOf(egl, onGpu))
