@@ -75,7 +75,7 @@ struct Pair
     box2d::EnergyGuard guard;
 };
 
-TEST(EnergyGuard, LeavesEveryBitOfWhatHasWonNothing)
+TEST(EnergyGuard, LeavesAnIslandWithoutGainUnchanged)
 {
     Pair pair;
     pair.Begin();
@@ -86,7 +86,7 @@ TEST(EnergyGuard, LeavesEveryBitOfWhatHasWonNothing)
     EXPECT_EQ(pair.At(pair.b).w, before.w);
 }
 
-TEST(EnergyGuard, TakesWhatAFreePairHasWonFromWhatMovesWithinIt)
+TEST(EnergyGuard, TakesTheGainOfAFreePairFromItsRelativeMotion)
 {
     Pair pair;
     pair.Begin();
@@ -522,7 +522,7 @@ TEST(EnergyGuard, LetsAFallThatIsTakenBackGiveNothing)
     EXPECT_LT(pair.Energy(), 1.2 * start);
 }
 
-TEST(EnergyGuard, RemembersWhatIsWonLittleByLittle)
+TEST(EnergyGuard, AccumulatesSmallGains)
 {
     Pair pair;
     pair.Begin();

@@ -323,7 +323,7 @@ TEST(SteadyMemory, IsCountedWhoeverAsks)
     EXPECT_EQ(requests, before + 3);
 }
 
-TEST(SteadyMemory, IsEnoughForPilesAtRest)
+TEST(SteadyMemory, IsEnoughForStacksAtRest)
 {
     ExpectNoRequests(Piles);
 }

@@ -176,7 +176,7 @@ TEST(SubStepsHingeTree, SlowsDownByDamping)
     EXPECT_NEAR(rod->GetAngularVelocity(), 2.0f * std::exp(-1.0f), 1e-3f);
 }
 
-TEST(SubStepsHingeTree, ClosesAnOpenHingeWithoutLastingSpeed)
+TEST(SubStepsHingeTree, ClosesAnOpenHingeWithoutResidualSpeed)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* first = s.Part(0.5f, 0.0f);

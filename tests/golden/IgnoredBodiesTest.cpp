@@ -134,7 +134,7 @@ TEST_F(IgnoredBodies, AreNeverAll)
     EXPECT_THAT(Refusal(candidate, {0, 1, 2}), IsError(ErrorKind::Unusable, "bodies 0, 1, 2"));
 }
 
-TEST_F(IgnoredBodies, CannotBeToldFromAHashAlone)
+TEST_F(IgnoredBodies, CannotBeDerivedFromAHash)
 {
     GoldenCandidate candidate = Seen(TwoBodies());
     candidate.state = {};

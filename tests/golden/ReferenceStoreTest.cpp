@@ -300,7 +300,7 @@ TEST_F(ReferenceStoreTest, ComparesARendererWithAPictureOfItsOwnWhereThereIsOne)
     EXPECT_THAT(m_store.Names(), ElementsAre("pyramid/3s"));
 }
 
-TEST_F(ReferenceStoreTest, AcceptsAnewThePictureThatARendererIsComparedWith)
+TEST_F(ReferenceStoreTest, AcceptsTheComparedPictureOfARendererAgain)
 {
     GoldenCandidate here = m_candidate;
     here.renderer = "OSMesa, llvmpipe (LLVM 15.0.6)";
