@@ -238,10 +238,10 @@ std::string WhyNotWhole(const Moment& expected, const Moment& actual)
     {
         return "the bodies of its state are not those that its hash stands for";
     }
-    const std::optional<TraceDifference> onTheWay =
+    const std::optional<TraceDifference> inTrace =
         actual.trace ? FirstDifference(*expected.trace, *actual.trace) : std::nullopt;
-    return onTheWay && onTheWay->isOfOne ? "the steps of its trace are not those that lead to it"
-                                         : "";
+    return inTrace && inTrace->isOfOne ? "the steps of its trace are not those that lead to it"
+                                       : "";
 }
 
 std::optional<WorldDifference> CompareWorlds(const Moment& expected, const Moment& actual)
@@ -253,11 +253,11 @@ std::optional<WorldDifference> CompareWorlds(const Moment& expected, const Momen
     WorldDifference world{*expected.state, *actual.state, {}, {}};
     if (actual.trace)
     {
-        world.onTheWay = FirstDifference(*expected.trace, *actual.trace);
+        world.inTrace = FirstDifference(*expected.trace, *actual.trace);
     }
     if (world.expected == world.actual)
     {
-        return world.onTheWay ? std::optional(world) : std::nullopt;
+        return world.inTrace ? std::optional(world) : std::nullopt;
     }
     if (!expected.bodies.bodies.empty() && !actual.bodies.bodies.empty())
     {
