@@ -75,13 +75,13 @@ Error CannotFinish(const fs::path& path, int code)
                        isFull ? "free some space" : "check the disk");
 }
 
-Error InTheWay(const fs::path& path)
+Error AlreadyExists(const fs::path& path)
 {
     return CannotWrite(ErrorKind::Unusable, path, "it exists already",
                        "choose another name or allow overwriting (boxreel's --force)");
 }
 
-Error PartInTheWay(const fs::path& path, const fs::path& part)
+Error PartExists(const fs::path& path, const fs::path& part)
 {
     return CannotWrite(ErrorKind::Unusable, path,
                        part.string() +
@@ -101,7 +101,7 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
         if (descriptor < 0)
         {
             const bool isOther = errno == EISDIR || errno == ELOOP || errno == ENXIO;
-            return isOther ? PartInTheWay(path, part) : CannotOpen(path, errno);
+            return isOther ? PartExists(path, part) : CannotOpen(path, errno);
         }
         // File systems without locks return another code; concurrent writers are then not detected.
         if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
@@ -116,7 +116,7 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
         if (::fstat(descriptor, &opened) == 0 && !S_ISREG(opened.st_mode))
         {
             ::close(descriptor);
-            return PartInTheWay(path, part);
+            return PartExists(path, part);
         }
         if (::fstat(descriptor, &opened) == 0 && ::stat(part.c_str(), &named) == 0 &&
             opened.st_dev == named.st_dev && opened.st_ino == named.st_ino)
@@ -226,7 +226,7 @@ Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path,
     }
     if (!settings.overwrite && fs::exists(fs::symlink_status(path, ignored)))
     {
-        return InTheWay(path);
+        return AlreadyExists(path);
     }
     AtomicFile file;
     file.m_path = path;
@@ -336,7 +336,7 @@ Result<void> AtomicFile::Commit()
     const int code = Rename(m_part, m_path, m_overwrite);
     if (code == EEXIST)
     {
-        return InTheWay(m_path);
+        return AlreadyExists(m_path);
     }
     if (code != 0)
     {

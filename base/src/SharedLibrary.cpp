@@ -37,7 +37,7 @@ Result<SharedLibrary> SharedLibrary::Open(const std::string& name, const std::st
     return SharedLibrary(handle, name, packages);
 }
 
-Error SharedLibrary::Lacks(const std::string& what) const
+Error SharedLibrary::MissingError(const std::string& what) const
 {
     return Absent(m_name, "lacks " + what, m_packages);
 }

@@ -29,11 +29,11 @@ constexpr double kRounding = 1e-6;
 /// True if numbers in this view are distinct.
 bool HasTicks(const Camera& view)
 {
-    constexpr double kMostPixels = 1e12; // from the origin; a double resolves a thousand times as
-                                         // many
+    constexpr double kMaxPixels = 1e12; // from the origin; a double resolves a thousand times as
+                                        // many
     const double scale = view.pixelsPerMeter;
-    return scale > 1e-12 && scale < 1e12 && std::abs(view.centerX) * scale < kMostPixels &&
-           std::abs(view.centerY) * scale < kMostPixels;
+    return scale > 1e-12 && scale < 1e12 && std::abs(view.centerX) * scale < kMaxPixels &&
+           std::abs(view.centerY) * scale < kMaxPixels;
 }
 
 struct Range

@@ -39,7 +39,7 @@ constexpr double kRounding = 1e-6;
 
 // Limit of a scale or a centre [px]. All points of a list, which are floats, are then so close that
 // neither they nor their squares overflow.
-constexpr double kMostPixels = 1e15;
+constexpr double kMaxPixels = 1e15;
 
 bool IsUsable(const Rect& box)
 {
@@ -53,8 +53,8 @@ bool CanBeDrawn(const Camera& camera)
 {
     const double x = camera.centerX * camera.pixelsPerMeter;
     const double y = camera.centerY * camera.pixelsPerMeter;
-    return camera.pixelsPerMeter > 0.0 && camera.pixelsPerMeter <= kMostPixels &&
-           std::abs(x) <= kMostPixels && std::abs(y) <= kMostPixels &&
+    return camera.pixelsPerMeter > 0.0 && camera.pixelsPerMeter <= kMaxPixels &&
+           std::abs(x) <= kMaxPixels && std::abs(y) <= kMaxPixels &&
            std::isfinite(camera.centerX) && std::isfinite(camera.centerY);
 }
 

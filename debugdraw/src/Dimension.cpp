@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "LabelGround.h"
+#include "LabelObstacles.h"
 
 #include <debugdraw/Dimension.h>
 
@@ -71,19 +71,20 @@ PixelPoint PreferredSide(const Measured& measured)
 }
 
 /// Returns the number of lines and outlines that the text would cover.
-int CountUnder(const LabelGround& ground, const Camera& view, PixelPoint center, double width)
+int CountUnder(const LabelObstacles& obstacles, const Camera& view, PixelPoint center, double width)
 {
     const labels::Point middle{center.x - 0.5 * view.width, 0.5 * view.height - center.y};
     const labels::Box box{{middle.x - 0.5 * width, middle.y - 0.5 * kTextHeight},
                           {middle.x + 0.5 * width, middle.y + 0.5 * kTextHeight}};
     int count = 0;
-    ground.VisitNear(box, [&](const LabelThing& thing) {
-        const bool isWithin = thing.role == LabelRole::Shape && ground.Contains(thing, box.lower) &&
-                              ground.Contains(thing, box.upper) &&
-                              ground.Contains(thing, {box.lower.x, box.upper.y}) &&
-                              ground.Contains(thing, {box.upper.x, box.lower.y});
+    obstacles.VisitNear(box, [&](const LabelThing& thing) {
+        const bool isWithin = thing.role == LabelRole::Shape &&
+                              obstacles.Contains(thing, box.lower) &&
+                              obstacles.Contains(thing, box.upper) &&
+                              obstacles.Contains(thing, {box.lower.x, box.upper.y}) &&
+                              obstacles.Contains(thing, {box.upper.x, box.lower.y});
         const int weight = thing.role == LabelRole::Label ? kOnText : 1;
-        count += !isWithin && ground.Meets(thing, box) ? weight : 0;
+        count += !isWithin && obstacles.Meets(thing, box) ? weight : 0;
         return true;
     });
     return count;
@@ -92,7 +93,7 @@ int CountUnder(const LabelGround& ground, const Camera& view, PixelPoint center,
 /// Returns the position where the text covers least: first in the middle of a line through `middle`
 /// on its own side, then along it, then between the line and the measured points, at distance
 /// `offset`.
-PixelPoint ClearPlace(const LabelGround& ground, const Camera& view, const Measured& measured,
+PixelPoint ClearPlace(const LabelObstacles& obstacles, const Camera& view, const Measured& measured,
                       PixelPoint middle, PixelPoint side, double offset, double width)
 {
     const double along =
@@ -101,10 +102,10 @@ PixelPoint ClearPlace(const LabelGround& ground, const Camera& view, const Measu
     const double room = 0.5 * (measured.length - along) - kFromLine;
     const int steps = room > 0.0 ? static_cast<int>(room / kStep) : 0;
     PixelPoint best = TextCenter(middle, side, width);
-    int fewest = CountUnder(ground, view, best, width);
+    int fewest = CountUnder(obstacles, view, best, width);
     const auto consider = [&](PixelPoint center) {
         const int count = fewest > 0 && HasRoom(view, center, width, kTextHeight)
-                              ? CountUnder(ground, view, center, width)
+                              ? CountUnder(obstacles, view, center, width)
                               : fewest;
         best = count < fewest ? center : best;
         fewest = std::min(count, fewest);
@@ -147,7 +148,7 @@ void AddArrows(const Paper& paper, const Measured& measured, PixelPoint from, Pi
 void AddDimension(DrawList& list, const Camera& view, Vec2 a, Vec2 b,
                   const DimensionSettings& settings)
 {
-    const LabelGround ground(view, list); // without this dimension's own lines
+    const LabelObstacles obstacles(view, list); // without this dimension's own lines
     const Paper paper(list, view);
     const double dx = double(b.x) - a.x;
     const double dy = double(b.y) - a.y;
@@ -182,7 +183,7 @@ void AddDimension(DrawList& list, const Camera& view, Vec2 a, Vec2 b,
     paper.Line(measured.b + start * side, to + kBeyond * side, settings.color);
     AddArrows(paper, measured, from, to, settings.color);
     const PixelPoint center =
-        ClearPlace(ground, view, measured, middle + offset * side, side, offset, width);
+        ClearPlace(obstacles, view, measured, middle + offset * side, side, offset, width);
     const bool isSeen =
         middle.x >= 0.0 && middle.y >= 0.0 && middle.x <= view.width && middle.y <= view.height;
     paper.Text(isSeen ? PixelPoint{Kept(center.x, 0.5 * width, view.width),

@@ -47,7 +47,7 @@ double Middle(double a, double b)
 
 // Approximates 1 - exp(-x) for x >= 0 by the first terms of exp(x): within 4e-6 at typical steps,
 // between 0 and 1 for any.
-double ShareOfWay(double x)
+double FilterFraction(double x)
 {
     return 1.0 - 1.0 / (1.0 + x * (1.0 + x / 2.0 * (1.0 + x / 3.0)));
 }
@@ -68,7 +68,7 @@ void FollowCamera::Smooth::HoldWithin(double lower, double upper)
 
 void FollowCamera::Smooth::Advance(double dt, double rest)
 {
-    const double share = dt > 0.0 ? ShareOfWay(dt / kFollowTime) : 0.0;
+    const double share = dt > 0.0 ? FilterFraction(dt / kFollowTime) : 0.0;
     guide += share * (goal - guide);
     shown += share * (guide - shown);
     if (std::max(std::abs(goal - guide), std::abs(goal - shown)) < rest)

@@ -16,7 +16,7 @@ constexpr double kHeadHalfWidth = 3.5; // [px]
 constexpr int kTurns = 8;              // number of half turns of a spring
 constexpr double kLead = 0.15;         // straight part at each end of a spring, as a fraction of
                                        // its length
-constexpr std::size_t kMostDashes = 400;
+constexpr std::size_t kMaxDashes = 400;
 
 GlyphPen::Point operator+(GlyphPen::Point a, GlyphPen::Point b)
 {
@@ -100,7 +100,7 @@ void GlyphPen::Dashes(Point from, Point to)
 {
     const double length = LengthOf(to - from);
     // An odd number, so that both ends are drawn; very long lines have longer dashes.
-    const double wanted = std::min(0.5 * length / kDash, double(kMostDashes));
+    const double wanted = std::min(0.5 * length / kDash, double(kMaxDashes));
     const auto pairs = std::isfinite(wanted) ? static_cast<std::size_t>(wanted) : 0;
     const std::size_t count = 2 * pairs + 1;
     for (std::size_t i = 0; i < count; i += 2)

@@ -69,13 +69,13 @@ Box CoreOf(const Box& box)
 } // namespace
 
 LabelSpots::LabelSpots(const Camera& camera, const DrawList& list)
-    : m_camera(camera), m_ground(camera, list)
+    : m_camera(camera), m_obstacles(camera, list)
 {}
 
 bool LabelSpots::IsInPicture(const Box& box) const
 {
-    return m_ground.IsInPicture(Point{box.lower.x - kEdge, box.lower.y - kEdge}) &&
-           m_ground.IsInPicture(Point{box.upper.x + kEdge, box.upper.y + kEdge});
+    return m_obstacles.IsInPicture(Point{box.lower.x - kEdge, box.lower.y - kEdge}) &&
+           m_obstacles.IsInPicture(Point{box.upper.x + kEdge, box.upper.y + kEdge});
 }
 
 /// Returns the number of obstacles at this position; none if it is forbidden.
@@ -85,7 +85,7 @@ std::optional<int> LabelSpots::CountIn(const Box& box, const LabelWish& wish) co
     {
         return std::nullopt;
     }
-    const Point place = m_ground.ToPixels(wish.place);
+    const Point place = m_obstacles.ToPixels(wish.place);
     const Box core = Crosses(place, place, box) ? CoreOf(box) : box;
     const Box apart{{box.lower.x - kApart, box.lower.y - kRounding},
                     {box.upper.x + kApart, box.upper.y + kRounding}};
@@ -93,25 +93,26 @@ std::optional<int> LabelSpots::CountIn(const Box& box, const LabelWish& wish) co
     int shapes = 0;
     bool isRefused = false;
     const Box clear = Widened(box, kClear);
-    m_ground.VisitNear(clear, [&](const LabelThing& thing) {
+    m_obstacles.VisitNear(clear, [&](const LabelThing& thing) {
         const bool isOwn = thing.owner == wish.owner && wish.owner != kNoOwner;
         switch (thing.role)
         {
         case LabelRole::Label:
-            isRefused = m_ground.Meets(thing, apart);
+            isRefused = m_obstacles.Meets(thing, apart);
             break;
         case LabelRole::Center:
-            isRefused = !isOwn && m_ground.Meets(thing, box);
+            isRefused = !isOwn && m_obstacles.Meets(thing, box);
             break;
         case LabelRole::Sign:
-            signs += m_ground.Meets(thing, clear) ? 1 : 0;
+            signs += m_obstacles.Meets(thing, clear) ? 1 : 0;
             break;
         case LabelRole::Shape:
             // Shapes below the label's own body (a region, a vehicle around its wheel) do not
             // identify it.
             signs += isOwn && Strikes(thing, clear) ? 1 : 0;
             shapes +=
-                !isOwn && m_ground.Meets(thing, core) && !m_ground.Contains(thing, place) ? 1 : 0;
+                !isOwn && m_obstacles.Meets(thing, core) && !m_obstacles.Contains(thing, place) ? 1
+                                                                                                : 0;
             break;
         }
         return !isRefused;
@@ -130,11 +131,11 @@ bool LabelSpots::Strikes(const LabelThing& thing, const Box& box) const
     const Box& bounds = thing.bounds;
     const bool isLonger = bounds.lower.x < box.lower.x || bounds.lower.y < box.lower.y ||
                           bounds.upper.x > box.upper.x || bounds.upper.y > box.upper.y;
-    if (!isLonger || !m_ground.Meets(thing, box))
+    if (!isLonger || !m_obstacles.Meets(thing, box))
     {
         return false;
     }
-    const double thickness = m_ground.ThicknessOf(thing);
+    const double thickness = m_obstacles.ThicknessOf(thing);
     const double length =
         std::hypot(bounds.upper.x - bounds.lower.x, bounds.upper.y - bounds.lower.y);
     return thickness < kLetterHeight && length > kSlender * thickness;
@@ -143,7 +144,7 @@ bool LabelSpots::Strikes(const LabelThing& thing, const Box& box) const
 bool LabelSpots::IsStruck(const Box& box, std::uint32_t owner) const
 {
     bool isStruck = false;
-    m_ground.VisitNear(box, [&](const LabelThing& thing) {
+    m_obstacles.VisitNear(box, [&](const LabelThing& thing) {
         isStruck = thing.role == LabelRole::Shape && thing.owner == owner && Strikes(thing, box);
         return !isStruck;
     });
@@ -156,7 +157,7 @@ bool LabelSpots::Misleads(Point from, Point to) const
     const Box bounds{{std::min(from.x, to.x), std::min(from.y, to.y)},
                      {std::max(from.x, to.x), std::max(from.y, to.y)}};
     bool misleads = false;
-    m_ground.VisitNear(Widened(bounds, kNear), [&](const LabelThing& thing) {
+    m_obstacles.VisitNear(Widened(bounds, kNear), [&](const LabelThing& thing) {
         const Box around = Widened(thing.bounds, kNear);
         misleads = (thing.role == LabelRole::Label && Crosses(from, to, thing.bounds)) ||
                    (thing.role == LabelRole::Center && !Crosses(from, from, around) &&
@@ -169,9 +170,9 @@ bool LabelSpots::Misleads(Point from, Point to) const
 bool LabelSpots::IsOnOwner(Point point, std::uint32_t owner) const
 {
     bool isOn = false;
-    m_ground.VisitNear({point, point}, [&](const LabelThing& thing) {
+    m_obstacles.VisitNear({point, point}, [&](const LabelThing& thing) {
         isOn = thing.role == LabelRole::Shape && thing.owner == owner &&
-               m_ground.Contains(thing, point);
+               m_obstacles.Contains(thing, point);
         return !isOn;
     });
     return isOn;
@@ -180,7 +181,7 @@ bool LabelSpots::IsOnOwner(Point point, std::uint32_t owner) const
 /// Returns the end of a line from the position to the label; none if the label is clear without it.
 std::optional<Point> LabelSpots::TieTo(const Box& box, const LabelWish& wish) const
 {
-    const Point place = m_ground.ToPixels(wish.place);
+    const Point place = m_obstacles.ToPixels(wish.place);
     const Point end{std::clamp(place.x, box.lower.x, box.upper.x),
                     std::clamp(place.y, box.lower.y, box.upper.y)};
     const double dx = end.x - place.x;
@@ -204,7 +205,7 @@ Box LabelSpots::BoxOnPlace(const LabelWish& wish) const
         const double most = std::max(0.0, 0.5 * (room - size) - kEdge);
         return std::clamp(place, -most, most);
     };
-    const Point place = m_ground.ToPixels(wish.place);
+    const Point place = m_obstacles.ToPixels(wish.place);
     return BoxAround({inside(place.x, wish.width, m_camera.width),
                       inside(place.y, kLetterHeight, m_camera.height)},
                      wish.width);
@@ -212,7 +213,7 @@ Box LabelSpots::BoxOnPlace(const LabelWish& wish) const
 
 std::optional<Box> LabelSpots::BestBox(const LabelWish& wish) const
 {
-    const Point place = m_ground.ToPixels(wish.place);
+    const Point place = m_obstacles.ToPixels(wish.place);
     const bool mayFit = MayFitIn(wish);
     std::optional<Box> best;
     std::optional<int> fewest;
@@ -270,14 +271,14 @@ std::optional<Box> LabelSpots::BestBox(const LabelWish& wish) const
 
 LabelSpot LabelSpots::Take(const Box& box, const LabelWish& wish)
 {
-    m_ground.Add({LabelRole::Label, LabelForm::Box, wish.owner, box, 0, 0});
+    m_obstacles.Add({LabelRole::Label, LabelForm::Box, wish.owner, box, 0, 0});
     const std::optional<Point> tie = TieTo(box, wish);
     if (!tie)
     {
-        return {m_ground.ToWorld(MiddleOf(box)), std::nullopt};
+        return {m_obstacles.ToWorld(MiddleOf(box)), std::nullopt};
     }
-    m_ground.AddLine(m_ground.ToPixels(wish.place), *tie, wish.owner);
-    return {m_ground.ToWorld(MiddleOf(box)), m_ground.ToWorld(*tie)};
+    m_obstacles.AddLine(m_obstacles.ToPixels(wish.place), *tie, wish.owner);
+    return {m_obstacles.ToWorld(MiddleOf(box)), m_obstacles.ToWorld(*tie)};
 }
 
 /// True if a label there is on its body, except for its corners.
@@ -292,9 +293,9 @@ bool LabelSpots::FitsIn(const Box& box, std::uint32_t owner) const
 /// True if a shape of the body at its position may be large enough for it.
 bool LabelSpots::MayFitIn(const LabelWish& wish) const
 {
-    const Point place = m_ground.ToPixels(wish.place);
+    const Point place = m_obstacles.ToPixels(wish.place);
     bool mayFit = false;
-    m_ground.VisitNear({place, place}, [&](const LabelThing& thing) {
+    m_obstacles.VisitNear({place, place}, [&](const LabelThing& thing) {
         const Box& bounds = thing.bounds;
         mayFit = wish.owner != kNoOwner && thing.role == LabelRole::Shape &&
                  thing.owner == wish.owner &&
@@ -307,9 +308,9 @@ bool LabelSpots::MayFitIn(const LabelWish& wish) const
 
 void LabelSpots::AddCenter(const LabelWish& wish)
 {
-    const Point center = m_ground.ToPixels(wish.place);
-    m_ground.Add({LabelRole::Center, LabelForm::Box, wish.owner,
-                  Widened(Box{center, center}, kCenter), 0, 0});
+    const Point center = m_obstacles.ToPixels(wish.place);
+    m_obstacles.Add({LabelRole::Center, LabelForm::Box, wish.owner,
+                     Widened(Box{center, center}, kCenter), 0, 0});
 }
 
 std::vector<std::optional<LabelSpot>> LabelSpots::Settle(const std::vector<LabelWish>& wishes)
@@ -325,7 +326,7 @@ std::vector<std::optional<LabelSpot>> LabelSpots::Settle(const std::vector<Label
     const auto settle = [&](const auto& boxFor) {
         for (std::size_t i = 0; i < wishes.size(); ++i)
         {
-            if (spots[i] || !m_ground.IsInPicture(m_ground.ToPixels(wishes[i].place)))
+            if (spots[i] || !m_obstacles.IsInPicture(m_obstacles.ToPixels(wishes[i].place)))
             {
                 continue;
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "LabelGround.h"
+#include "LabelObstacles.h"
 
 #include <optional>
 #include <vector>
@@ -60,7 +60,7 @@ private:
     LabelSpot Take(const Box& box, const LabelWish& wish);
 
     Camera m_camera;
-    LabelGround m_ground;
+    LabelObstacles m_obstacles;
 };
 
 } // namespace boxreel

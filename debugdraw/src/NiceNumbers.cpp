@@ -13,7 +13,7 @@ namespace
 {
 
 // Powers of ten up to this are exact; larger numbers are not drawn.
-constexpr int kMostDigits = 22;
+constexpr int kMaxDigits = 22;
 
 // Difference of two computations of the same number.
 constexpr double kRounding = 1e-9;
@@ -55,8 +55,8 @@ std::string Fixed(double value, int decimals)
 double NiceBelow(double limit)
 {
     assert(limit > 0.0 && std::isfinite(limit));
-    int index = -3 * kMostDigits;
-    while (index < 3 * kMostDigits && NiceNumber(index + 1) <= limit * (1.0 + kRounding))
+    int index = -3 * kMaxDigits;
+    while (index < 3 * kMaxDigits && NiceNumber(index + 1) <= limit * (1.0 + kRounding))
     {
         ++index;
     }
@@ -66,8 +66,8 @@ double NiceBelow(double limit)
 double NiceAbove(double limit)
 {
     assert(limit > 0.0 && std::isfinite(limit));
-    int index = 3 * kMostDigits;
-    while (index > -3 * kMostDigits && NiceNumber(index - 1) >= limit * (1.0 - kRounding))
+    int index = 3 * kMaxDigits;
+    while (index > -3 * kMaxDigits && NiceNumber(index - 1) >= limit * (1.0 - kRounding))
     {
         --index;
     }
@@ -77,7 +77,7 @@ double NiceAbove(double limit)
 std::string NumberBy(double value, double step)
 {
     int decimals = 0;
-    while (decimals < kMostDigits && step * PowerOfTen(decimals) < 1.0 - kRounding)
+    while (decimals < kMaxDigits && step * PowerOfTen(decimals) < 1.0 - kRounding)
     {
         ++decimals;
     }

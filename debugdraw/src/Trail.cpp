@@ -18,14 +18,14 @@ constexpr double kTolerance = 0.15;
 constexpr double kPiece = 6.0;
 
 // Between two points; if they are further apart than a picture is wide, most of it is outside.
-constexpr double kMostPieces = 400.0;
+constexpr double kMaxPieces = 400.0;
 
 // Extent of a line with the theme's width beyond its end [px]. Transparent pieces are shortened by
 // this, because overlapping ends would be visible as dots.
 constexpr double kEnd = 0.49;
 
 // A path that stays within this [px] is skipped: bodies at rest still tremble.
-constexpr double kLeastExtent = 2.0;
+constexpr double kMinExtent = 2.0;
 
 // Number of points simplified together, so that the time is linear in the length of the path.
 constexpr std::size_t kTogether = 512;
@@ -119,7 +119,7 @@ bool IsWay(std::span<const Vec2> way, double pixel)
             bounds.Include(place);
         }
     }
-    return !bounds.IsEmpty() && Distance(bounds.lower, bounds.upper) > kLeastExtent * pixel;
+    return !bounds.IsEmpty() && Distance(bounds.lower, bounds.upper) > kMinExtent * pixel;
 }
 
 void AddPiece(DrawList& list, double pixel, const Piece& piece, const TrailSettings& settings)
@@ -130,7 +130,7 @@ void AddPiece(DrawList& list, double pixel, const Piece& piece, const TrailSetti
         list.AddSegment(piece.from, piece.to, settings.color);
         return;
     }
-    const int count = static_cast<int>(std::clamp(length / (kPiece * pixel), 1.0, kMostPieces));
+    const int count = static_cast<int>(std::clamp(length / (kPiece * pixel), 1.0, kMaxPieces));
     const double shorter = std::min(kEnd * pixel / std::max(length, pixel), 0.45 / count);
     for (int i = 0; i < count; ++i)
     {

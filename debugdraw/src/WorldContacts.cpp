@@ -15,17 +15,18 @@ constexpr float kOldPoint = 5.0f;      // diameter [px]
 constexpr float kNewPoint = 8.0f;      // [px]
 constexpr double kNormalLength = 12.0; // [px]
 constexpr ArrowHead kPushHead{7.0, 2.5};
-constexpr ArrowHead kRubHead{7.0, 3.5, true}; // distinguishes friction from impulses in any colour
-constexpr double kShortest = 1.5;             // shorter arrows are not legible [px]
+// Distinguishes friction from impulses in any colour.
+constexpr ArrowHead kFrictionHead{7.0, 3.5, true};
+constexpr double kShortest = 1.5;  // shorter arrows are not legible [px]
 constexpr double kHeadReach = 8.0; // upper bound of the head's extent beside the shaft [px]
 
 /// A contact point that may be seen, and what goes through it.
 struct Spot
 {
-    b2Vec2 point;        // [m]
-    b2Vec2 normal;       // from the first fixture to the second
-    float32 push = 0.0f; // along the normal [N s]
-    float32 rub = 0.0f;  // along the tangent [N s]
+    b2Vec2 point;            // [m]
+    b2Vec2 normal;           // from the first fixture to the second
+    float32 push = 0.0f;     // along the normal [N s]
+    float32 friction = 0.0f; // along the tangent [N s]
     bool isOld = false;
 };
 
@@ -63,13 +64,13 @@ void AddArrows(const std::vector<Spot>& spots, const View& view, double metersPe
     {
         const b2Vec2 direction = alongNormal ? spot.normal : b2Cross(spot.normal, 1.0f);
         const float32 length =
-            float32(double(alongNormal ? spot.push : spot.rub) * metersPerImpulse);
+            float32(double(alongNormal ? spot.push : spot.friction) * metersPerImpulse);
         const b2Vec2 tip = spot.point + length * direction;
         if (b2Abs(length) * view.camera.pixelsPerMeter >= kShortest)
         {
             AddArrow(list, view.camera, {spot.point.x, spot.point.y}, {tip.x, tip.y},
                      alongNormal ? ColorRole::ContactImpulse : ColorRole::ContactFriction,
-                     alongNormal ? kPushHead : kRubHead);
+                     alongNormal ? kPushHead : kFrictionHead);
         }
     }
 }

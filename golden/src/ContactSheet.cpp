@@ -119,10 +119,10 @@ Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
         ASSIGN_OR_RETURN(const bool more, reader.Next(next, &seconds));
         while (!isFirst && more && double(pictures.size()) * interval + kRounding < seconds)
         {
-            if (pictures.size() == kMostSheetPictures)
+            if (pictures.size() == kMaxSheetPictures)
             {
                 return Unusable(film,
-                                "it has more than " + std::to_string(kMostSheetPictures) +
+                                "it has more than " + std::to_string(kMaxSheetPictures) +
                                     " pictures, one every " + std::to_string(settings.every) +
                                     " steps",
                                 "take fewer, such as every " + std::to_string(2 * settings.every));
@@ -141,7 +141,7 @@ Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
     }
     // The last frame lasts one period, in which another sample may fall.
     const double period = 1.0 / reader.Info().framesPerSecond.ToDouble();
-    while (pictures.size() < kMostSheetPictures &&
+    while (pictures.size() < kMaxSheetPictures &&
            double(pictures.size()) * interval + kRounding < seconds + period)
     {
         pictures.push_back(shown);

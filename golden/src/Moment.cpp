@@ -295,7 +295,7 @@ std::optional<SheetLayout> LayoutOf(const std::string& sheet)
     {
         return std::nullopt;
     }
-    const bool isUsable = layout.pictures >= 1 && layout.pictures <= kMostSheetPictures &&
+    const bool isUsable = layout.pictures >= 1 && layout.pictures <= kMaxSheetPictures &&
                           layout.width >= 1 && layout.height >= 1 && layout.columns >= 1 &&
                           SheetText(layout) == sheet;
     return isUsable ? std::optional(layout) : std::nullopt;

@@ -238,10 +238,10 @@ std::string WhyNotWhole(const Moment& expected, const Moment& actual)
     {
         return "the bodies of its state are not those that its hash stands for";
     }
-    const std::optional<TraceDifference> onTheWay =
+    const std::optional<TraceDifference> inTrace =
         actual.trace ? FirstDifference(*expected.trace, *actual.trace) : std::nullopt;
-    return onTheWay && onTheWay->isOfOne ? "the steps of its trace are not those that lead to it"
-                                         : "";
+    return inTrace && inTrace->isOfOne ? "the steps of its trace are not those that lead to it"
+                                       : "";
 }
 
 std::optional<WorldDifference> CompareWorlds(const Moment& expected, const Moment& actual)
@@ -253,11 +253,11 @@ std::optional<WorldDifference> CompareWorlds(const Moment& expected, const Momen
     WorldDifference world{*expected.state, *actual.state, {}, {}};
     if (actual.trace)
     {
-        world.onTheWay = FirstDifference(*expected.trace, *actual.trace);
+        world.inTrace = FirstDifference(*expected.trace, *actual.trace);
     }
     if (world.expected == world.actual)
     {
-        return world.onTheWay ? std::optional(world) : std::nullopt;
+        return world.inTrace ? std::optional(world) : std::nullopt;
     }
     if (!expected.bodies.bodies.empty() && !actual.bodies.bodies.empty())
     {
@@ -306,8 +306,8 @@ std::string CommandToAccept(const GoldenCandidate& candidate, const fs::path& re
 }
 
 /// Reports a damaged reference; the candidate may replace it.
-Judged SayDamaged(Judged judged, const GoldenCandidate& candidate, const fs::path& references,
-                  const Error& why)
+Judged ReportDamaged(Judged judged, const GoldenCandidate& candidate, const fs::path& references,
+                     const Error& why)
 {
     judged.expected = Moment{};
     judged.actual = Take(candidate, judged.expected);
@@ -319,8 +319,8 @@ Judged SayDamaged(Judged judged, const GoldenCandidate& candidate, const fs::pat
 
 /// Removes the bodies from both moments and, by the limits, from their pictures. Returns the reason
 /// if that is impossible, otherwise an empty string.
-std::string WhyNotLessBodies(const std::vector<int>& bodies, const GoldenCandidate& candidate,
-                             Moment& expected, Moment& actual, CompareSettings& limits)
+std::string WhyNotIgnorable(const std::vector<int>& bodies, const GoldenCandidate& candidate,
+                            Moment& expected, Moment& actual, CompareSettings& limits)
 {
     if (std::string why = WhyNotLeftOut(bodies, candidate, expected); !why.empty())
     {
@@ -364,7 +364,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     Result<Moment> expected = ReadReference(references, candidate.name, candidate.renderer);
     if (!expected)
     {
-        return SayDamaged(std::move(judged), candidate, references, expected.GetError());
+        return ReportDamaged(std::move(judged), candidate, references, expected.GetError());
     }
     judged.expected = *std::move(expected);
     judged.actual = Take(candidate, judged.expected);
@@ -381,16 +381,16 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     const Moment actual = Comparable(judged.expected, judged.actual);
     if (const std::string why = WhyNotWhole(judged.expected, actual); !why.empty())
     {
-        return SayDamaged(std::move(judged), candidate, references,
-                          {ErrorKind::Unusable, references.string(), why, "restore it"});
+        return ReportDamaged(std::move(judged), candidate, references,
+                             {ErrorKind::Unusable, references.string(), why, "restore it"});
     }
     const std::optional<SheetLayout> sheet =
         actual.sheet ? LayoutOf(*judged.expected.sheet) : std::nullopt;
     if (actual.sheet && (!sheet || !LiesOn(*judged.expected.frame, *sheet)))
     {
-        return SayDamaged(std::move(judged), candidate, references,
-                          {ErrorKind::Unusable, references.string(),
-                           "the text of its sheet is not that of its picture", "restore it"});
+        return ReportDamaged(std::move(judged), candidate, references,
+                             {ErrorKind::Unusable, references.string(),
+                              "the text of its sheet is not that of its picture", "restore it"});
     }
     Moment less[2]; // the files of a failure still contain the ignored bodies
     const Moment* before = &judged.expected;
@@ -399,8 +399,8 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     {
         less[0] = judged.expected;
         less[1] = actual;
-        if (const std::string why = WhyNotLessBodies(settings.ignoredBodies, candidate, less[0],
-                                                     less[1], judged.limits);
+        if (const std::string why =
+                WhyNotIgnorable(settings.ignoredBodies, candidate, less[0], less[1], judged.limits);
             !why.empty())
         {
             verdict.status = GoldenStatus::NotCompared;

@@ -65,7 +65,7 @@ void AddSteps(ordered_json& object, const VerdictRecord& record)
         object["step"] = steps.back().step;
     }
     const auto& [world, film] = std::tie(record.verdict.world, record.verdict.film);
-    const TraceDifference* const trace = world && world->onTheWay ? &*world->onTheWay : nullptr;
+    const TraceDifference* const trace = world && world->inTrace ? &*world->inTrace : nullptr;
     const std::optional<std::int64_t> first = trace  ? std::optional(trace->step)
                                               : film ? film->firstStep
                                                      : std::nullopt;

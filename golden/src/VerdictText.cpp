@@ -363,11 +363,11 @@ std::string DescribeWorld(const WorldDifference& world)
 {
     if (world.expected == world.actual)
     {
-        return "the worlds differ on the way, " + Describe(*world.onTheWay) +
+        return "the worlds differ on the way, " + Describe(*world.inTrace) +
                ", and come to the same state";
     }
     const std::string now = world.now ? Describe(*world.now) : "";
-    return "the worlds differ" + (world.onTheWay ? " " + Describe(*world.onTheWay) : "") +
+    return "the worlds differ" + (world.inTrace ? " " + Describe(*world.inTrace) : "") +
            " (state " + world.actual + " instead of " + world.expected +
            (now.empty() ? ")" : "; now " + now + ")");
 }

@@ -19,7 +19,7 @@ FFmpegLibrary g_library;
 #define BOXREEL_BIND(symbol)                                                                       \
     if (!library->Bind(#symbol, g_library.symbol))                                                 \
     {                                                                                              \
-        return library->Lacks("the function " #symbol);                                            \
+        return library->MissingError("the function " #symbol);                                     \
     }
 #define BOXREEL_LOADER(function, functions)                                                        \
     Result<void> function(const std::string& name, const std::string& package)                     \

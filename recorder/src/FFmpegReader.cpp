@@ -26,7 +26,7 @@ namespace
 
 // Allowed containers; none of them refers to other files or to the network.
 constexpr const char* kContainers = "mov,matroska,gif,apng,avi,nut,yuv4mpegpipe,ivf,flv,ogg,mpegts";
-constexpr std::int64_t kMostPixels = 8192 * 8192;
+constexpr std::int64_t kMaxPixels = 8192 * 8192;
 
 struct InputDelete
 {
@@ -161,7 +161,7 @@ Result<void> FFmpegReader::OpenDecoder()
     m_decoder.reset(FFmpeg().avcodec_alloc_context3(codec));
     FFmpeg().avcodec_parameters_to_context(m_decoder.get(), m_stream->codecpar);
     m_decoder->pkt_timebase = m_stream->time_base;
-    m_decoder->max_pixels = kMostPixels;
+    m_decoder->max_pixels = kMaxPixels;
     m_decoder->err_recognition =
         AV_EF_CRCCHECK | AV_EF_EXPLODE; // no error concealment for damaged films
     const int status = FFmpeg().avcodec_open2(m_decoder.get(), codec, nullptr);

@@ -12,9 +12,9 @@ namespace boxreel
 namespace
 {
 
-constexpr int kMostBits = 12;
+constexpr int kMaxBits = 12;
 // The table is reset one code before it is full, because some decoders mishandle the last code.
-constexpr std::uint32_t kMostCodes = (1u << kMostBits) - 1;
+constexpr std::uint32_t kMaxCodes = (1u << kMaxBits) - 1;
 
 /// Writes numbers of variable width, lowest bit first, in blocks that start with their length.
 class BlockWriter
@@ -128,7 +128,7 @@ void AppendGifLzw(std::span<const std::uint8_t> indices, int bits, std::vector<s
         }
         writer.Put(run, width);
         run = index;
-        if (next == kMostCodes)
+        if (next == kMaxCodes)
         {
             writer.Put(clear, width);
             runs.Clear();

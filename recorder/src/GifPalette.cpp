@@ -10,8 +10,8 @@ namespace
 {
 
 constexpr std::size_t kFirstTable = 1 << 12;
-constexpr std::size_t kMostColors = 1 << 18; // maximum number of remembered colours, to limit
-                                             // memory
+constexpr std::size_t kMaxColors = 1 << 18; // maximum number of remembered colours, to limit
+                                            // memory
 constexpr int kFar = 12; // a visible difference in one channel of a flat drawing [1/255]
 constexpr std::size_t kFarShare = 2000; // one pixel in this many may differ by more than kFar
 constexpr std::size_t kFlatShare =
@@ -289,7 +289,7 @@ void GifPalette::AddNewColors()
     }
 }
 
-bool GifPalette::LacksColors()
+bool GifPalette::IsMissingColors()
 {
     std::size_t total = 0;
     std::size_t far = 0;
@@ -350,13 +350,13 @@ void GifPalette::Rebuild()
 
 bool GifPalette::Map(const Frame& frame, std::uint8_t* indices, std::size_t stride)
 {
-    if (m_tableUsed > kMostColors)
+    if (m_tableUsed > kMaxColors)
     {
         Forget();
     }
     Count(frame);
     AddNewColors();
-    if (LacksColors())
+    if (IsMissingColors())
     {
         Rebuild();
     }

@@ -43,7 +43,7 @@ private:
     void Forget();
     void Count(const Frame& frame);
     void AddNewColors();
-    bool LacksColors();
+    bool IsMissingColors();
     void Rebuild();
     void Match(Entry& entry) const;
 

@@ -19,7 +19,7 @@ namespace
 constexpr int kMaxSize = 8192;      // the renderer's limit; every format supports it [px]
 constexpr int kMaxRate = 1000;      // resolution of Matroska's clock
 constexpr int kMaxThreads = 64;     // limit of libvpx
-constexpr int kMostPlays = 65535;   // limit of the formats
+constexpr int kMaxPlays = 65535;    // limit of the formats
 constexpr int kGifCentiseconds = 2; // shortest delay that browsers respect
 
 struct Extension
@@ -148,10 +148,10 @@ Result<void> CheckNumbers(const VideoSettings& settings)
         return Error{ErrorKind::Unusable, "groupFrames " + std::to_string(settings.groupFrames),
                      "must be at least 1"};
     }
-    if (settings.plays < 0 || settings.plays > kMostPlays)
+    if (settings.plays < 0 || settings.plays > kMaxPlays)
     {
         return Error{ErrorKind::Unusable, "plays " + std::to_string(settings.plays),
-                     "must be between 0 (for ever) and " + std::to_string(kMostPlays)};
+                     "must be between 0 (for ever) and " + std::to_string(kMaxPlays)};
     }
     RETURN_IF_ERROR(CheckRate(settings.framesPerSecond));
     return CheckSize(settings);

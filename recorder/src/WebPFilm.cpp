@@ -56,7 +56,7 @@ Result<WebPLibrary> Load()
                          muxer.Bind("WebPAnimEncoderDelete", library.encoderDelete);
     if (!isWhole)
     {
-        return muxer.Lacks("functions that make animations");
+        return muxer.MissingError("functions that make animations");
     }
     return library;
 }

@@ -42,7 +42,7 @@ Result<WebPLibrary> Load()
                          opened.Bind("WebPAnimDecoderDelete", library.decoderDelete);
     if (!isWhole)
     {
-        return opened.Lacks("functions that read animations");
+        return opened.MissingError("functions that read animations");
     }
     return library;
 }

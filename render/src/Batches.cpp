@@ -14,7 +14,7 @@ namespace
 constexpr int kTileShift = 1;
 
 // Limit of Age: batches later than this after m_first are indistinguishable.
-constexpr int kMostAge = std::numeric_limits<std::uint8_t>::max();
+constexpr int kMaxAge = std::numeric_limits<std::uint8_t>::max();
 
 } // namespace
 
@@ -75,7 +75,7 @@ std::size_t Batches::Place(ProgramKind kind, Form form)
         m_batches[std::size_t(batch)].instances = 0;
         m_batches[std::size_t(batch)].data.clear();
     }
-    if (batch - m_first >= kMostAge)
+    if (batch - m_first >= kMaxAge)
     {
         StartOver(batch);
     }

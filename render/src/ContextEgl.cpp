@@ -26,7 +26,7 @@ constexpr unsigned kDevicePlatform = 0x313F;      // EGL_PLATFORM_DEVICE_EXT
 constexpr unsigned kSurfacelessPlatform = 0x31DD; // EGL_PLATFORM_SURFACELESS_MESA
 constexpr unsigned kRenderer = 0x1F01;            // GL_RENDERER
 
-constexpr int kMostDevices = 32; // more than the GPUs of a machine
+constexpr int kMaxDevices = 32; // more than the GPUs of a machine
 
 constexpr const char* kPackages = "libegl1 libegl-mesa0 libgl1-mesa-dri";
 
@@ -101,9 +101,9 @@ std::vector<Place> PlacesOf(Egl& egl, bool onGpu)
         egl.FindExtension("eglQueryDevicesEXT", egl.queryDevices) &&
         egl.FindExtension("eglQueryDeviceStringEXT", egl.queryDeviceString))
     {
-        void* devices[kMostDevices] = {};
+        void* devices[kMaxDevices] = {};
         int count = 0;
-        egl.queryDevices(kMostDevices, devices, &count);
+        egl.queryDevices(kMaxDevices, devices, &count);
         for (int i = 0; i < count; ++i)
         {
             const char* const abilities = egl.queryDeviceString(devices[i], kExtensions);
@@ -226,7 +226,7 @@ Result<std::unique_ptr<Context>> CreateEglContext(const std::string& library, bo
     Egl egl;
     if (!egl.Load(opened))
     {
-        return opened.Lacks("functions of EGL 1.5");
+        return opened.MissingError("functions of EGL 1.5");
     }
     std::string failures;
     for (const Place& place : PlacesOf(egl, onGpu))

@@ -87,7 +87,7 @@ Result<std::unique_ptr<Context>> CreateOSMesaContext(const std::string& library)
     OSMesa mesa;
     if (!mesa.Load(opened))
     {
-        return opened.Lacks("functions of OSMesa 11.2");
+        return opened.MissingError("functions of OSMesa 11.2");
     }
     const int attributes[] = {
         kFormat,  kFormatRgba,  kDepthBits,    0, kStencilBits,  0, kAccumBits, 0,
@@ -95,7 +95,7 @@ Result<std::unique_ptr<Context>> CreateOSMesaContext(const std::string& library)
     void* const context = mesa.createContextAttribs(attributes, nullptr);
     if (context == nullptr)
     {
-        return opened.Lacks("a GL 3.3 core context, which Mesa has since version 17");
+        return opened.MissingError("a GL 3.3 core context, which Mesa has since version 17");
     }
     return std::unique_ptr<Context>(std::make_unique<OSMesaContext>(mesa, context));
 }

@@ -11,7 +11,7 @@ namespace
 
 // Above this number of rectangles the whole picture is dirty. Drawing it is not slower then, and
 // finding the rectangles takes quadratic time.
-constexpr std::size_t kMostRectangles = 1024;
+constexpr std::size_t kMaxRectangles = 1024;
 
 /// Calls `see(begin, end)` for every run of dirty tiles in a row.
 template <class See>
@@ -157,7 +157,7 @@ void DirtyTiles::Gather(int gap, std::vector<PixelBounds>& rectangles)
                 rectangles.push_back({x0, y0, x1, y1});
             }
         });
-        if (rectangles.size() > kMostRectangles)
+        if (rectangles.size() > kMaxRectangles)
         {
             rectangles.assign(1, {0, 0, m_width, m_height});
             return;

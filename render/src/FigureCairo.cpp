@@ -100,7 +100,7 @@ Result<void> LoadLibraries()
 #define BOXREEL_BIND(library, name)                                                                \
     if (!library.Bind(#name, g_cairo.name))                                                        \
     {                                                                                              \
-        return library.Lacks("the function " #name);                                               \
+        return library.MissingError("the function " #name);                                        \
     }
 #define BOXREEL_BIND_CAIRO(name) BOXREEL_BIND(cairo, name)
 #define BOXREEL_BIND_FREETYPE(name) BOXREEL_BIND(freetype, name)

@@ -18,7 +18,7 @@ namespace boxreel
 namespace
 {
 
-constexpr int kMostPixels = 8192; // per side, as in Renderer
+constexpr int kMaxPixels = 8192; // per side, as in Renderer
 
 /// The position of a panel in the figure's frame, and its visible part [px]; upper bounds excluded.
 struct Placed
@@ -150,7 +150,7 @@ Result<Frame> ToFrame(const Figure& figure, Backend backend, RenderTotals* total
     RETURN_IF_ERROR(CheckFigure(figure));
     const Camera size =
         Scaled(Camera{.width = figure.width, .height = figure.height}, figure.scale);
-    if (std::max(size.width, size.height) > kMostPixels)
+    if (std::max(size.width, size.height) > kMaxPixels)
     {
         return Error{ErrorKind::Unusable,
                      "size " + std::to_string(size.width) + "x" + std::to_string(size.height),

@@ -18,12 +18,12 @@ constexpr double kSmallPart = 2000.0;
 // Number of rows of a small part that are tested together [px].
 constexpr int kBand = 4;
 
-// Each cut halves a part, so there are at most 2^kMostCuts parts.
-constexpr int kMostCuts = 5;
+// Each cut halves a part, so there are at most 2^kMaxCuts parts.
+constexpr int kMaxCuts = 5;
 
 // Larger squares [px] are drawn as two triangles: every GL supports points of this size, and the
 // gain decreases.
-constexpr int kMostSquare = 63;
+constexpr int kMaxSquare = 63;
 
 // Discs with a larger radius [px] are drawn as their visible rectangle, because the quad around
 // them is not exact. Other shapes have been clipped near the picture.
@@ -45,7 +45,7 @@ Batches::Part PartOf(const PixelBounds& b)
 bool IsDrawnAsSquare(const Instance& instance)
 {
     const PixelBounds& b = instance.bounds;
-    return instance.kind == ProgramKind::Disc && std::max(b.x1 - b.x0, b.y1 - b.y0) <= kMostSquare;
+    return instance.kind == ProgramKind::Disc && std::max(b.x1 - b.x0, b.y1 - b.y0) <= kMaxSquare;
 }
 
 /// Returns the quad of the shaders around a shape, as a polygon. The first attributes of all shapes
@@ -176,7 +176,7 @@ bool AddPart(const Instances& all, const Instance& instance, const PixelBounds& 
         batches.Add(instance.kind, Form::Quad, part, PartOf(part), attributes);
         return true;
     }
-    return AddCut(instance, attributes, QuadAround(instance.kind, attributes), part, kMostCuts,
+    return AddCut(instance, attributes, QuadAround(instance.kind, attributes), part, kMaxCuts,
                   batches);
 }
 

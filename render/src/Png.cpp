@@ -31,7 +31,7 @@ constexpr std::size_t kMaxMessage = 160;
 
 // The error of a libpng call. libpng reports errors by longjmp, so no object with a destructor may
 // be alive in between.
-struct Trouble
+struct PngError
 {
     char message[kMaxMessage] = "";
     bool isDevice = false; // a read error, not invalid data
@@ -39,8 +39,8 @@ struct Trouble
 
 [[noreturn]] void OnError(png_structp png, png_const_charp message)
 {
-    auto* trouble = static_cast<Trouble*>(png_get_error_ptr(png));
-    std::snprintf(trouble->message, kMaxMessage, "%s", message);
+    auto* error = static_cast<PngError*>(png_get_error_ptr(png));
+    std::snprintf(error->message, kMaxMessage, "%s", message);
     png_longjmp(png, 1);
 }
 
@@ -94,7 +94,7 @@ struct CloseFile
 struct Reader
 {
     std::unique_ptr<std::FILE, CloseFile> file;
-    Trouble trouble;
+    PngError error;
     png_structp png = nullptr;
     png_infop info = nullptr;
     png_uint_32 width = 0;
@@ -112,9 +112,9 @@ void OnRead(png_structp png, png_bytep bytes, std::size_t count)
     auto* file = static_cast<std::FILE*>(png_get_io_ptr(png));
     if (std::fread(bytes, 1, count, file) != count)
     {
-        auto* trouble = static_cast<Trouble*>(png_get_error_ptr(png));
-        trouble->isDevice = std::ferror(file) != 0;
-        png_error(png, trouble->isDevice ? "the device failed" : "it ends too early");
+        auto* error = static_cast<PngError*>(png_get_error_ptr(png));
+        error->isDevice = std::ferror(file) != 0;
+        png_error(png, error->isDevice ? "the device failed" : "it ends too early");
     }
 }
 
@@ -160,8 +160,8 @@ Error CannotRead(ErrorKind kind, const fs::path& path, const std::string& proble
 
 Error Damaged(const Reader& reader, const fs::path& path)
 {
-    const std::string what = reader.trouble.message;
-    if (reader.trouble.isDevice)
+    const std::string what = reader.error.message;
+    if (reader.error.isDevice)
     {
         return CannotRead(ErrorKind::Failed, path, what, "check the disk and try again");
     }
@@ -214,7 +214,7 @@ Result<void> CheckSize(const Reader& reader, const fs::path& path)
 // defaults.
 struct Writer
 {
-    Trouble trouble;
+    PngError error;
     png_structp png = nullptr;
     png_infop info = nullptr;
     std::vector<std::uint8_t> bytes;
@@ -320,7 +320,7 @@ void WriteAll(Writer& writer, const Frame& frame, bool isOpaque, int compression
 Result<void> Begin(Reader& reader, const fs::path& path, bool readsTexts)
 {
     RETURN_IF_ERROR(OpenFile(reader, path));
-    reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader.trouble, OnError, OnWarning);
+    reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader.error, OnError, OnWarning);
     reader.info = reader.png ? png_create_info_struct(reader.png) : nullptr;
     if (!reader.info)
     {
@@ -382,8 +382,7 @@ Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionL
     Writer writer;
     const bool isOpaque = IsOpaque(frame);
     writer.row.resize(std::size_t(frame.width) * (isOpaque ? 3 : 4));
-    writer.png =
-        png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.trouble, OnError, OnWarning);
+    writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.error, OnError, OnWarning);
     writer.info = writer.png ? png_create_info_struct(writer.png) : nullptr;
     if (!writer.info)
     {
@@ -391,11 +390,10 @@ Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionL
     }
     if (!Guarded(writer.png, [&] { WriteAll(writer, frame, isOpaque, compressionLevel, texts); }))
     {
-        return Error{ErrorKind::Failed,
-                     std::to_string(frame.width) + "x" + std::to_string(frame.height),
-                     std::string("a picture of this size cannot be encoded (") +
-                         writer.trouble.message + ")",
-                     "choose a smaller size, at most " + std::to_string(kMaxSide) + " a side"};
+        return Error{
+            ErrorKind::Failed, std::to_string(frame.width) + "x" + std::to_string(frame.height),
+            std::string("a picture of this size cannot be encoded (") + writer.error.message + ")",
+            "choose a smaller size, at most " + std::to_string(kMaxSide) + " a side"};
     }
     return std::move(writer.bytes);
 }

@@ -28,7 +28,7 @@ constexpr double kMaxScale = 16.0;
 
 // A full redraw draws each instance once; a partial one as often as it has parts, plus cutting.
 // Above this fraction of the picture the full redraw is not slower.
-constexpr double kMostShare = 0.6;
+constexpr double kMaxShare = 0.6;
 
 // This many extra quads are acceptable: they cost less than clearing and reading the whole picture.
 constexpr std::size_t kQuadsToSpare = 256;
@@ -245,7 +245,7 @@ void Renderer::Impl::Plan()
     {
         pixels += rectangle.Area();
     }
-    if (double(pixels) > kMostShare * double(Picture().Area()) || !PlanParts())
+    if (double(pixels) > kMaxShare * double(Picture().Area()) || !PlanParts())
     {
         PlanWhole();
         pixels = Picture().Area();

@@ -99,7 +99,7 @@ Result<Glfw> Start()
     Glfw glfw;
     if (!glfw.Load(library))
     {
-        return library.Lacks("functions of GLFW 3.3");
+        return library.MissingError("functions of GLFW 3.3");
     }
     PreferX11(glfw);
     if (!glfw.Init())

@@ -12,18 +12,18 @@ namespace
 
 constexpr Duration kDefaultLength{10'000'000'000};
 constexpr Duration kLongestWait{600'000'000'000}; // of a film that ends when something holds
-constexpr std::int64_t kMostFrames = 10'000'000;  // 46 hours at 60 frames a second
+constexpr std::int64_t kMaxFrames = 10'000'000;   // 46 hours at 60 frames a second
 
 Result<std::int64_t> FrameCount(const RecordOptions& options)
 {
     const Duration length = options.length.until.empty() ? kDefaultLength : kLongestWait;
     const std::int64_t frames = options.length.frames.value_or(
         FramesIn(options.length.seconds.value_or(length), options.film.framesPerSecond));
-    if (frames > kMostFrames)
+    if (frames > kMaxFrames)
     {
         return Error{ErrorKind::Unusable, "film",
                      "would have " + std::to_string(frames) + " frames; the limit is " +
-                         std::to_string(kMostFrames),
+                         std::to_string(kMaxFrames),
                      "make it shorter or lower --fps"};
     }
     return frames;

@@ -11,7 +11,7 @@ namespace boxreel
 namespace
 {
 
-constexpr std::int64_t kMostBodies = 1'000'000'000;
+constexpr std::int64_t kMaxBodies = 1'000'000'000;
 
 Error NoSuchBody(const std::string& option, const std::string& name,
                  const std::map<std::uint32_t, std::string>& names)
@@ -60,7 +60,7 @@ std::optional<BodyRef> ReadBodyRef(std::string_view text)
     if (isNumber || text.find_first_of("\",:;") != std::string_view::npos || text.front() == ' ' ||
         text.back() == ' ')
     {
-        const Result<std::int64_t> number = ParseWhole("", text, 0, kMostBodies);
+        const Result<std::int64_t> number = ParseWhole("", text, 0, kMaxBodies);
         return number ? std::optional(BodyRef(static_cast<int>(*number))) : std::nullopt;
     }
     return BodyRef(std::string(text));

@@ -10,10 +10,10 @@ namespace boxreel
 namespace
 {
 
-constexpr std::int64_t kMostSteps = 1'000'000'000;
-constexpr std::int64_t kMostPoses = 100; // of an onion skin: more could not be told apart
-constexpr std::size_t kMostMoments = 64; // smaller pictures would show nothing
-constexpr double kFarthest = 1e6;        // [m], where single precision has steps of 6 cm
+constexpr std::int64_t kMaxSteps = 1'000'000'000;
+constexpr std::int64_t kMaxPoses = 100; // of an onion skin: more could not be told apart
+constexpr std::size_t kMaxMoments = 64; // smaller pictures would show nothing
+constexpr double kFarthest = 1e6;       // [m], where single precision has steps of 6 cm
 
 std::optional<BodyChoice> ReadBodies(std::string_view text)
 {
@@ -33,7 +33,7 @@ std::optional<Interval> ReadInterval(std::string_view text)
         if (text.ends_with(unit))
         {
             text.remove_suffix(unit.size());
-            const Result<std::int64_t> steps = ParseWhole("", text, 1, kMostSteps);
+            const Result<std::int64_t> steps = ParseWhole("", text, 1, kMaxSteps);
             return steps ? std::optional(Interval{{}, *steps}) : std::nullopt;
         }
     }
@@ -77,7 +77,7 @@ Result<std::vector<Value>> ParseGrowing(const std::string& option, const std::st
         }
         values.push_back(value);
     }
-    if (values.size() > kMostMoments)
+    if (values.size() > kMaxMoments)
     {
         return BadValue(option, text, "at most 64 moments are possible");
     }
@@ -112,7 +112,7 @@ Result<OnionChoice> ParseOnion(const std::string& option, const std::string& tex
 {
     const std::vector<std::string> parts = SplitOutsideQuotes(":", text);
     OnionChoice onion;
-    const Result<std::int64_t> count = ParseWhole("", parts[0], 1, kMostPoses);
+    const Result<std::int64_t> count = ParseWhole("", parts[0], 1, kMaxPoses);
     const std::optional<Interval> every =
         parts.size() > 1 ? ReadInterval(parts[1]) : std::optional(onion.every);
     const std::optional<BodyChoice> bodies = ReadBodies(parts.size() > 2 ? parts[2] : "moving");
@@ -157,7 +157,7 @@ Result<std::vector<Duration>> ParseMoments(const std::string& option, const std:
 Result<std::vector<std::int64_t>> ParseSteps(const std::string& option, const std::string& text)
 {
     return ParseGrowing<std::int64_t>(option, text, [&](const std::string& part) {
-        return ParseWhole(option, part, 0, kMostSteps);
+        return ParseWhole(option, part, 0, kMaxSteps);
     });
 }
 

@@ -13,7 +13,7 @@ namespace
 class PairCounter : public b2QueryCallback
 {
 public:
-    bool IsTooMany() const { return m_halves > 2 * kMostPairs; }
+    bool IsTooMany() const { return m_halves > 2 * kMaxPairs; }
 
     bool ReportFixture(b2Fixture* fixture) override
     {

@@ -132,7 +132,7 @@ private:
 
 Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file, RubeNotes& leftOut)
 {
-    const Result<std::string> text = ReadWhole(file, kMostBytes);
+    const Result<std::string> text = ReadWhole(file, kMaxBytes);
     return text ? SceneOfText(*text, file.string(), leftOut)
                 : Result<std::unique_ptr<Scene>>(text.GetError());
 }
@@ -145,7 +145,7 @@ Result<std::unique_ptr<Scene>> SceneOfText(std::string_view text, const std::str
     if (IsTooCrowded(scene->World()))
     {
         return Error{ErrorKind::Unusable, source,
-                     "has more than " + std::to_string(kMostPairs) +
+                     "has more than " + std::to_string(kMaxPairs) +
                          " pairs of shapes that lie on each other",
                      "move its bodies apart"};
     }
@@ -154,7 +154,7 @@ Result<std::unique_ptr<Scene>> SceneOfText(std::string_view text, const std::str
 
 Result<RubeNotes> TrapsOfFile(const std::filesystem::path& file)
 {
-    const Result<std::string> text = ReadWhole(file, kMostBytes);
+    const Result<std::string> text = ReadWhole(file, kMaxBytes);
     return text ? RubeTraps(*text, file.string()) : Result<RubeNotes>(text.GetError());
 }
 

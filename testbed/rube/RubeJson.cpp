@@ -64,9 +64,9 @@ public:
     }
 
 private:
-    bool CountValue() { return Within(++m_values, kMostValues, "values"); }
+    bool CountValue() { return Within(++m_values, kMaxValues, "values"); }
 
-    bool CountObject() { return Within(++m_objects, kMostObjects, "objects"); }
+    bool CountObject() { return Within(++m_objects, kMaxObjects, "objects"); }
 
     bool Within(std::size_t count, std::size_t most, const char* what)
     {
@@ -215,9 +215,9 @@ JsonDocument::~JsonDocument() = default;
 
 Result<JsonDocument> JsonDocument::Parse(std::string_view text, std::string source)
 {
-    if (text.size() > kMostBytes)
+    if (text.size() > kMaxBytes)
     {
-        return Unusable(source, "is larger than " + std::to_string(kMostBytes >> 20) + " MB",
+        return Unusable(source, "is larger than " + std::to_string(kMaxBytes >> 20) + " MB",
                         kSplit);
     }
     // The library takes a zero byte for the end of the text and would ignore what follows.

@@ -13,16 +13,16 @@
 /// JSON as the scene-file reader wants it: every access says what it expects, and the first value
 /// that is not so is remembered with its place instead of being thrown. Only RubeJson.cpp, and
 /// RubeWriter.cpp for text that is made, know the JSON library. Text from anywhere may be given:
-/// memory is bounded by kMostBytes, kMostValues and kMostObjects.
+/// memory is bounded by kMaxBytes, kMaxValues and kMaxObjects.
 namespace boxreel
 {
 
 /// Larger files are refused unread; a scene of ten thousand bodies has about 10 MB.
-constexpr std::uintmax_t kMostBytes = 64u << 20;
+constexpr std::uintmax_t kMaxBytes = 64u << 20;
 /// Of numbers, strings, lists and objects; a parsed value takes about 100 bytes.
-constexpr std::size_t kMostValues = 2'000'000;
+constexpr std::size_t kMaxValues = 2'000'000;
 /// Of those; one in a list may become a body of 600 bytes. A body that is written out has seven.
-constexpr std::size_t kMostObjects = 500'000;
+constexpr std::size_t kMaxObjects = 500'000;
 /// Of lists and objects in each other; scene files need about ten.
 constexpr std::size_t kDeepest = 64;
 

@@ -36,13 +36,13 @@ std::string RubeNote::Text() const
 
 void AddNote(RubeNotes& notes, std::size_t& count, RubeNote note)
 {
-    if (++count <= kMostNotes)
+    if (++count <= kMaxNotes)
     {
         notes.push_back(std::move(note));
         return;
     }
-    notes.resize(kMostNotes);
-    notes.push_back({std::to_string(count - kMostNotes) + " more parts", "not listed"});
+    notes.resize(kMaxNotes);
+    notes.push_back({std::to_string(count - kMaxNotes) + " more parts", "not listed"});
 }
 
 // Names come from the file: long ones would drown the message, control characters could garble the

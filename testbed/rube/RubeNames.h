@@ -21,10 +21,10 @@ struct RubeNote
     std::string Text() const;
 };
 
-/// In the order of the file, at most kMostNotes and one that counts the others.
+/// In the order of the file, at most kMaxNotes and one that counts the others.
 using RubeNotes = std::vector<RubeNote>;
 
-constexpr std::size_t kMostNotes = 1000; ///< nobody reads more, and memory stays bounded
+constexpr std::size_t kMaxNotes = 1000; ///< nobody reads more, and memory stays bounded
 
 /// Adds to notes of which there have been `count` so far.
 void AddNote(RubeNotes& notes, std::size_t& count, RubeNote note);

@@ -17,7 +17,7 @@ namespace
 constexpr int32 kPerSide = 6;         ///< balls, in rows and columns at the start
 constexpr float32 kBallStep = 2.5f;   ///< [m]
 constexpr float32 kHalfExtent = 9.0f; ///< of the room [m]
-constexpr float32 kMostSpeed = 8.0f;  ///< along each axis [m/s]
+constexpr float32 kMaxSpeed = 8.0f;   ///< along each axis [m/s]
 constexpr Material kBall{.density = 1.0f, .friction = 0.0f, .restitution = 1.0f};
 
 struct ByNumber
@@ -48,8 +48,8 @@ public:
             const float32 y = static_cast<float32>(2 * (i / kPerSide) - kPerSide + 1);
             const float32 radius = random.Between(0.3f, 0.7f);
             b2Body* ball = AddBall(m_world, 0.5f * kBallStep * b2Vec2(x, y), radius, kBall);
-            const float32 vx = random.Between(-kMostSpeed, kMostSpeed);
-            const float32 vy = random.Between(-kMostSpeed, kMostSpeed);
+            const float32 vx = random.Between(-kMaxSpeed, kMaxSpeed);
+            const float32 vy = random.Between(-kMaxSpeed, kMaxSpeed);
             ball->SetLinearVelocity(b2Vec2(vx, vy));
         }
         m_lastBall = m_world.GetBodyList()->GetNumber();

@@ -14,7 +14,7 @@ constexpr float32 kHalfLength = 2.0f;     ///< of the bar [m]
 constexpr float32 kHalfThickness = 0.05f; ///< of the bar [m]
 constexpr float32 kThrowEvery = 1.5f;     ///< [s]
 constexpr float32 kSpeed = 100.0f;        ///< downwards: 1.7 m a step [m/s]
-constexpr float32 kMostSpin = 50.0f;      ///< [rad/s]
+constexpr float32 kMaxSpin = 50.0f;       ///< [rad/s]
 const b2Vec2 kStart(0.0f, 12.0f);         ///< [m]
 
 constexpr KeyBinding kKeys[] = {{'c', "switches continuous collision off or on"},
@@ -79,7 +79,7 @@ private:
     void Throw()
     {
         const float32 angle = m_random.Between(-b2_pi, b2_pi);
-        const float32 spin = m_random.Between(-kMostSpin, kMostSpin);
+        const float32 spin = m_random.Between(-kMaxSpin, kMaxSpin);
         m_bar->SetTransform(m_floor->GetWorldPoint(kStart), angle);
         m_bar->SetLinearVelocity(b2Vec2(0.0f, -kSpeed));
         m_bar->SetAngularVelocity(spin);

@@ -12,8 +12,8 @@ namespace
 {
 
 constexpr int32 kBodyCount = 48;
-constexpr float32 kReach = 10.0f;    ///< of the field they move in, from its middle [m]
-constexpr float32 kMostSpeed = 3.0f; ///< along each axis [m/s]
+constexpr float32 kReach = 10.0f;   ///< of the field they move in, from its middle [m]
+constexpr float32 kMaxSpeed = 3.0f; ///< along each axis [m/s]
 
 constexpr float32 kTurningSpeed = 0.6f; ///< of probe and ray [rad/s]
 constexpr float32 kProbeOrbit = 5.0f;   ///< [m]
@@ -118,8 +118,8 @@ private:
         const float32 x = random.Between(-kReach, kReach);
         const float32 y = random.Between(-kReach, kReach);
         const float32 size = random.Between(0.3f, 0.8f);
-        const float32 vx = random.Between(-kMostSpeed, kMostSpeed);
-        const float32 vy = random.Between(-kMostSpeed, kMostSpeed);
+        const float32 vx = random.Between(-kMaxSpeed, kMaxSpeed);
+        const float32 vy = random.Between(-kMaxSpeed, kMaxSpeed);
         b2Body* body = AddSample(m_world, number % kSampleKinds, b2Vec2(x, y), 0.0f, size, {});
         body->GetFixtureList()->SetFilterData({.maskBits = 0});
         body->SetLinearVelocity(b2Vec2(vx, vy));

@@ -9,8 +9,8 @@ namespace boxreel
 namespace
 {
 
-constexpr float32 kReach = 0.001f;             // around the point, for the query [m]
-constexpr float32 kMostAcceleration = 1000.0f; // of the body by the joint's force [m/s^2]
+constexpr float32 kReach = 0.001f;            // around the point, for the query [m]
+constexpr float32 kMaxAcceleration = 1000.0f; // of the body by the joint's force [m/s^2]
 
 /// The youngest dynamic body with a fixture that contains a point.
 class BodyAt : public b2QueryCallback
@@ -63,7 +63,7 @@ void MouseGrip::Take(b2World& world, const b2Vec2& point)
     def.bodyA = m_ground;
     def.bodyB = body;
     def.target = point;
-    def.maxForce = kMostAcceleration * body->GetMass();
+    def.maxForce = kMaxAcceleration * body->GetMass();
     m_joint = world.CreateJoint(&def);
     body->SetAwake(true);
 }

@@ -13,8 +13,8 @@ namespace
 
 constexpr float32 kSweepTime = 2.5f; ///< of one sweep [s]
 constexpr float32 kRange = 7.0f;     ///< where sweeps start and end, from the block [m]
-constexpr float32 kMostMiss = 2.5f;  ///< how far past the middle of the block one leads [m]
-constexpr float32 kMostTurn = 6.0f;  ///< in one sweep [rad]
+constexpr float32 kMaxMiss = 2.5f;   ///< how far past the middle of the block one leads [m]
+constexpr float32 kMaxTurn = 6.0f;   ///< in one sweep [rad]
 
 /// The bar goes through the block; drawn are where its sweep begins and ends, and where it is when
 /// they first touch.
@@ -76,9 +76,9 @@ private:
     void BeginSweep()
     {
         const b2Rot direction(m_random.Between(-b2_pi, b2_pi));
-        const float32 miss = m_random.Between(-kMostMiss, kMostMiss);
+        const float32 miss = m_random.Between(-kMaxMiss, kMaxMiss);
         m_angle = m_random.Between(-b2_pi, b2_pi);
-        m_turn = m_random.Between(-kMostTurn, kMostTurn);
+        m_turn = m_random.Between(-kMaxTurn, kMaxTurn);
         m_from = miss * direction.GetYAxis() - kRange * direction.GetXAxis();
         m_way = 2.0f * kRange * direction.GetXAxis();
         m_time = 0.0f;

@@ -20,8 +20,8 @@ namespace boxreel
 namespace
 {
 
-constexpr std::int64_t kMostSteps = 1'000'000'000;
-constexpr std::uintmax_t kMostBytes = 16'000'000; // of a script: many more than a person would do
+constexpr std::int64_t kMaxSteps = 1'000'000'000;
+constexpr std::uintmax_t kMaxBytes = 16'000'000; // of a script: many more than a person would do
 
 Error Unusable(std::string culprit, std::string problem, std::string remedy = {})
 {
@@ -70,7 +70,7 @@ Result<ScriptMoment> TakeMoment(Words& words, const std::string& after)
         {
             return Unusable(Quoted("step"), "requires a number", "such as step 90");
         }
-        const Result<std::int64_t> step = ParseWhole("step", words.Take(), 0, kMostSteps);
+        const Result<std::int64_t> step = ParseWhole("step", words.Take(), 0, kMaxSteps);
         return step ? Result<ScriptMoment>(ScriptMoment{*step}) : step.GetError();
     }
     const Result<Duration> time = ParseDuration(after, words.Take());
@@ -511,7 +511,7 @@ Result<Script> ParseScript(const std::string& text, const std::filesystem::path&
 
 Result<Script> ReadScript(const std::filesystem::path& file)
 {
-    const Result<std::string> text = ReadWhole(file, kMostBytes);
+    const Result<std::string> text = ReadWhole(file, kMaxBytes);
     if (!text)
     {
         Error error = text.GetError();

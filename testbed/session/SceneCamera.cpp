@@ -14,7 +14,7 @@ namespace
 
 // Of the view of what is followed without a height: enough to see where a body of a metre is, and
 // around larger ones as much again on either side.
-constexpr double kLeastFollowHeight = 10.0; // [m]
+constexpr double kMinFollowHeight = 10.0; // [m]
 constexpr double kFollowedShare = 1.0 / 3.0;
 
 Camera FixedCamera(const FixedView& view, int width, int height)
@@ -36,7 +36,7 @@ Rect RectOf(const b2AABB& box)
 double HeightForFollowing(const Rect& bodies, int width, int height)
 {
     const Camera fitting = FitTo(bodies, width, height, 0.5 * (1.0 - kFollowedShare));
-    return std::max(kLeastFollowHeight, height / fitting.pixelsPerMeter);
+    return std::max(kMinFollowHeight, height / fitting.pixelsPerMeter);
 }
 
 std::vector<int> NumbersOf(ViewChoice choice)
@@ -161,10 +161,10 @@ void SceneCamera::VisitState(const NumberVisitor& visit)
     m_made = static_cast<int>(std::clamp(made, 0.0, double(std::numeric_limits<int>::max())));
     if (waited && !m_waits) // what it waited for has come
     {
-        m_mover.emplace<FollowCamera>(
-            m_view.width, m_view.height, Rect(),
-            m_seesCentersOnly ? std::optional(m_followHeight.value_or(kLeastFollowHeight))
-                              : std::nullopt);
+        m_mover.emplace<FollowCamera>(m_view.width, m_view.height, Rect(),
+                                      m_seesCentersOnly
+                                          ? std::optional(m_followHeight.value_or(kMinFollowHeight))
+                                          : std::nullopt);
     }
     if (auto* fit = std::get_if<FitCamera>(&m_mover))
     {

@@ -27,7 +27,7 @@ constexpr double kNewestOpacity = 0.6;
 constexpr double kSamePlace = 1.5;
 
 // More would be a smear, and a file and a memory full of it.
-constexpr std::size_t kMostPoses = 2000;
+constexpr std::size_t kMaxPoses = 2000;
 
 bool IsMeant(const BodyChoice& choice, const b2Body& body)
 {
@@ -145,10 +145,10 @@ Result<SceneMotion> SceneMotion::Create(const MotionLook& asked, SceneSession& s
         {
             motion.m_poses.try_emplace(step);
         }
-        if (motion.m_poses.size() > kMostPoses)
+        if (motion.m_poses.size() > kMaxPoses)
         {
             return Error{ErrorKind::Unusable, look.strobe ? "--strobe" : "--onion",
-                         "makes more than " + std::to_string(kMostPoses) + " poses",
+                         "makes more than " + std::to_string(kMaxPoses) + " poses",
                          "give a longer interval or fewer moments"};
         }
     }
@@ -163,7 +163,7 @@ std::vector<std::int64_t> SceneMotion::PosesFor(std::int64_t moment,
     std::set<std::int64_t> steps;
     if (m_look.strobe)
     {
-        for (std::int64_t i = 0; steps.size() <= kMostPoses; ++i)
+        for (std::int64_t i = 0; steps.size() <= kMaxPoses; ++i)
         {
             const std::int64_t step = StepsIn(m_look.strobe->every, i, stepsPerSecond);
             if (step >= moment)

@@ -58,9 +58,9 @@ bool SceneSession::RestoreState(std::span<const std::uint8_t> bytes)
         numbers.push_back(std::bit_cast<double>(TakeNumber(bytes)));
     }
     SceneCamera camera = m_camera;
-    constexpr std::uint64_t kMostIterations = 1'000'000;
+    constexpr std::uint64_t kMaxIterations = 1'000'000;
     if (step > std::uint64_t(std::numeric_limits<std::int64_t>::max()) ||
-        velocityIterations > kMostIterations || positionIterations > kMostIterations ||
+        velocityIterations > kMaxIterations || positionIterations > kMaxIterations ||
         !camera.Restore(numbers) || !RestoreScene(*m_scene, bytes).empty())
     {
         return false;

@@ -27,7 +27,7 @@ constexpr std::int64_t kFirstGap = 100;
 constexpr std::int64_t kGapsInWay = 32;
 
 // What says that it is larger is no snapshot: 100,000 bodies in a pile have some 100 MB.
-constexpr std::uintmax_t kMostBytes = 4'000'000'000;
+constexpr std::uintmax_t kMaxBytes = 4'000'000'000;
 
 constexpr const char* kExtension = ".snapshot";
 constexpr int kStepDigits = 10;
@@ -172,7 +172,7 @@ std::string SnapshotFolder::Heading(std::int64_t step) const
 /// Empty when the session has gone on from the file.
 std::string SnapshotFolder::WhyNot(SceneSession& session, std::int64_t step) const
 {
-    const Result<std::string> read = ReadWhole(PathOf(step), kMostBytes);
+    const Result<std::string> read = ReadWhole(PathOf(step), kMaxBytes);
     const std::string file = read ? *read : "";
     const std::string heading = Heading(step);
     const std::size_t versionEnds = heading.find(m_origin);

@@ -17,7 +17,7 @@ namespace boxreel
 namespace
 {
 
-constexpr std::size_t kMostLines = 12;
+constexpr std::size_t kMaxLines = 12;
 
 std::vector<const SceneEntry*> Matching(const char* query)
 {
@@ -31,7 +31,7 @@ std::vector<const SceneEntry*> Matching(const char* query)
     {
         found.push_back(&AllScenes()[place]);
     }
-    found.resize(std::min(found.size(), kMostLines));
+    found.resize(std::min(found.size(), kMaxLines));
     return found;
 }
 

@@ -18,7 +18,7 @@ namespace
 
 using nlohmann::json;
 
-constexpr std::uintmax_t kMostBytes = 1'000'000;
+constexpr std::uintmax_t kMaxBytes = 1'000'000;
 
 /// Calls `visit(name, value)` for everything that a file holds, so that reading and writing cannot
 /// come apart.
@@ -112,7 +112,7 @@ Result<UiSettings> ReadUiSettings(const std::filesystem::path& file)
     }
     const Error unreadable{ErrorKind::Failed, file.string(), "holds no settings of boxreel",
                            "it stays until settings are written again"};
-    const Result<std::string> text = ReadWhole(file, kMostBytes);
+    const Result<std::string> text = ReadWhole(file, kMaxBytes);
     const json object = text ? json::parse(*text, nullptr, false) : json();
     if (!object.is_object())
     {

@@ -12,8 +12,8 @@ namespace boxreel
 namespace
 {
 
-constexpr double kLeastHeight = 1e-3; // of a view [m] …
-constexpr double kMostHeight = 1e6;   // … beyond which nothing is to be seen
+constexpr double kMinHeight = 1e-3; // of a view [m] …
+constexpr double kMaxHeight = 1e6;  // … beyond which nothing is to be seen
 
 } // namespace
 
@@ -99,7 +99,7 @@ void SceneWork::Zoom(double factor, Vec2 about)
 {
     const Camera view = Uncovered();
     const double height = view.height / view.pixelsPerMeter;
-    const double newHeight = std::clamp(height / factor, kLeastHeight, kMostHeight);
+    const double newHeight = std::clamp(height / factor, kMinHeight, kMaxHeight);
     const double share = 1.0 - newHeight / height; // of the way from the middle to the point
     const b2Vec2 point = WorldAt(about);
     LookAt(view.centerX + share * (double(point.x) - view.centerX),

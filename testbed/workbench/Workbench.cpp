@@ -14,7 +14,7 @@ namespace boxreel
 namespace
 {
 
-constexpr double kMostOwed = 0.1; // simulated at once [s]
+constexpr double kMaxOwed = 0.1; // simulated at once [s]
 
 int Unscaled(int pixels, double scale)
 {
@@ -117,7 +117,7 @@ void Workbench::Advance(double seconds)
         m_owed = 0.0;
         return;
     }
-    m_owed = std::min(m_owed + seconds, kMostOwed);
+    m_owed = std::min(m_owed + seconds, kMaxOwed);
     const double step = 1.0 / Session().StepsPerSecond().ToDouble();
     while (m_owed >= step)
     {

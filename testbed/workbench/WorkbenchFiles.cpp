@@ -18,7 +18,7 @@ namespace boxreel
 namespace
 {
 
-constexpr double kMostFramesPerSecond = 60.0;
+constexpr double kMaxFramesPerSecond = 60.0;
 
 /// Most formats halve colours.
 int Even(int pixels)
@@ -113,7 +113,7 @@ Result<WorkbenchFilm> WorkbenchFilm::Open(const SceneWork& work, const Workbench
     const SceneSession& session = work.Session();
     const Rational& rate = session.StepsPerSecond();
     const int every =
-        std::max(1, static_cast<int>(std::ceil(rate.ToDouble() / kMostFramesPerSecond)));
+        std::max(1, static_cast<int>(std::ceil(rate.ToDouble() / kMaxFramesPerSecond)));
     const Camera view = FilmedView(work, output.choices.filmsPanels);
     VideoSettings film;
     film.width = Even(view.width);

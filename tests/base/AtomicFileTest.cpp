@@ -110,7 +110,7 @@ TEST(AtomicFile, StartsAfreshOnAPartThatAKilledProgramLeft)
     EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
 }
 
-TEST(AtomicFile, KeepsAnExistingFileUnlessToldToOverwrite)
+TEST(AtomicFile, KeepsAnExistingFileByDefault)
 {
     const TemporaryFolder folder;
     WriteBytes(folder / "film.mp4", "precious");

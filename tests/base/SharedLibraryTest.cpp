@@ -28,7 +28,7 @@ TEST(SharedLibrary, BindsOnlyFunctionsThatItHas)
         EXPECT_TRUE(math->Bind("cos", cosine));
         EXPECT_EQ(cosine(0.0), 1.0);
         EXPECT_FALSE(math->Bind("noSuchFunction", cosine));
-        EXPECT_EQ(math->Lacks("it").culprit, "libm.so.6");
+        EXPECT_EQ(math->MissingError("it").culprit, "libm.so.6");
     }
 }
 

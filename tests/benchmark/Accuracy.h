@@ -58,7 +58,7 @@ using AccuracyCases = std::vector<AccuracyCase>;
 void AppendMotionCases(AccuracyCases& cases);
 /// Pendulums, chains, a pair that spins: AccuracyJoints.cpp.
 void AppendJointCases(AccuracyCases& cases);
-/// Stacks and the card house: AccuracyPiles.cpp.
+/// Stacks and the card house: AccuracyStacks.cpp.
 void AppendPileCases(AccuracyCases& cases);
 /// The cradle, and what is too fast for its walls: AccuracyImpacts.cpp.
 void AppendImpactCases(AccuracyCases& cases);

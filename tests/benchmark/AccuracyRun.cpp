@@ -15,8 +15,8 @@ namespace bench
 namespace
 {
 
-constexpr double kLeastTimed = 0.02; ///< each time that the sweep comes round [s]
-constexpr int kMostNumber = 100000;
+constexpr double kMinTimed = 0.02; ///< each time that the sweep comes round [s]
+constexpr int kMaxNumber = 100000;
 
 double CpuTime()
 {
@@ -82,7 +82,7 @@ double TimeRun(const AccuracyCase& one, const SimSettings& settings, int count)
 double TimeSteps(const AccuracyCase& one, const SimSettings& settings, int count)
 {
     double fastest = std::numeric_limits<double>::infinity();
-    for (double spent = 0.0; spent < kLeastTimed;)
+    for (double spent = 0.0; spent < kMinTimed;)
     {
         const double run = TimeRun(one, settings, count);
         fastest = std::min(fastest, run);
@@ -108,7 +108,7 @@ int ParseNumber(const std::string& word)
 {
     char* end = nullptr;
     const long number = std::strtol(word.c_str(), &end, 10);
-    const bool isNumber = !word.empty() && *end == '\0' && number >= 1 && number <= kMostNumber;
+    const bool isNumber = !word.empty() && *end == '\0' && number >= 1 && number <= kMaxNumber;
     return isNumber ? int(number) : 0;
 }
 
@@ -159,7 +159,7 @@ int RunAccuracy(const std::string& name, const std::vector<std::string>& numbers
         if (*fields[i] == 0)
         {
             std::fprintf(stderr, "'%s' is no whole number from 1 to %d.\n", numbers[i].c_str(),
-                         kMostNumber);
+                         kMaxNumber);
             return 1;
         }
     }

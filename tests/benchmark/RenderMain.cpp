@@ -21,9 +21,9 @@ namespace
 
 using namespace boxreel;
 
-constexpr double kLeastTimed = 0.3; ///< of a work: long enough for a median [s]
-constexpr std::size_t kLeastFrames = 10;
-constexpr std::size_t kMostFrames = 400;
+constexpr double kMinTimed = 0.3; ///< of a work: long enough for a median [s]
+constexpr std::size_t kMinFrames = 10;
+constexpr std::size_t kMaxFrames = 400;
 
 /// One view of one list.
 struct Shown
@@ -133,8 +133,8 @@ Result<Times> TimeWork(Painter& painter, const Work& work)
 {
     std::vector<Times> frames;
     const double begin = WallTime();
-    while (frames.size() < kLeastFrames ||
-           (frames.size() < kMostFrames && WallTime() - begin < kLeastTimed))
+    while (frames.size() < kMinFrames ||
+           (frames.size() < kMaxFrames && WallTime() - begin < kMinTimed))
     {
         const Shown& shown = frames.size() % 2 == 0 ? work.before : work.after;
         const double cpu = CpuTime();

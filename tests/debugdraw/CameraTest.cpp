@@ -36,7 +36,7 @@ bool IsInside(const Rect& inner, const Rect& outer, double slack)
 
 } // namespace
 
-TEST(Camera, ShowsFiftyMetresAroundTheTestbedsCentreUnlessTold)
+TEST(Camera, ShowsFiftyMetresAroundTheTestbedsCentreByDefault)
 {
     const Camera camera;
     EXPECT_EQ(camera.ToPixel({0.0f, 20.0f}), (Vec2{640.0f, 360.0f}));

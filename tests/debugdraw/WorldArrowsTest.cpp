@@ -31,7 +31,7 @@ b2Joint* Hang(dynamics::Scene& scene)
 
 } // namespace
 
-TEST_F(WorldArrows, AVelocityIsTheWayOfSomeSeconds)
+TEST_F(WorldArrows, AVelocityIsTheDisplacementInSomeSeconds)
 {
     scene.Body(b2_staticBody, 9.0f, 9.0f);
     b2Body* const box = scene.Box(1.0f, 2.0f);

@@ -32,7 +32,7 @@ struct Row
     {
         EXPECT_EQ(std::size_t(World().solver->islands.Count()), count);
         EXPECT_EQ(World().subSteps->contacts.Count(), count);
-        EXPECT_EQ(World().subSteps->carryGuard.Count(), count);
+        EXPECT_EQ(World().subSteps->warmStartGuard.Count(), count);
     }
 
     Scene scene;

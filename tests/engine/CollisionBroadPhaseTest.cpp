@@ -175,7 +175,7 @@ TEST(WorldProxies, TellThePairsOfManyThatMoveAtATime)
     }
 }
 
-TEST(WorldProxies, TellTheSamePairsAfterTheStaticTreeWasBuiltAnew)
+TEST(WorldProxies, ReportTheSamePairsAfterTheStaticTreeIsRebuilt)
 {
     Random random(52);
     std::vector<b2FixtureProxy> every(3200);

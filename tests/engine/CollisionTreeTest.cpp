@@ -347,7 +347,7 @@ TEST(Tree, BuiltEvenlyIsNotMuchWorseThanTheBest)
     EXPECT_LT(evenly, 1.25f * tree.GetAreaRatio());
 }
 
-TEST(Tree, IsBetterBuiltAnewThanInsertedInRows)
+TEST(Tree, IsBetterWhenRebuiltThanWhenInsertedInRows)
 {
     b2DynamicTree tree;
     for (int32 i = 0; i < 2000; ++i)
@@ -430,7 +430,7 @@ TEST(Tree, ShiftsWithItsOrigin)
     EXPECT_EQ(collector.found.size(), 1u);
 }
 
-TEST(Tree, StopsAQueryAndARayWhenTold)
+TEST(Tree, StopsAQueryAndARayOnRequest)
 {
     b2DynamicTree tree;
     for (int32 i = 0; i < 10; ++i)

@@ -318,7 +318,7 @@ TEST(DynamicsBodies, AreMovedByForcesAndImpulses)
     EXPECT_NEAR(body->GetAngularVelocity(), 1.0f, 1e-5f);
 }
 
-TEST(DynamicsBodies, KeepForcesUntilTheyAreClearedWhenToldTo)
+TEST(DynamicsBodies, KeepForcesUntilTheyAreClearedOnRequest)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     scene.world.SetAutoClearForces(false);

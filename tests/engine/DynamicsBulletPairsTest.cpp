@@ -189,7 +189,7 @@ public:
         int count = 0;
         for (b2Body* body : m_bodies)
         {
-            count += (box2d::Data(*body).flags & box2d::kBodySwept) != 0;
+            count += (box2d::Data(*body).flags & box2d::kBodyPathBox) != 0;
         }
         return count;
     }

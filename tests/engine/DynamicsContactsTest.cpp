@@ -175,7 +175,7 @@ TEST(DynamicsContactEvents, NameTheOlderBodyFirst)
     }
 }
 
-TEST(DynamicsContactEvents, ADisabledContactDoesNotPushAndIsEnabledAnew)
+TEST(DynamicsContactEvents, ADisabledContactDoesNotPushAndIsEnabledAgain)
 {
     Scene scene;
     Recorder events;

@@ -122,7 +122,7 @@ TEST_P(Containment, LetsABodyMoveThatHasAWallBetweenItsShapes)
 }
 
 /// Rods that spin, thrown at a rough wall that throws them back.
-TEST_P(Containment, ImpactsWinNoEnergyByFriction)
+TEST_P(Containment, ImpactsGainNoEnergyByFriction)
 {
     double widest = 0.0;
     for (int i = 0; i < 200; ++i)

@@ -377,7 +377,7 @@ TEST(DynamicsContinuous, SubSteppingStopsAtEveryImpact)
     EXPECT_EQ(WhyBroken(scene.world, false), "");
 }
 
-TEST(DynamicsContinuous, BulletsInAPileEndTheStep)
+TEST(DynamicsContinuous, BulletsInAStackEndTheStep)
 {
     Scene scene;
     scene.Ground();

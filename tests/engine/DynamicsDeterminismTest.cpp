@@ -106,7 +106,7 @@ TEST(DynamicsDeterminism, TheSameSceneGivesTheSameBitsWhereverItsMemoryLies)
 }
 
 // Those of another build. Whoever changes what small steps compute changes this number.
-TEST(DynamicsDeterminism, SmallStepsGiveTheBitsOfEveryCompiler)
+TEST(DynamicsDeterminism, SubStepsGiveTheBitsOfEveryCompiler)
 {
     EXPECT_EQ(RunScene(false, 4), 16739910731634796023ull);
 }

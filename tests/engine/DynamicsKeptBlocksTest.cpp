@@ -65,7 +65,7 @@ std::uint64_t HashOf(const b2World& world)
     return hash;
 }
 
-TEST(DynamicsKeptBlocks, GiveTheBitsOfBlocksMadeAnewInEveryStep)
+TEST(DynamicsKeptBlocks, GiveTheBitsOfBlocksRebuiltInEveryStep)
 {
     Idle idle; // with a listener they are made anew
     Scene kept, anew;
@@ -128,7 +128,7 @@ TEST(DynamicsKeptBlocks, HeedWhatAListenerSwitchesOffBeforeItTakesItselfAway)
     EXPECT_NEAR(box->GetLinearVelocity().y, 0.0f, 1e-3f) << "for one step only";
 }
 
-TEST(DynamicsKeptBlocks, AreMadeAnewWhenAContactComesOrGoesOrChangesItsForm)
+TEST(DynamicsKeptBlocks, AreRebuiltWhenAContactComesOrGoesOrChangesItsForm)
 {
     Scene scene;
     scene.Ground();

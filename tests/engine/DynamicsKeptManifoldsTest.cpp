@@ -45,7 +45,7 @@ TEST_F(OnPedestal, AManifoldIsKeptWhileABodyMovesAHairsBreadth)
     EXPECT_EQ(PointAfter(0.0002f), before);
 }
 
-TEST_F(OnPedestal, AManifoldIsComputedAnewWhenABodyHasMoved)
+TEST_F(OnPedestal, AManifoldIsRecomputedWhenABodyHasMoved)
 {
     const float32 before = PointAfter(0.0f);
     EXPECT_NEAR(PointAfter(0.002f), before - 0.002f, 1e-4f);
@@ -61,7 +61,7 @@ TEST_F(OnPedestal, ManySmallMovesDoNotAddUp)
     }
 }
 
-TEST_F(OnPedestal, AManifoldIsComputedAnewWhenABodyHasTurned)
+TEST_F(OnPedestal, AManifoldIsRecomputedWhenABodyHasTurned)
 {
     const b2Contact* contact = box->GetContactList()->contact;
     const b2Vec2 normal = contact->GetManifold()->localNormal;
@@ -112,7 +112,7 @@ TEST_F(OnPedestal, WhatAListenerChangesLastsOneStep)
     scene.world.SetContactListener(nullptr);
 }
 
-TEST_F(OnPedestal, AManifoldThatSomebodyHasEmptiedIsComputedAnew)
+TEST_F(OnPedestal, AnEmptiedManifoldIsRecomputed)
 {
     b2Manifold& manifold = *box->GetContactList()->contact->GetManifold();
     manifold.pointCount = 0;

@@ -94,7 +94,7 @@ TEST(DynamicsQueries, FindEveryFixtureWhoseBoxOverlaps)
     }
 }
 
-TEST(DynamicsQueries, EndWhenToldTo)
+TEST(DynamicsQueries, EndOnRequest)
 {
     Random random;
     Scene scene(b2Vec2(0.0f, 0.0f));

@@ -12,7 +12,7 @@ using namespace dynamics;
 
 constexpr int kTimeToRest = 120; // steps: half a second of stillness and what it takes to settle
 
-TEST(DynamicsSleep, APileFallsAsleepAsAWholeInOneStep)
+TEST(DynamicsSleep, AStackFallsAsleepInOneStep)
 {
     Scene scene;
     scene.Ground();
@@ -33,7 +33,7 @@ TEST(DynamicsSleep, APileFallsAsleepAsAWholeInOneStep)
     }
 }
 
-TEST(DynamicsSleep, ASleepingPileDoesNotMove)
+TEST(DynamicsSleep, ASleepingStackDoesNotMove)
 {
     Scene scene;
     scene.Ground();
@@ -46,7 +46,7 @@ TEST(DynamicsSleep, ASleepingPileDoesNotMove)
     EXPECT_TRUE(AllAwake(pile, false));
 }
 
-TEST(DynamicsSleep, AHitWakesTheWholePile)
+TEST(DynamicsSleep, AnImpactWakesTheWholeStack)
 {
     Scene scene;
     scene.Ground();
@@ -65,7 +65,7 @@ TEST(DynamicsSleep, AHitWakesTheWholePile)
     EXPECT_LT(steps, 60);
 }
 
-TEST(DynamicsSleep, WakingOneWakesThePile)
+TEST(DynamicsSleep, WakingOneBodyWakesTheStack)
 {
     Scene scene;
     scene.Ground();
@@ -76,7 +76,7 @@ TEST(DynamicsSleep, WakingOneWakesThePile)
     EXPECT_TRUE(AllAwake(pile, true));
 }
 
-TEST(DynamicsSleep, OneOfAnAwakePileCannotBeLaidToSleepForLong)
+TEST(DynamicsSleep, OneBodyOfAnAwakeStackCannotStayAsleep)
 {
     Scene scene;
     scene.Ground();
@@ -91,7 +91,7 @@ TEST(DynamicsSleep, OneOfAnAwakePileCannotBeLaidToSleepForLong)
     EXPECT_TRUE(AllAwake(pile, false));
 }
 
-TEST(DynamicsSleep, TwoPilesSleepAgainAfterSomethingRolledOverBothAndRollsOn)
+TEST(DynamicsSleep, TwoStacksSleepAgainAfterABodyRolledOverThem)
 {
     Scene scene;
     b2Body* ground = scene.Body(b2_staticBody, 0.0f, -1.0f);
@@ -145,7 +145,7 @@ TEST(DynamicsSleep, NothingSleepsInAWorldThatForbidsIt)
     EXPECT_TRUE(AllAwake(pile, true));
 }
 
-TEST(DynamicsSleep, OneBodyThatMayNotSleepKeepsItsPileAwake)
+TEST(DynamicsSleep, OneBodyThatMayNotSleepKeepsItsStackAwake)
 {
     Scene scene;
     scene.Ground();
@@ -221,7 +221,7 @@ enum class Removal
 class DynamicsSupport : public testing::TestWithParam<Removal>
 {};
 
-TEST_P(DynamicsSupport, RemovedFromUnderASleepingPileLetsItFall)
+TEST_P(DynamicsSupport, RemovedBelowASleepingStackLetsItFall)
 {
     Scene scene;
     b2Body* ground = scene.Ground();

@@ -116,7 +116,7 @@ TEST(DynamicsThreads, GiveTheSameBitsWhereEightShareAColour)
     }
 }
 
-TEST(DynamicsThreads, GiveTheSameBitsInSmallStepsToo)
+TEST(DynamicsThreads, GiveTheSameBitsInSubSteps)
 {
     const WidthGuard guard;
     std::uint64_t expected = 0;

@@ -75,7 +75,7 @@ struct Pair
     box2d::EnergyGuard guard;
 };
 
-TEST(EnergyGuard, LeavesEveryBitOfWhatHasWonNothing)
+TEST(EnergyGuard, LeavesAnIslandWithoutGainUnchanged)
 {
     Pair pair;
     pair.Begin();
@@ -86,7 +86,7 @@ TEST(EnergyGuard, LeavesEveryBitOfWhatHasWonNothing)
     EXPECT_EQ(pair.At(pair.b).w, before.w);
 }
 
-TEST(EnergyGuard, TakesWhatAFreePairHasWonFromWhatMovesWithinIt)
+TEST(EnergyGuard, TakesTheGainOfAFreePairFromItsRelativeMotion)
 {
     Pair pair;
     pair.Begin();
@@ -290,7 +290,7 @@ TEST(EnergyGuard, NoticesThatASliderHasGoneFar)
     pair.scene.world.CreateJoint(&def);
     EXPECT_FALSE(IsGuarded(pair));
     pair.b->SetTransform(b2Vec2(12.0f, 0.0f), 0.0f);
-    pair.World().stepNumber += box2d::World::kHandLasts;
+    pair.World().stepNumber += box2d::World::kUserChangeSteps;
     EXPECT_TRUE(IsGuarded(pair));
 }
 
@@ -301,7 +301,7 @@ void ExpectGift(Pair& pair, const char* what, Function&& give)
     EXPECT_TRUE(IsGuarded(pair)) << what;
     give();
     EXPECT_FALSE(IsGuarded(pair)) << what;
-    pair.World().stepNumber += box2d::World::kHandLasts;
+    pair.World().stepNumber += box2d::World::kUserChangeSteps;
     EXPECT_TRUE(IsGuarded(pair)) << what;
 }
 
@@ -522,7 +522,7 @@ TEST(EnergyGuard, LetsAFallThatIsTakenBackGiveNothing)
     EXPECT_LT(pair.Energy(), 1.2 * start);
 }
 
-TEST(EnergyGuard, RemembersWhatIsWonLittleByLittle)
+TEST(EnergyGuard, AccumulatesSmallGains)
 {
     Pair pair;
     pair.Begin();
@@ -562,15 +562,15 @@ TEST(EnergyGuard, ChargesWhatAnImpactWithinTheStepHasLifted)
     Pair pair(b2Vec2(0.0f, -10.0f));
     pair.Begin();
     box2d::BodyData& data = box2d::Data(*pair.b);
-    const box2d::EnergyGuard::Way fallen = {data.pose, data.linearVelocity, data.angularVelocity};
+    const box2d::EnergyGuard::Path fallen = {data.pose, data.linearVelocity, data.angularVelocity};
     data.pose.y += 0.25; // 1 kg, back up with the same speed
     pair.guard.NoteImpact(data, fallen);
-    EXPECT_NEAR(data.energyOwed, 2.5f, 1e-4f);
+    EXPECT_NEAR(data.energyDebt, 2.5f, 1e-4f);
     data.pose.y -= 0.25;
     data.linearVelocity.SetZero(); // of 5 m^2/s^2
     data.angularVelocity = 0.0f;
     pair.guard.NoteImpact(data, fallen);
-    EXPECT_NEAR(data.energyOwed, 2.5f - 0.5f * 5.0f - 0.5f * data.inertia * 4.0f, 1e-4f);
+    EXPECT_NEAR(data.energyDebt, 2.5f - 0.5f * 5.0f - 0.5f * data.inertia * 4.0f, 1e-4f);
 }
 
 TEST(EnergyGuard, ChargesWhatAnImpactWithinTheStepHasPutIntoASpring)
@@ -585,7 +585,7 @@ TEST(EnergyGuard, ChargesWhatAnImpactWithinTheStepHasPutIntoASpring)
     data.pose.angle += 0.1;
     pair.guard.ChargeImpacts();
     const float32 omega = 2.0f * b2_pi * 5.0f;
-    EXPECT_NEAR(data.energyOwed, 0.5f * data.inertia * omega * omega * 0.01f, 1e-3f);
+    EXPECT_NEAR(data.energyDebt, 0.5f * data.inertia * omega * omega * 0.01f, 1e-3f);
 }
 
 /// The stiffness of a spring follows the pose. At the end of a way that an impact has taken back
@@ -603,12 +603,12 @@ TEST(EnergyGuard, GivesNoCreditForAWayThatAnImpactHasTakenBack)
     turned.angle = 0.5f * b2_pi; // which slackens it, and makes it twice as stiff
     turned.q.Set(turned.angle);
     pair.Balance();
-    const auto owed = [&] {
-        return box2d::Data(*pair.a).energyOwed + box2d::Data(*pair.b).energyOwed;
+    const auto debt = [&] {
+        return box2d::Data(*pair.a).energyDebt + box2d::Data(*pair.b).energyDebt;
     };
-    EXPECT_LT(owed(), -1.0f);
+    EXPECT_LT(debt(), -1.0f);
     pair.guard.ChargeImpacts();
-    EXPECT_NEAR(owed(), 0.0f, 0.01f);
+    EXPECT_NEAR(debt(), 0.0f, 0.01f);
 }
 
 TEST(EnergyGuard, StopsWhatIsNoNumberAndJudgesTheRest)
@@ -631,7 +631,7 @@ TEST(EnergyGuard, SlowsDownLittleForASmallOldDebt)
     for (b2Body* body : {pair.a, pair.b})
     {
         box2d::Data(*body).energyScale = float32(100.0 * start);
-        box2d::Data(*body).energyOwed = 0.02f * box2d::Data(*body).energyScale;
+        box2d::Data(*body).energyDebt = 0.02f * box2d::Data(*body).energyScale;
     }
     pair.Balance(); // it owes twice what it has
     EXPECT_LT(pair.Energy(), start);
@@ -644,14 +644,14 @@ TEST(EnergyGuard, KeepsTheCreditOfWhatMovesLittle)
     for (b2Body* body : {pair.a, pair.b})
     {
         box2d::Data(*body).energyScale = 1000.0f;
-        box2d::Data(*body).energyOwed = -500.0f;
+        box2d::Data(*body).energyDebt = -500.0f;
     }
     for (int32 step = 0; step < 300; ++step)
     {
         pair.Begin();
         pair.Balance();
     }
-    EXPECT_NEAR(box2d::Data(*pair.a).energyOwed, -500.0f, 1.0f);
+    EXPECT_NEAR(box2d::Data(*pair.a).energyDebt, -500.0f, 1.0f);
     EXPECT_LT(box2d::Data(*pair.a).energyScale, 610.0f);
 }
 

@@ -119,7 +119,7 @@ TEST_P(DistanceLimits, MakeARodWhereBothAreTheSame)
     }
 }
 
-TEST_P(DistanceLimits, WinNoEnergy)
+TEST_P(DistanceLimits, GainNoEnergy)
 {
     Hanger h(GetParam(), -2.0f, Numbers(1.0f, 3.0f));
     h.load->SetLinearVelocity(b2Vec2(6.0f, 0.0f));

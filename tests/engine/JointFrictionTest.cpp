@@ -48,7 +48,7 @@ TEST(FrictionJoint, SlowsASpinByItsTorque)
     EXPECT_NEAR(drag.load->GetAngularVelocity(), 0.0f, 1e-5f);
 }
 
-TEST(FrictionJoint, HoldsAgainstASmallerForceAndYieldsToALargerOne)
+TEST(FrictionJoint, HoldsASmallerForceAndSlipsUnderALargerOne)
 {
     Drag drag(2.0f, 1.0f);
     for (int i = 0; i < 60; ++i)

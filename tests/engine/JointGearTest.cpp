@@ -183,7 +183,7 @@ TEST(GearJoints, GoWithTheJointsAndBodiesTheyAreMadeOf)
     }
 }
 
-TEST(GearJoints, DestroyedByHandAreNotSaidGoodbye)
+TEST(GearJoints, DestroyedByTheUserAreNotReported)
 {
     Gearing g(false, false, 1.0f);
     g.world.DestroyJoint(g.gear);

@@ -70,7 +70,7 @@ TEST(PulleyJoint, KeepsTheRopesLengthHoweverItIsPulled)
     hoist.Shake(hoist.b, 300, [&] { EXPECT_NEAR(hoist.Total(), total, 0.05f); });
 }
 
-TEST(PulleyJoint, SaysWhereItHangs)
+TEST(PulleyJoint, ReportsItsGroundAnchors)
 {
     Hoist hoist(2.0f, 1.0f);
     EXPECT_EQ(hoist.joint->GetGroundAnchorA(), b2Vec2(-3.0f, 10.0f));

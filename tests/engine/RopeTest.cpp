@@ -184,7 +184,7 @@ TEST(Rope, IsTheSameOnEveryRunAndIgnoresAStepOfZero)
     }
 }
 
-TEST(Rope, CanBeMadeAnewAndStaysFiniteWhenFolded)
+TEST(Rope, CanBeInitializedAgainAndStaysFiniteWhenFolded)
 {
     RopeParts parts(6);
     b2Rope rope = Make(parts.Definition());

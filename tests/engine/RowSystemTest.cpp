@@ -57,7 +57,7 @@ public:
         {
             system.Rows(i) = rows[i];
             const Vector3 speed = SpeedOf(context, rows[i]);
-            system.Lack(i) = Vector3{{-speed.at[0], -speed.at[1], 0.0}};
+            system.Residual(i) = Vector3{{-speed.at[0], -speed.at[1], 0.0}};
         }
     }
 
@@ -212,7 +212,7 @@ TEST(RowSystem, LeavesOutWhatWouldFillInTooMuch)
     RowSystem system;
     Solve(cheap, system, 4);
     EXPECT_FALSE(system.IsExact());
-    EXPECT_EQ(system.Swept().size(), 190u);
+    EXPECT_EQ(system.Iterative().size(), 190u);
     EXPECT_EQ(system.Components(), 1); // the pair is solved all the same
     Frame frame(22);
     net(frame);

@@ -26,7 +26,7 @@ void ExpectGoesOn(const std::function<void(Scene&)>& build, const Steps& steps =
     }
 }
 
-void BuildPiles(Scene& scene)
+void BuildStacks(Scene& scene)
 {
     scene.Ground();
     for (int i = 0; i < 6; ++i)
@@ -37,13 +37,13 @@ void BuildPiles(Scene& scene)
 
 TEST(SnapshotMoments, BeforeTheFirstStep)
 {
-    ExpectGoesOn(BuildPiles);
+    ExpectGoesOn(BuildStacks);
 }
 
 TEST(SnapshotMoments, AsleepAndStruckLater)
 {
     ExpectGoesOn([](Scene& scene) {
-        BuildPiles(scene);
+        BuildStacks(scene);
         scene.Step(240);
         EXPECT_FALSE(BodyAt(scene.world, 0)->IsAwake());
         b2Body* const ball = scene.Ball(-20.0f, 1.0f, 0.8f);
@@ -54,7 +54,7 @@ TEST(SnapshotMoments, AsleepAndStruckLater)
 TEST(SnapshotMoments, WhileSomethingIsWokenAndTheRestSleeps)
 {
     ExpectGoesOn([](Scene& scene) {
-        BuildPiles(scene);
+        BuildStacks(scene);
         scene.Step(240);
         BodyAt(scene.world, 3)->SetAwake(true);
         BodyAt(scene.world, 9)->ApplyLinearImpulse(b2Vec2(3.0f, 1.0f), b2Vec2(0.0f, 0.0f));
@@ -112,7 +112,7 @@ TEST(SnapshotMoments, WhenPlacesHaveChangedAndContactsHaveNot)
         {
             flying.push_back(scene.Ball(3.0f * float32(i), 900.0f));
         }
-        BuildPiles(scene);
+        BuildStacks(scene);
         for (int i = 0; i < 5; ++i)
         {
             dynamics::Stack(scene, 40.0f + 3.0f * float32(i), 9);
@@ -291,14 +291,14 @@ TEST(SnapshotMoments, AfterTheProgramHasShortenedARope)
     });
 }
 
-TEST(SnapshotMoments, WhenTheNumberOfSmallStepsChangesNext)
+TEST(SnapshotMoments, WhenTheSubStepCountChangesNext)
 {
     for (const int before : {1, 4})
     {
         SCOPED_TRACE(before);
         Scene scene;
         scene.world.SetSubStepCount(before);
-        BuildPiles(scene);
+        BuildStacks(scene);
         BuildGears(scene);
         scene.Step(20);
         b2World restored(b2Vec2(0.0f, 0.0f));
@@ -313,7 +313,7 @@ TEST(SnapshotMoments, OfAnEmptyWorld)
 {
     const b2World empty(b2Vec2(1.0f, 2.0f), false);
     Scene scene;
-    BuildPiles(scene);
+    BuildStacks(scene);
     scene.Step(3);
     ExpectRestored(scene.world, b2SaveSnapshot(empty));
     EXPECT_EQ(scene.world.GetBodyCount(), 0);
@@ -328,7 +328,7 @@ TEST(SnapshotMoments, OfAnEmptyWorld)
 TEST(SnapshotMoments, GoneBackToAgainAndAgain)
 {
     Scene scene;
-    BuildPiles(scene);
+    BuildStacks(scene);
     scene.Step(50);
     const Bytes bytes = b2SaveSnapshot(scene.world);
     Bytes ends[3];

@@ -433,7 +433,7 @@ TEST(SolverBlocks, GiveTheBitsOfThePlainSolverAtEveryWidth)
     }
 }
 
-TEST(SolverBlocks, ThatAreLeftUnchangedByASweepAreLeftUnchangedByAllLaterOnes)
+TEST(SolverBlocks, ConvergedInOneIterationStayUnchangedInLaterOnes)
 {
     const WidthGuard guard;
     for (const bool wide : {false, true})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "SmallStepsScene.h"
+#include "SubStepsScene.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -323,7 +323,7 @@ TEST(SteadyMemory, IsCountedWhoeverAsks)
     EXPECT_EQ(requests, before + 3);
 }
 
-TEST(SteadyMemory, IsEnoughForPilesAtRest)
+TEST(SteadyMemory, IsEnoughForStacksAtRest)
 {
     ExpectNoRequests(Piles);
 }

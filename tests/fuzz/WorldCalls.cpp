@@ -9,9 +9,9 @@ namespace fuzz
 namespace
 {
 
-constexpr std::size_t kMostBodies = 30;
-constexpr int32 kMostJoints = 20;
-constexpr int kMostFixtures = 3; ///< of a body
+constexpr std::size_t kMaxBodies = 30;
+constexpr int32 kMaxJoints = 20;
+constexpr int kMaxFixtures = 3; ///< of a body
 
 bool IsWild(std::span<const std::uint8_t> bytes)
 {
@@ -137,7 +137,7 @@ const char* WorldCalls::Step()
 
 const char* WorldCalls::CreateBody()
 {
-    if (m_bodies.size() >= kMostBodies)
+    if (m_bodies.size() >= kMaxBodies)
     {
         return DestroyBody();
     }
@@ -210,7 +210,7 @@ void WorldCalls::AddFixture(b2Body* body)
 const char* WorldCalls::CreateFixture()
 {
     b2Body* body = Body();
-    if (CountFixtures(body) < kMostFixtures)
+    if (CountFixtures(body) < kMaxFixtures)
     {
         AddFixture(body);
     }
@@ -262,7 +262,7 @@ const char* WorldCalls::CreateJointBetween()
     b2Body* a = Body();
     b2Body* b = Body();
     const bool apart = a != b && b2Distance(a->GetPosition(), b->GetPosition()) > 0.02f;
-    if ((!apart && !m_choices.Wild()) || m_world.GetJointCount() >= kMostJoints)
+    if ((!apart && !m_choices.Wild()) || m_world.GetJointCount() >= kMaxJoints)
     {
         return "nothing";
     }

@@ -117,7 +117,7 @@ TEST_F(GoldenCheck, AcceptsPixelsAloneForTheRendererThatDrewThem)
     EXPECT_TRUE(Check(repainted).passed);
 }
 
-TEST_F(GoldenCheck, AcceptsAnewWhatIsDamaged)
+TEST_F(GoldenCheck, AcceptsADamagedReferenceAgain)
 {
     Approve(candidate);
     std::ofstream(settings.references / "frames" / "start.png") << "damaged";

@@ -98,9 +98,9 @@ TEST_F(IgnoredBodies, HideNothingOfTheOthers)
     ASSERT_TRUE(store.Accept(Seen(TwoBodies())));
     const GoldenVerdict verdict = Verify(Seen(TwoBodies(3.5f, -2.01f)), {2});
     EXPECT_EQ(verdict.status, GoldenStatus::State);
-    ASSERT_TRUE(verdict.world && verdict.world->onTheWay && verdict.world->now && verdict.list);
-    EXPECT_EQ(verdict.world->onTheWay->step, 1);
-    EXPECT_THAT(verdict.world->onTheWay->bodies, testing::ElementsAre(1));
+    ASSERT_TRUE(verdict.world && verdict.world->inTrace && verdict.world->now && verdict.list);
+    EXPECT_EQ(verdict.world->inTrace->step, 1);
+    EXPECT_THAT(verdict.world->inTrace->bodies, testing::ElementsAre(1));
     EXPECT_EQ(verdict.world->now->different, 1u);
     EXPECT_EQ(verdict.world->now->compared, 2u);
     EXPECT_EQ(verdict.world->now->actual.number, 1);
@@ -134,7 +134,7 @@ TEST_F(IgnoredBodies, AreNeverAll)
     EXPECT_THAT(Refusal(candidate, {0, 1, 2}), IsError(ErrorKind::Unusable, "bodies 0, 1, 2"));
 }
 
-TEST_F(IgnoredBodies, CannotBeToldFromAHashAlone)
+TEST_F(IgnoredBodies, CannotBeDerivedFromAHash)
 {
     GoldenCandidate candidate = Seen(TwoBodies());
     candidate.state = {};

@@ -193,9 +193,9 @@ TEST_F(ReferenceStoreTest, SaysFromWhichStepOnWithWhichBodyAndByHowMuchTheWorlds
     changed.trace.steps[1] = {42, "00000009", "07"};
     const GoldenVerdict verdict = Verify(changed);
     EXPECT_EQ(verdict.status, GoldenStatus::State);
-    ASSERT_TRUE(verdict.world && verdict.world->onTheWay && verdict.world->now);
-    EXPECT_EQ(verdict.world->onTheWay->step, 42);
-    EXPECT_THAT(verdict.world->onTheWay->bodies, ElementsAre(1));
+    ASSERT_TRUE(verdict.world && verdict.world->inTrace && verdict.world->now);
+    EXPECT_EQ(verdict.world->inTrace->step, 42);
+    EXPECT_THAT(verdict.world->inTrace->bodies, ElementsAre(1));
     EXPECT_EQ(verdict.world->now->different, 1u);
     EXPECT_EQ(verdict.world->now->compared, 2u);
     EXPECT_EQ(verdict.world->now->expected, candidate.state.bodies[1]);
@@ -219,10 +219,10 @@ TEST_F(ReferenceStoreTest, SeesAWorldThatWentAnotherWayToTheSameState)
     candidate.trace.steps[0].world = "00000001";
     const GoldenVerdict verdict = Verify(candidate);
     EXPECT_EQ(verdict.status, GoldenStatus::State);
-    ASSERT_TRUE(verdict.world && verdict.world->onTheWay);
+    ASSERT_TRUE(verdict.world && verdict.world->inTrace);
     EXPECT_EQ(verdict.world->actual, verdict.world->expected);
-    EXPECT_EQ(verdict.world->onTheWay->step, 41);
-    EXPECT_TRUE(verdict.world->onTheWay->isFirst);
+    EXPECT_EQ(verdict.world->inTrace->step, 41);
+    EXPECT_TRUE(verdict.world->inTrace->isFirst);
 }
 
 TEST_F(ReferenceStoreTest, BodiesThatAreNotThoseOfTheirHashAreDamage)
@@ -300,7 +300,7 @@ TEST_F(ReferenceStoreTest, ComparesARendererWithAPictureOfItsOwnWhereThereIsOne)
     EXPECT_THAT(m_store.Names(), ElementsAre("pyramid/3s"));
 }
 
-TEST_F(ReferenceStoreTest, AcceptsAnewThePictureThatARendererIsComparedWith)
+TEST_F(ReferenceStoreTest, AcceptsTheComparedPictureOfARendererAgain)
 {
     GoldenCandidate here = m_candidate;
     here.renderer = "OSMesa, llvmpipe (LLVM 15.0.6)";

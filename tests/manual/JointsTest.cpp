@@ -68,7 +68,7 @@ TEST_F(Joints, AMotorWhoseSpeedFollowsTheErrorControlsThePosition)
     EXPECT_NEAR(joint->GetJointTranslation(), 1.5f, 0.01f);
 }
 
-TEST_F(Joints, AMotorWithoutSpeedIsFrictionThatYieldsToALoad)
+TEST_F(Joints, AMotorWithoutSpeedIsFrictionThatSlipsUnderALoad)
 {
     b2RevoluteJointDef jointDef;
     jointDef.Initialize(scene.Post(), myBodyA, myBodyA->GetPosition());
@@ -146,7 +146,7 @@ TEST_F(JointDefinition, PreventsCollisionUnlessCollideConnectedIsSet)
     EXPECT_TRUE(JoinedBodiesCollide(true));
 }
 
-TEST_F(JointDefinition, InLocalCoordinatesMendsBodiesThatStandApart)
+TEST_F(JointDefinition, InLocalCoordinatesMovesSeparateBodiesTogether)
 {
     b2RevoluteJointDef jointDef;
     jointDef.bodyA = myBodyA;

@@ -128,7 +128,7 @@ public:
     std::vector<b2Joint*> gone;
 };
 
-TEST(ImplicitDestruction, TheListingIsToldOfJointsThatGoWithABody)
+TEST(ImplicitDestruction, TheListingIsNotifiedOfImplicitlyDestroyedJoints)
 {
     Scene scene;
     MyDestructionListener listener;

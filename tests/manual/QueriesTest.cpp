@@ -96,7 +96,7 @@ TEST(ShapeRayCast, ChecksASingleEdgeOfAChain)
     EXPECT_FALSE(chain.RayCast(&output, input, b2Transform(), 1));
 }
 
-TEST(Overlap, IsToldForTwoShapesAndTheirChildren)
+TEST(Overlap, IsReportedForTwoShapesAndTheirChildren)
 {
     const b2PolygonShape box = Box(1.0f, 1.0f);
     const b2Vec2 vs[3] = {{0.0f, 0.0f}, {5.0f, 0.0f}, {10.0f, 0.0f}};

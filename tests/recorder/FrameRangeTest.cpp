@@ -24,7 +24,7 @@ std::vector<std::int64_t> NumbersOf(const FrameRange& range)
     return numbers;
 }
 
-TEST(FrameRange, IsEveryFrameUnlessTold)
+TEST(FrameRange, IsEveryFrameByDefault)
 {
     EXPECT_EQ(FrameRange().First(), 0);
     EXPECT_TRUE(FrameRange().IsWhole());

@@ -206,7 +206,7 @@ TEST_P(Parts, AKilledFilmIsContinuedToTheSameFrames)
     ExpectSame("film");
 }
 
-TEST_P(Parts, AreNotBegunAnewUnlessAllowed)
+TEST_P(Parts, AreNotRestartedUnlessAllowed)
 {
     {
         VideoWriter writer = *VideoWriter::Open(Path("film"), Settings());

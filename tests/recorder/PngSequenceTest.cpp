@@ -95,7 +95,7 @@ TEST_F(PngSequence, IsNotMixedWithAnOlderOneUnlessAllowed)
     EXPECT_EQ(ReadFilm(m_folder / "a-####.png").frames, Drawings(64, 48, 20));
 }
 
-TEST_F(PngSequence, AForeignFileInTheWayEndsItWithAnError)
+TEST_F(PngSequence, FailsWhenAForeignFileExists)
 {
     Result<VideoWriter> writer = VideoWriter::Open(m_folder / "a-##.png", kSmall);
     ASSERT_TRUE(writer);

@@ -423,7 +423,7 @@ PixelBounds RandomBounds(Random& random, int width, int height)
     return {x, y, random.Between(x + 1, width), random.Between(y + 1, height)};
 }
 
-TEST(YuvConvert, APartConvertedAnewMakesThePictureThatTheWholeFrameMakes)
+TEST(YuvConvert, APartConvertedAgainGivesThePictureOfTheWholeFrame)
 {
     Random random;
     for (int round = 0; round < 1000; ++round)

@@ -344,7 +344,7 @@ TEST(WritePng, MakesTheSameBytesEachTime)
     EXPECT_EQ(*EncodePng(frame, 3), *EncodePng(frame, 3));
 }
 
-TEST(WritePng, LeavesAnExistingFileAloneUnlessTold)
+TEST(WritePng, LeavesAnExistingFileAloneByDefault)
 {
     const TemporaryFolder folder;
     WriteBytes(folder / "frame.png", "precious");

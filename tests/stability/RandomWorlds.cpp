@@ -59,7 +59,7 @@ private:
 constexpr int kSubSteps[] = {1, 2, 4, 8, 16};
 constexpr float32 kMasses[] = {1.0f,  2.0f,   5.0f,   10.0f,  20.0f,
                                50.0f, 100.0f, 200.0f, 500.0f, 1000.0f};
-constexpr int kMostTries = 500; ///< to find two bodies for a joint
+constexpr int kMaxTries = 500; ///< to find two bodies for a joint
 /// What lies apart at the start: two skins and more.
 constexpr float32 kClearance = 0.05f; // [m]
 
@@ -106,7 +106,7 @@ public:
             int(m_dice.OneOf({0.0f, 0.3f, 0.6f, 0.9f}) * float32(m_plan.bodies.size()));
         m_group.resize(m_plan.bodies.size() + 1);
         std::iota(m_group.begin(), m_group.end(), 0);
-        for (int i = 0; i < kMostTries && int(m_plan.joints.size()) < joints; ++i)
+        for (int i = 0; i < kMaxTries && int(m_plan.joints.size()) < joints; ++i)
         {
             AddJoint();
         }

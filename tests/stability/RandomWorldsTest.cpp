@@ -74,7 +74,7 @@ void Try(const WorldPlan& plan, Tally& tally)
     const Trial trial = RunWorld(plan);
     EXPECT_EQ(WhyFailed(trial), "") << Replay(plan);
     ++tally.worlds;
-    tally.gain += trial.excess > kMostExcess;
+    tally.gain += trial.excess > kMaxExcess;
     tally.leave += trial.centreOut > 0.0;
     tally.widest = b2Max(tally.widest, trial.excess);
     tally.farthestOut = b2Max(tally.farthestOut, trial.out);
@@ -170,13 +170,13 @@ TEST(RandomWorlds, FailWhenTheAccountIsOverdrawn)
 {
     Trial trial;
     EXPECT_EQ(WhyFailed(trial), "");
-    trial.excess = 2.0 * kMostExcess;
+    trial.excess = 2.0 * kMaxExcess;
     EXPECT_NE(WhyFailed(trial), "");
     trial = Trial();
     trial.centreOut = 0.01;
     EXPECT_NE(WhyFailed(trial), "");
     trial = Trial();
-    trial.out = 1.1 * kMostOut;
+    trial.out = 1.1 * kMaxOut;
     EXPECT_NE(WhyFailed(trial), "");
 }
 

@@ -134,12 +134,12 @@ std::string WhyFailed(const Trial& trial)
     {
         return "A body is no longer at a finite place.";
     }
-    if (trial.centreOut > 0.0 || trial.out > kMostOut)
+    if (trial.centreOut > 0.0 || trial.out > kMaxOut)
     {
         std::snprintf(text, sizeof text, "Body %d is %.3f m beyond the walls at %.3f s.",
                       trial.outBody, trial.out, double(trial.outTime));
     }
-    if (trial.excess > kMostExcess)
+    if (trial.excess > kMaxExcess)
     {
         std::snprintf(text, sizeof text, "There is %.2f %% more energy than was put in at %.3f s.",
                       100.0 * trial.excess, double(trial.excessTime));

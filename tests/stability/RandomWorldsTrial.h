@@ -14,11 +14,11 @@ namespace stability
 /// not yet where one step of symplectic integration says, and a limit or a contact may be a slop
 /// too deep; both are below a thousandth of what these worlds hold. What bursts gains more in a
 /// step.
-inline constexpr double kMostExcess = 0.01;
+inline constexpr double kMaxExcess = 0.01;
 
 /// What may stick out of the walls [m], though its centre never does: 0.44 at most in the worlds 0
 /// to 99, of long bodies that something heavy presses against a wall; 0.97 has been seen in others.
-inline constexpr double kMostOut = 1.0;
+inline constexpr double kMaxOut = 1.0;
 
 /// The worst of a run.
 struct Trial

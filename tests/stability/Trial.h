@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "SmallStepsScene.h"
+#include "SubStepsScene.h"
 
 #include <cstdio>
 #include <cstdlib>

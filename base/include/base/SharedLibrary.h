@@ -35,7 +35,7 @@ public:
     }
 
     /// Returns the Error (Absent) for a missing part, such as "the function avcodec_open2".
-    Error Lacks(const std::string& what) const;
+    Error MissingError(const std::string& what) const;
 
 private:
     SharedLibrary(void* handle, std::string name, std::string packages);

@@ -41,8 +41,8 @@ bool Cut(End* end, float32 x, float32 otherX, float32 low, float32 high, const R
     {
         return false;
     }
-    const float32 way = (border - x) / (otherX - x);
-    end->t = end->t == 0.0f ? way : 1.0f - way;
+    const float32 fraction = (border - x) / (otherX - x);
+    end->t = end->t == 0.0f ? fraction : 1.0f - fraction;
     end->reference = isBefore ? face.vertex1 : face.vertex2;
     end->incident = incidentFace;
     end->isCut = true;

@@ -26,7 +26,7 @@ struct ContactSheetSettings
 };
 
 /// Maximum number of pictures on a sheet, to keep it readable.
-inline constexpr std::size_t kMostSheetPictures = 256;
+inline constexpr std::size_t kMaxSheetPictures = 256;
 
 /// The positions of the pictures on a sheet.
 struct SheetLayout
@@ -55,7 +55,7 @@ struct ContactSheet
 Frame CutOut(const Frame& sheet, const PixelBounds& place);
 
 /// Creates the contact sheet of a film. Unusable when the film cannot be read, has no frame or more
-/// than kMostSheetPictures pictures, or a setting is out of range.
+/// than kMaxSheetPictures pictures, or a setting is out of range.
 Result<ContactSheet> ContactSheetOf(const std::filesystem::path& film,
                                     const ContactSheetSettings& settings = {});
 

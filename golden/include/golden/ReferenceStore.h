@@ -90,10 +90,10 @@ struct LineDifference
 /// How the worlds of two moments differ.
 struct WorldDifference
 {
-    std::string expected;                    ///< hash of the state, 16 hex digits
-    std::string actual;                      ///< hash of the state, 16 hex digits
-    std::optional<TraceDifference> onTheWay; ///< the first step that differs, where steps are kept
-    std::optional<StateDifference> now;      ///< at the moment, where the bodies are kept
+    std::string expected;                   ///< hash of the state, 16 hex digits
+    std::string actual;                     ///< hash of the state, 16 hex digits
+    std::optional<TraceDifference> inTrace; ///< the first step that differs, where steps are kept
+    std::optional<StateDifference> now;     ///< at the moment, where the bodies are kept
 };
 
 /// How two films are compared, by their contact sheets.

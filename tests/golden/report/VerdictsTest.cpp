@@ -125,7 +125,7 @@ TEST_F(Verdicts, AreRefusedOfAFolderThatHasNone)
     }
 }
 
-TEST_F(Verdicts, ThatCannotBeReadAreToldBesideTheOthers)
+TEST_F(Verdicts, ThatCannotBeReadAreReportedWithTheOthers)
 {
     const std::vector<std::string> damaged{
         "",

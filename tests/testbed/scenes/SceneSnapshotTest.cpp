@@ -74,7 +74,7 @@ TEST_P(SnapshotOfScene, GoesOnToTheLastBit)
     ExpectGoesOn(*GetParam(), 1);
 }
 
-TEST_P(SnapshotOfScene, GoesOnToTheLastBitInSmallSteps)
+TEST_P(SnapshotOfScene, ContinuesBitForBitInSubSteps)
 {
     ExpectGoesOn(*GetParam(), 4);
 }

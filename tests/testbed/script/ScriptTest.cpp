@@ -24,7 +24,7 @@ Script Parsed(const std::string& text)
     return script ? *script : Script();
 }
 
-TEST(ScriptWords, AreBetweenBlanksOrInQuotesUpToARemark)
+TEST(ScriptWords, AreBetweenBlanksOrInQuotesUpToAComment)
 {
     EXPECT_THAT(*WordsOf("  at 1s\tpress d # a remark"), ElementsAre("at", "1s", "press", "d"));
     EXPECT_THAT(*WordsOf("scene \"Theo Jansen's Walker\" --caption=\"# no remark\""),

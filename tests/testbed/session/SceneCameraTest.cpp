@@ -91,7 +91,7 @@ TEST_F(SceneCameraTest, FollowsTheMiddleOfSeveral)
     EXPECT_EQ(camera.View().centerY, 2.0);
 }
 
-TEST_F(SceneCameraTest, FollowsAtAHeightThatSuitsTheBodiesUnlessTold)
+TEST_F(SceneCameraTest, FollowsAtAHeightThatSuitsTheBodiesByDefault)
 {
     Add(0.0f, 0.0f, 0.5f);
     b2Body* large = Add(40.0f, 0.0f, 10.0f);

@@ -84,7 +84,7 @@ TEST(ScriptedPanels, PauseAndStepWhileTheScriptGoesOn)
     EXPECT_EQ(StateHashText(session.World()), StateHashText(alone.World()));
 }
 
-TEST(ScriptedPanels, BeginTheSceneAnew)
+TEST(ScriptedPanels, RestartTheScene)
 {
     const SceneSession session = Played("at step 5 click Run/Restart\n", 8);
     EXPECT_EQ(session.SceneStep(), 3);

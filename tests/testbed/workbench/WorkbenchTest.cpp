@@ -319,7 +319,7 @@ TEST_F(WorkbenchTest, HidesThePanelsAndCentresTheSceneWithoutThem)
     EXPECT_GT(PixelOf(b2Vec2(0.0f, 0.0f)).x, middle);
 }
 
-TEST_F(WorkbenchTest, KeepsTheSolverForASceneAndForAllWhenItIsToldTo)
+TEST_F(WorkbenchTest, KeepsTheSolverForASceneAndForAllOnRequest)
 {
     Open("pyramid");
     Click("Solver/Velocity iterations/more");
@@ -338,7 +338,7 @@ TEST_F(WorkbenchTest, KeepsTheSolverForASceneAndForAllWhenItIsToldTo)
     EXPECT_FALSE(bench->Session().World().GetAllowSleeping());
 }
 
-TEST_F(WorkbenchTest, BeginsTheSceneAnewAtAnotherRate)
+TEST_F(WorkbenchTest, RestartsTheSceneAtAnotherRate)
 {
     Open("pyramid");
     Steps(5);

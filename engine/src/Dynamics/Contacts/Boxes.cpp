@@ -34,7 +34,7 @@ b2AABB Fatten(const b2AABB& box, const b2Vec2& displacement)
     return fat;
 }
 
-/// The box of a bullet's way: what it hits after the present step does not matter.
+/// The box of a bullet's path: what it hits after the present step does not matter.
 b2AABB Widen(const b2AABB& box, float32 minExtent)
 {
     const float32 margin = b2Min(b2_aabbExtension, 0.25f * minExtent);
@@ -53,7 +53,7 @@ bool IsRound(const BodyData& body)
            body.localCenter == b2Vec2(0.0f, 0.0f);
 }
 
-/// The body's transform at the start of its way, as far as its boxes need it.
+/// The body's transform at the start of its path, as far as its boxes need it.
 b2Transform TransformBefore(const BodyData& body)
 {
     if (IsRound(body))
@@ -70,12 +70,11 @@ b2Transform TransformBefore(const BodyData& body)
 
 /// The box of a shape now and, if there is one, at an earlier transform. A corner that turns far
 /// comes out of both.
-b2AABB BoxOnItsWay(const b2Shape& shape, int32 child, const BodyData& body,
-                   const b2Transform* before)
+b2AABB BoxOnPath(const b2Shape& shape, int32 child, const BodyData& body, const b2Transform* before)
 {
     if (before != nullptr && !IsRound(body) && IsWide(body.pose.angle - body.previous.angle))
     {
-        return BoxOfWay(b2Mul(*before, body.localCenter), body.worldCenter, body.maxExtent);
+        return BoxOfPath(b2Mul(*before, body.localCenter), body.worldCenter, body.maxExtent);
     }
     b2AABB box;
     shape.ComputeAABB(&box, body.transform, child);
@@ -106,7 +105,7 @@ float32 BoxRounding(const BodyData& body)
     return operations * b2_epsilon * farthest;
 }
 
-/// After an impact: the boxes also hold what is left of the way.
+/// After an impact: the boxes also hold what is left of the path.
 void GrowBoxes(Proxies& proxies, BodyData& body)
 {
     const b2Transform before = TransformBefore(body);
@@ -116,7 +115,7 @@ void GrowBoxes(Proxies& proxies, BodyData& body)
         {
             b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
             proxy.aabb.Combine(
-                Widen(BoxOnItsWay(*f->GetShape(), child, body, &before), body.minExtent));
+                Widen(BoxOnPath(*f->GetShape(), child, body, &before), body.minExtent));
             proxies.Grow(proxy.proxyId, proxy.aabb);
         }
     }
@@ -156,7 +155,7 @@ void DestroyProxies(Proxies& proxies, b2Fixture& fixture)
 
 void UpdateProxies(Proxies& proxies, BodyData& body, bool swept)
 {
-    if (swept && (body.flags & kBodySwept) != 0)
+    if (swept && (body.flags & kBodyPathBox) != 0)
     {
         GrowBoxes(proxies, body);
     }
@@ -169,8 +168,8 @@ void UpdateProxies(Proxies& proxies, BodyData& body, bool swept)
 bool RefreshBoxes(BodyData& body, bool swept)
 {
     const bool bullet = swept && (body.flags & kBodyBullet) != 0;
-    // The boxes of a bullet's way serve for one step.
-    const bool anew = bullet || (body.flags & kBodySwept) != 0;
+    // The boxes of a bullet's path serve for one step.
+    const bool anew = bullet || (body.flags & kBodyPathBox) != 0;
     bool left = anew;
     b2Transform before;
     float32 room = b2_maxFloat;
@@ -186,7 +185,7 @@ bool RefreshBoxes(BodyData& body, bool swept)
         for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
         {
             b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
-            const b2AABB box = BoxOnItsWay(*f->GetShape(), child, body, swept ? &before : nullptr);
+            const b2AABB box = BoxOnPath(*f->GetShape(), child, body, swept ? &before : nullptr);
             if (anew || !proxy.aabb.Contains(box))
             {
                 proxy.aabb = bullet ? Widen(box, body.minExtent) : Fatten(box, displacement);
@@ -195,7 +194,7 @@ bool RefreshBoxes(BodyData& body, bool swept)
             room = b2Min(room, RoomIn(proxy.aabb, box));
         }
     }
-    body.flags = bullet ? body.flags | kBodySwept : body.flags & ~std::uint32_t(kBodySwept);
+    body.flags = bullet ? body.flags | kBodyPathBox : body.flags & ~std::uint32_t(kBodyPathBox);
     body.room = bullet ? 0.0f : room - BoxRounding(body);
     return left;
 }
@@ -219,7 +218,7 @@ void MoveProxies(Proxies& proxies, BodyData& body)
 
 void ResetProxies(Proxies& proxies, BodyData& body)
 {
-    body.flags &= ~std::uint32_t(kBodySwept);
+    body.flags &= ~std::uint32_t(kBodyPathBox);
     for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
     {
         for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)

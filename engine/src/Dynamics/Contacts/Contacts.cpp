@@ -48,7 +48,7 @@ const b2FixtureProxy& ProxyB(const ContactData& c)
 }
 
 /// Copies the impulses of points with the same features, to warm start the solver.
-void CarryImpulses(b2Manifold& manifold, const b2Manifold& old)
+void CopyImpulses(b2Manifold& manifold, const b2Manifold& old)
 {
     for (int32 i = 0; i < manifold.pointCount; ++i)
     {
@@ -160,8 +160,8 @@ void FindNewContacts(World& world)
 {
     const auto isKnown = [&world](const b2FixtureProxy* a, const b2FixtureProxy* b) {
         return !CanCollide(a->fixture->GetType(), b->fixture->GetType()) ||
-               !WaysMeet(Data(*a->fixture->GetBody()), *a->fixture->GetShape(), a->childIndex,
-                         Data(*b->fixture->GetBody()), *b->fixture->GetShape(), b->childIndex) ||
+               !PathsMeet(Data(*a->fixture->GetBody()), *a->fixture->GetShape(), a->childIndex,
+                          Data(*b->fixture->GetBody()), *b->fixture->GetShape(), b->childIndex) ||
                world.pairs.Contains(a->proxyId, b->proxyId);
     };
     // What the default filter would refuse every time is not looked for.
@@ -208,7 +208,7 @@ void ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& 
     else
     {
         Collide(&c.manifold, shapeA, c.childA, shapeB, c.childB, bInA);
-        CarryImpulses(c.manifold, old);
+        CopyImpulses(c.manifold, old);
         touching = c.manifold.pointCount > 0;
     }
     // A circle's manifold is cheap to compute.

@@ -55,7 +55,7 @@ inline b2Sweep SweepFrom(const BodyData& body, const Pose& start, const Pose& or
 }
 
 /// Returns the box around a circle that moves straight.
-inline b2AABB BoxOfWay(const b2Vec2& from, const b2Vec2& to, float32 radius)
+inline b2AABB BoxOfPath(const b2Vec2& from, const b2Vec2& to, float32 radius)
 {
     const b2Vec2 reach(radius, radius);
     b2AABB box;
@@ -77,13 +77,13 @@ inline b2AABB SweptBox(const b2Shape& shape, int32 child, const b2Sweep& sweep, 
 {
     if (IsWide(double(sweep.a - sweep.a0)))
     {
-        return BoxOfWay(sweep.c0, sweep.c, maxExtent);
+        return BoxOfPath(sweep.c0, sweep.c, maxExtent);
     }
     if (shape.GetType() == b2Shape::e_circle && sweep.localCenter == b2Vec2_zero &&
         static_cast<const b2CircleShape&>(shape).m_p == b2Vec2_zero)
     {
         // A circle about the centre of mass is invariant under rotation.
-        return BoxOfWay(sweep.c0, sweep.c, shape.m_radius);
+        return BoxOfPath(sweep.c0, sweep.c, shape.m_radius);
     }
     b2Transform from;
     b2Transform to;
@@ -97,7 +97,7 @@ inline b2AABB SweptBox(const b2Shape& shape, int32 child, const b2Sweep& sweep, 
     return box;
 }
 
-inline float32 Way(const BodyData& body)
+inline float32 PathLength(const BodyData& body)
 {
     const float32 dx = float32(body.pose.x - body.previous.x);
     const float32 dy = float32(body.pose.y - body.previous.y);
@@ -116,7 +116,7 @@ inline bool CanAdvance(const BodyData& body, float32 time)
 
 inline bool IsFast(const BodyData& body)
 {
-    return body.IsDynamic() && Way(body) > kFastShare * body.minExtent;
+    return body.IsDynamic() && PathLength(body) > kFastShare * body.minExtent;
 }
 
 /// Returns the maximum distance of two centres at which the bodies can touch: the radii of their
@@ -137,12 +137,12 @@ inline bool CirclesMeet(const BodyData& a, const Pose& fromA, const BodyData& b,
 {
     const b2Vec2 start(float32(fromB.x - fromA.x), float32(fromB.y - fromA.y));
     const b2Vec2 end(float32(b.pose.x - a.pose.x), float32(b.pose.y - a.pose.y));
-    const b2Vec2 way = end - start;
-    const float32 along = -b2Dot(start, way);
-    const float32 square = way.LengthSquared();
+    const b2Vec2 path = end - start;
+    const float32 along = -b2Dot(start, path);
+    const float32 square = path.LengthSquared();
     // Fraction of the path, 0 to 1, at which the centres are closest.
     const float32 share = along <= 0.0f || square == 0.0f ? 0.0f : b2Min(along / square, 1.0f);
-    const b2Vec2 nearest = start + share * way;
+    const b2Vec2 nearest = start + share * path;
     return IsWithin(nearest, Reach(a, b));
 }
 
@@ -188,8 +188,8 @@ inline float32 InFrontOfEdge(const b2Vec2& v1, const b2Vec2& v2, const b2Vec2& p
     b2Vec2 along = v2 - v1;
     const float32 length = along.Normalize();
     const b2Vec2 offset = point - v1;
-    const float32 way = b2Dot(along, offset);
-    return b2Max(b2Abs(b2Cross(along, offset)), b2Max(-way, way - length));
+    const float32 place = b2Dot(along, offset);
+    return b2Max(b2Abs(b2Cross(along, offset)), b2Max(-place, place - length));
 }
 
 /// Returns the distance of a point in front of a face, in the shape's frame. It is the maximum over
@@ -228,23 +228,23 @@ inline bool StaysInFront(const BodyData& body, const Pose& from, const b2Shape& 
     const b2Vec2 start(float32(otherFrom.x - from.x), float32(otherFrom.y - from.y));
     const b2Vec2 end(float32(other.pose.x - body.pose.x), float32(other.pose.y - body.pose.y));
     const float32 away = b2Max(start.Length(), end.Length());
-    const float32 way =
+    const float32 path =
         (end - start).Length() + b2Abs(float32(body.pose.angle - from.angle)) * away;
     const b2Vec2 center = b2MulT(body.rotation, end) + body.localCenter;
     // The last term is a margin for rounding.
-    const float32 reach = way + other.maxExtent + shape.m_radius + 2.0f * b2_linearSlop +
-                          0.00001f * (away + way + body.maxExtent + other.maxExtent);
+    const float32 reach = path + other.maxExtent + shape.m_radius + 2.0f * b2_linearSlop +
+                          0.00001f * (away + path + body.maxExtent + other.maxExtent);
     return InFront(shape, child, center) > reach;
 }
 
 /// Whether two children that might have a contact could touch during the step or at its end. Only a
 /// bullet that is asked about again in the next step may be refused, and only against what stands
 /// still or is such a bullet too: otherwise no query would follow when the other moves.
-inline bool WaysMeet(const BodyData& a, const b2Shape& shapeA, int32 childA, const BodyData& b,
-                     const b2Shape& shapeB, int32 childB)
+inline bool PathsMeet(const BodyData& a, const b2Shape& shapeA, int32 childA, const BodyData& b,
+                      const b2Shape& shapeB, int32 childB)
 {
-    const bool sweptA = (a.flags & kBodySwept) != 0;
-    const bool sweptB = (b.flags & kBodySwept) != 0;
+    const bool sweptA = (a.flags & kBodyPathBox) != 0;
+    const bool sweptB = (b.flags & kBodyPathBox) != 0;
     if (!(sweptA && (sweptB || b.mobility == Mobility::Static)) &&
         !(sweptB && a.mobility == Mobility::Static))
     {

@@ -50,19 +50,19 @@ b2Vec2 PointAt(const Pose& pose, const b2Vec2& offset, const Pose& origin)
     return offset == b2Vec2_zero ? centre : centre + b2Mul(b2Rot(float32(pose.angle)), offset);
 }
 
-/// True if the way crosses a child of the wall that stops it. Unlike for rays of the program, the
+/// True if the path crosses a child of the wall that stops it. Unlike for rays of the program, the
 /// side matters for chains too.
-bool Stops(const b2Shape& wall, int32 child, const b2RayCastInput& way, b2RayCastOutput& hit)
+bool Stops(const b2Shape& wall, int32 child, const b2RayCastInput& path, b2RayCastOutput& hit)
 {
     b2Transform here;
     here.SetIdentity();
     if (wall.GetType() != b2Shape::e_chain)
     {
-        return wall.RayCast(&hit, way, here, child);
+        return wall.RayCast(&hit, path, here, child);
     }
     b2EdgeShape edge;
     static_cast<const b2ChainShape&>(wall).GetChildEdge(&edge, child);
-    return edge.RayCast(&hit, way, here, 0);
+    return edge.RayCast(&hit, path, here, 0);
 }
 
 } // namespace
@@ -131,18 +131,18 @@ bool Containment::Crosses(const Part& moved, const Part& still, const Moment& fr
         return pose.angle == wall.pose.angle ? wall.rotation : b2Rot(float32(pose.angle));
     };
     const b2Vec2 offset = CentreOf(*moved.shape, body) - body.localCenter;
-    b2RayCastInput way; // in the wall's moving frame
-    way.p1 =
+    b2RayCastInput path; // in the wall's moving frame
+    path.p1 =
         b2MulT(rotationAt(from.still), PointAt(from.moved, offset, from.still)) + wall.localCenter;
-    way.p2 = b2MulT(rotationAt(to.still), PointAt(to.moved, offset, to.still)) + wall.localCenter;
-    way.maxFraction = 1.0f;
+    path.p2 = b2MulT(rotationAt(to.still), PointAt(to.moved, offset, to.still)) + wall.localCenter;
+    path.maxFraction = 1.0f;
     b2RayCastOutput hit;
-    if (!Stops(*still.shape, still.child, way, hit))
+    if (!Stops(*still.shape, still.child, path, hit))
     {
         return false;
     }
-    crossing.place =
-        way.p1 + hit.fraction * (way.p2 - way.p1) + b2_linearSlop * hit.normal - wall.localCenter;
+    crossing.place = path.p1 + hit.fraction * (path.p2 - path.p1) + b2_linearSlop * hit.normal -
+                     wall.localCenter;
     crossing.normal = hit.normal;
     return true;
 }

@@ -10,7 +10,7 @@ class b2Shape;
 /// a wall is driven deeper from step to step, for iterations spread what they cannot finish; once
 /// its centre is beyond the wall it would be pushed out on the other side. No centre of a convex
 /// shape has any business within a wall that the shape touches, so the step ends where it would get
-/// there. What impacts have turned is asked piece by piece of its way: one that was thrown round a
+/// there. What impacts have turned is asked piece by piece of its path: one that was thrown round a
 /// corner has a wall between its start and its end, and has not been through it. Called by
 /// continuous collision, after it.
 namespace box2d

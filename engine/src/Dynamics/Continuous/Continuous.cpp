@@ -36,7 +36,7 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kMostRounds = 4;    ///< rounds of closing joints and containment
+constexpr int32 kMaxRounds = 4;     ///< rounds of closing joints and containment
 constexpr int32 kContactGrain = 64; ///< contacts per part of a parallel loop
 
 bool IsLater(const ImpactEvent& a, const ImpactEvent& b)
@@ -59,8 +59,8 @@ constexpr float32 kImpactTolerance = 0.25f * b2_linearSlop;
 /// Returns the displacement since then of a body's point, at `arm` from its current centre [m].
 b2Vec2 MoveOf(const BodyData& body, const Pose& since, const b2Vec2& arm)
 {
-    const b2Vec2 way(float32(body.pose.x - since.x), float32(body.pose.y - since.y));
-    return way + b2Cross(float32(body.pose.angle - since.angle), arm);
+    const b2Vec2 path(float32(body.pose.x - since.x), float32(body.pose.y - since.y));
+    return path + b2Cross(float32(body.pose.angle - since.angle), arm);
 }
 
 /// [m], negative for an overlap.
@@ -104,7 +104,7 @@ private:
     static bool GoesDeeper(const ContactData& c, const b2Sweep& sweepA, const b2Sweep& sweepB);
     static bool IsNear(const BodyData& body, const BodyData& other, bool known, float32 time);
     void Advance(BodyData& body, float32 time);
-    bool HasNewWay(std::size_t index) const;
+    bool HasNewPath(std::size_t index) const;
     ImpactBackup Save(b2Body& body) const;
     void Restore(const ImpactBackup& backup);
 
@@ -157,7 +157,7 @@ void ContinuousCollision::Run()
     }
     // Closing joints may move bodies through a wall, and containment may open joints.
     (void)m_containment.Hold(m_joints);
-    for (int32 i = 0; i < kMostRounds && m_joints.Close(); ++i)
+    for (int32 i = 0; i < kMaxRounds && m_joints.Close(); ++i)
     {
         FindNewContacts(m_world);
         if (!m_containment.Hold(m_joints))
@@ -238,7 +238,7 @@ bool ContinuousCollision::Sinks(const ContactData& c) const
     const BodyData& a = Data(*c.bodyA);
     const BodyData& b = Data(*c.bodyB);
     if (m_world.subStepCount > 1 || (a.IsDynamic() && b.IsDynamic()) ||
-        Way(a) + Way(b) < kImpactTolerance)
+        PathLength(a) + PathLength(b) < kImpactTolerance)
     {
         return false;
     }
@@ -308,7 +308,7 @@ float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& co
                                                    : 1.0f;
 }
 
-/// Whether bodies that overlap already go so much deeper on their ways that they could come out on
+/// Whether bodies that overlap already go so much deeper on their paths that they could come out on
 /// the other side: iterations have not held a light body off that something heavy drives, or what
 /// turns comes out with one end while the other goes in. What comes out of an overlap, or sinks
 /// slowly, is for the next step.
@@ -381,7 +381,7 @@ ImpactBackup ContinuousCollision::Save(b2Body& body) const
 
 /// A kinematic body continues unchanged, so results about it stay valid, unless a listener changed
 /// its velocity.
-bool ContinuousCollision::HasNewWay(std::size_t index) const
+bool ContinuousCollision::HasNewPath(std::size_t index) const
 {
     const BodyData& data = Data(*m_bodies[index]);
     const Pose& before = m_before[index].pose;
@@ -451,7 +451,7 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
     for (std::size_t i = 0; i < m_bodies.size(); ++i)
     {
         BodyData& data = Data(*m_bodies[i]);
-        if (HasNewWay(i))
+        if (HasNewPath(i))
         {
             ++data.sweepVersion;
             m_joints.NoteStopped(data);
@@ -462,7 +462,7 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
     FindNewContacts(m_world);
     for (std::size_t i = 0; i < m_bodies.size(); ++i)
     {
-        if (HasNewWay(i))
+        if (HasNewPath(i))
         {
             LookAt(*m_bodies[i]);
         }

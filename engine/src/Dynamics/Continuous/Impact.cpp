@@ -59,8 +59,8 @@ Impact::Impact(World& world, float32 timeStep, int32 velocityIterations)
 b2Vec2 Impact::AccelerationOf(const BodyData& body) const
 {
     const bool known = m_world.subStepCount > 1 && body.IsDynamic() && body.awakeIndex != -1 &&
-                       std::size_t(body.awakeIndex) < m_world.subSteps->ways.size() &&
-                       m_world.subSteps->ways[std::size_t(body.awakeIndex)] == WayOfBody::Flies;
+                       std::size_t(body.awakeIndex) < m_world.subSteps->modes.size() &&
+                       m_world.subSteps->modes[std::size_t(body.awakeIndex)] == BodyMode::Flies;
     return known ? m_world.subSteps->kicks[std::size_t(body.awakeIndex)].acceleration
                  : b2Vec2(0.0f, 0.0f);
 }
@@ -201,13 +201,13 @@ void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLe
 {
     if (m_world.subStepCount == 1)
     {
-        return MoveByVelocity(body, timeLeft, kMostMove);
+        return MoveByVelocity(body, timeLeft, kMaxMove);
     }
     body.v += 0.5f * timeLeft * acceleration;
     const int32 parts = m_world.subStepCount;
     for (int32 i = 0; i < parts; ++i)
     {
-        MoveByVelocity(body, timeLeft / float32(parts), kMostSmallMove);
+        MoveByVelocity(body, timeLeft / float32(parts), kMaxSmallMove);
     }
     body.v += 0.5f * timeLeft * acceleration;
 }
@@ -217,10 +217,10 @@ void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLe
 void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
 {
     const float32 most = kFarthestPush * m_timeStep;
-    const float32 way = PushOf(SolverBody(), pushed, maxExtent);
-    if (m_world.subStepCount > 1 && way > most)
+    const float32 path = PushOf(SolverBody(), pushed, maxExtent);
+    if (m_world.subStepCount > 1 && path > most)
     {
-        ShortenPush(SolverBody(), pushed, most / way);
+        ShortenPush(SolverBody(), pushed, most / path);
     }
 }
 
@@ -425,7 +425,7 @@ void Impact::MoveOn(std::size_t index, float32 time)
 }
 
 /// Returns how the body would have ended the step.
-EnergyGuard::Way Impact::WayOf(std::size_t index, float32 time) const
+EnergyGuard::Path Impact::PathOf(std::size_t index, float32 time) const
 {
     const BodyData& data = Data(*m_bodies[index]);
     const b2Vec2 left = (1.0f - time) * m_timeStep * AccelerationOf(data);
@@ -449,11 +449,11 @@ void Impact::SolveVelocities(float32 time)
     for (std::size_t i = 0; i < m_bodies.size(); ++i)
     {
         BodyData& data = Data(*m_bodies[i]);
-        const EnergyGuard::Way way = WayOf(i, time);
+        const EnergyGuard::Path path = PathOf(i, time);
         MoveOn(i, time);
         if (accounts)
         {
-            m_world.energyGuard->NoteImpact(data, way);
+            m_world.energyGuard->NoteImpact(data, path);
         }
     }
     if (m_world.listener)

@@ -52,7 +52,7 @@ private:
     bool KeepsEnergy() const;
     double KineticEnergyOfAll() const;
     void BounceLess(double most);
-    EnergyGuard::Way WayOf(std::size_t index, float32 time) const;
+    EnergyGuard::Path PathOf(std::size_t index, float32 time) const;
     void MoveOn(std::size_t index, float32 time);
     void MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const;
 

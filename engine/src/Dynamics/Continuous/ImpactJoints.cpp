@@ -39,7 +39,7 @@ bool Leans(const BodyData& body)
 
 /// Resets the paths: poses are final. Bodies that woke or fell asleep changed the order of the
 /// joints; systems are built from the sorted list.
-SolverContext ImpactJoints::ClearWays() const
+SolverContext ImpactJoints::ClearPaths() const
 {
     m_world.graph.SortJoints();
     m_world.solver->bodies.assign(m_world.awakeBodies.size() + 1, SolverBody());
@@ -60,7 +60,7 @@ void ImpactJoints::NoteStarts()
     {
         m_world.impacts->fates.push_back(ImpactFate{&Data(*awake), false});
     }
-    m_world.subSteps->joints.NoteOpen(m_world.graph, ClearWays());
+    m_world.subSteps->joints.NoteOpen(m_world.graph, ClearPaths());
 }
 
 void ImpactJoints::NoteStopped(const BodyData& body)
@@ -88,7 +88,7 @@ bool ImpactJoints::Close()
                : Leans(body)                     ? AfterImpact::Leans
                                                  : AfterImpact::Free;
     };
-    const SolverContext context = ClearWays();
+    const SolverContext context = ClearPaths();
     JointSystem& joints = m_world.subSteps->joints;
     joints.CloseAfterImpacts(m_world.graph, context, fate, [&](int32 part) {
         const float32 share = ShareLeft(part, context);
@@ -151,7 +151,7 @@ void ImpactJoints::Take(b2Body& body, const SolverBody& drawn, float32 share)
     }
     BodyData& data = Data(body);
     EnergyGuard& guard = *m_world.energyGuard;
-    const EnergyGuard::Way before{data.pose, data.linearVelocity, data.angularVelocity};
+    const EnergyGuard::Path before{data.pose, data.linearVelocity, data.angularVelocity};
     data.pose.x += double(drawn.d.x);
     data.pose.y += double(drawn.d.y);
     data.pose.angle += double(drawn.angle);

@@ -27,7 +27,7 @@ public:
     bool Close();
 
 private:
-    SolverContext ClearWays() const;
+    SolverContext ClearPaths() const;
     double WoundUp(int32 part, const SolverContext& context) const;
     float32 ShareLeft(int32 part, const SolverContext& context) const;
     void Take(b2Body& body, const SolverBody& drawn, float32 share);

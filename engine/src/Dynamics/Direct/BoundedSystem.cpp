@@ -12,7 +12,7 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kMostRounds = 8;
+constexpr int32 kMaxRounds = 8;
 /// A solution with a speed above so many times the largest before it is dropped. Where constraints
 /// contradict each other speeds have no bound: one body got 134 km/s. Levers need some: with 3 a
 /// chain of 1000:1 gains energy at a post, with 1000 rows between walls move on
@@ -67,7 +67,7 @@ void BoundedSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Elimi
 void BoundedSystem::Minimize(const SolverContext& context, double tolerance)
 {
     m_energy = Energy(context);
-    for (int32 round = 0; round < kMostRounds; ++round)
+    for (int32 round = 0; round < kMaxRounds; ++round)
     {
         if (!Improve(context) && !Release(context, tolerance))
         {
@@ -203,10 +203,10 @@ bool BoundedSystem::Improve(const SolverContext& context)
     {
         m_system.SetActive(i, m_items[i].active);
         const Vector3 speed = SpeedOf(context, m_system.Rows(i));
-        for (int32 row = 0; row < JointRows::kMostRows; ++row)
+        for (int32 row = 0; row < JointRows::kMaxRows; ++row)
         {
             const double soft = double(m_system.Rows(i).laws[row].softness);
-            m_system.Lack(i).at[row] =
+            m_system.Residual(i).at[row] =
                 m_items[i].speeds.at[row] - soft * m_items[i].impulse.at[row] - speed.at[row];
         }
     }
@@ -246,7 +246,7 @@ bool BoundedSystem::MoveItem(std::size_t index, double share, Vector3& change)
     Item& item = m_items[index];
     const Vector3& found = m_system.Found(index);
     bool met = false;
-    for (int32 row = 0; row < JointRows::kMostRows; ++row)
+    for (int32 row = 0; row < JointRows::kMaxRows; ++row)
     {
         if ((item.active >> row & 1) == 0)
         {
@@ -276,7 +276,7 @@ double BoundedSystem::ShareWithin() const
     for (std::size_t i = 0; i < m_items.size(); ++i)
     {
         const Item& item = m_items[i];
-        for (int32 row = 0; row < JointRows::kMostRows; ++row)
+        for (int32 row = 0; row < JointRows::kMaxRows; ++row)
         {
             const double step = m_system.Found(i).at[row];
             const double impulse = item.impulse.at[row];

@@ -274,7 +274,7 @@ void Elimination::ListItems(const Array<RowSides>& constraints)
         }
         else if (place == -2)
         {
-            m_pattern->swept.push_back(int32(i));
+            m_pattern->iterative.push_back(int32(i));
         }
     }
     std::sort(m_members.begin(), m_members.end());
@@ -361,7 +361,7 @@ void RowPattern::Clear()
     items.clear();
     sides.clear();
     meetings.clear();
-    swept.clear();
+    iterative.clear();
     bodies.clear();
 }
 

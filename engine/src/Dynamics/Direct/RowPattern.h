@@ -76,7 +76,7 @@ struct RowPattern
     Array<Item> items;
     Array<Side> sides;
     Array<Meeting> meetings;
-    Array<int32> swept;            ///< constraints of systems above the cost limit
+    Array<int32> iterative;        ///< constraints of systems above the cost limit
     Array<const BodyData*> bodies; ///< all moving bodies, including those solved iteratively
 };
 

@@ -188,15 +188,15 @@ void RowSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Eliminati
     resize(m_rows, sides.size());
     assign(m_active, sides.size(), uint8(7));
     assign(m_weights, sides.size(), Vector3{});
-    resize(m_lack, sides.size());
+    resize(m_residuals, sides.size());
     assign(m_found, sides.size(), Vector3{});
     resize(m_own, sides.size());
     assign(m_sides, m_pattern.sides.size(), Side{});
     resize(m_diagonal, m_pattern.columns.size() - 1);
     resize(m_x, m_diagonal.size());
-    assign(m_ballast, m_diagonal.size(), Ballast());
+    assign(m_addedMass, m_diagonal.size(), AddedMass());
     assign(m_exact, sides.size(), uint8(1));
-    for (const int32 item : m_pattern.swept)
+    for (const int32 item : m_pattern.iterative)
     {
         m_exact[std::size_t(item)] = 0;
     }
@@ -259,7 +259,7 @@ void RowSystem::Stiffness::AddLine(const JointRows& rows, const JointRows::Colum
     turning += pull * reach + across * reach * reach;
 }
 
-void RowSystem::FactorSwept(std::size_t item)
+void RowSystem::FactorIterative(std::size_t item)
 {
     m_own[item] = FactorsOfOwn(m_rows[item], m_active[item]);
 }
@@ -286,11 +286,11 @@ void RowSystem::FillDiagonal(const RowPattern::Component* component)
         const BodyData& body = *m_pattern.columns[std::size_t(i)].body;
         Block3& m = m_diagonal[std::size_t(i)];
         m = Block3{};
-        const Ballast& ballast = m_ballast[std::size_t(i)];
+        const AddedMass& addedMass = m_addedMass[std::size_t(i)];
         const double inertia =
             body.SolverInvInertia() > 0.0f ? 1.0 / double(body.SolverInvInertia()) : 1.0;
-        m.at[0][0] = m.at[1][1] = 1.0 / double(body.SolverInvMass()) + ballast.mass;
-        m.at[2][2] = inertia + ballast.inertia;
+        m.at[0][0] = m.at[1][1] = 1.0 / double(body.SolverInvMass()) + addedMass.mass;
+        m.at[2][2] = inertia + addedMass.inertia;
     }
     const int32 first = m_pattern.columns[std::size_t(component[0].firstColumn)].firstEntry;
     const int32 last = m_pattern.columns[std::size_t(component[1].firstColumn)].firstEntry;
@@ -397,7 +397,7 @@ void RowSystem::Solve(int32 component)
     {
         const RowPattern::Item* item = m_pattern.items.data() + i;
         const Vector3& weights = m_weights[std::size_t(item->item)];
-        const Vector3& lack = m_lack[std::size_t(item->item)];
+        const Vector3& residual = m_residuals[std::size_t(item->item)];
         const int32 rows = m_rows[std::size_t(item->item)].rows;
         for (int32 k = item[0].firstSide; k < item[1].firstSide; ++k)
         {
@@ -405,7 +405,7 @@ void RowSystem::Solve(int32 component)
             Vector3& x = m_x[std::size_t(m_pattern.sides[std::size_t(k)].place)];
             for (int32 row = 0; row < rows; ++row)
             {
-                const double push = weights.at[row] * lack.at[row];
+                const double push = weights.at[row] * residual.at[row];
                 x.at[0] += push * side.rows[row][0];
                 x.at[1] += push * side.rows[row][1];
                 x.at[2] += push * side.rows[row][2];
@@ -416,7 +416,7 @@ void RowSystem::Solve(int32 component)
     for (int32 i = c[0].firstItem; i < c[1].firstItem; ++i)
     {
         const RowPattern::Item* item = m_pattern.items.data() + i;
-        Vector3 left = m_lack[std::size_t(item->item)];
+        Vector3 left = m_residuals[std::size_t(item->item)];
         const int32 rows = m_rows[std::size_t(item->item)].rows;
         for (int32 k = item[0].firstSide; k < item[1].firstSide; ++k)
         {
@@ -449,7 +449,7 @@ void RowSystem::Apply(int32 component, const SolverContext& context)
         body.w = data.SolverInvInertia() > 0.0f ? float32(double(body.w) + x.at[2]) : body.w;
     }
     ForItems(component, [this](std::size_t item) {
-        for (int32 row = 0; row < JointRows::kMostRows; ++row)
+        for (int32 row = 0; row < JointRows::kMaxRows; ++row)
         {
             m_rows[item].impulse[row] += float32(m_found[item].at[row]);
         }
@@ -475,13 +475,13 @@ void RowSystem::Apply(int32 component, const SolverContext& context, float32 tim
     }
 }
 
-void RowSystem::SolveSwept(std::size_t item)
+void RowSystem::SolveIterative(std::size_t item)
 {
     Vector3& found = m_found[item];
     for (int32 row = 0; row < 3; ++row)
     {
         const bool holds = row < m_rows[item].rows && (m_active[item] >> row & 1) != 0;
-        found.at[row] = holds ? m_lack[item].at[row] : 0.0;
+        found.at[row] = holds ? m_residuals[item].at[row] : 0.0;
     }
     DivideByLower(found, m_own[item]);
     found = DividedByDiagonal(found, m_own[item]);

@@ -45,7 +45,7 @@ public:
     std::size_t Count() const { return m_rows.size(); }
     JointRows& Rows(std::size_t item) { return m_rows[item]; }
     const JointRows& Rows(std::size_t item) const { return m_rows[item]; }
-    bool IsExact() const { return m_pattern.swept.empty(); }
+    bool IsExact() const { return m_pattern.iterative.empty(); }
     /// Returns all moving bodies.
     const Array<const BodyData*>& Bodies() const { return m_pattern.bodies; }
     /// A connected component, which can be solved by itself, from any thread.
@@ -89,12 +89,12 @@ public:
     void Factor();
     static constexpr double kCompliance = 1e-9;
     /// Adds mass and moment of inertia to the body at an index in later factorizations.
-    void SetBallast(std::size_t place, double mass, double inertia)
+    void SetAddedMass(std::size_t place, double mass, double inertia)
     {
-        m_ballast[place] = {mass, inertia};
+        m_addedMass[place] = {mass, inertia};
     }
     /// Returns the residual of each row: its target speed minus its speed.
-    Vector3& Lack(std::size_t item) { return m_lack[item]; }
+    Vector3& Residual(std::size_t item) { return m_residuals[item]; }
     /// Computes the impulses that remove the residuals.
     void Solve(int32 component);
     void Solve();
@@ -106,9 +106,9 @@ public:
     void Apply(int32 component, const SolverContext& context, float32 timeStep, bool keep);
 
     /// Returns the constraints that are solved iteratively instead; call after Factor.
-    const Array<int32>& Swept() const { return m_pattern.swept; }
-    void FactorSwept(std::size_t item);
-    void SolveSwept(std::size_t item);
+    const Array<int32>& Iterative() const { return m_pattern.iterative; }
+    void FactorIterative(std::size_t item);
+    void SolveIterative(std::size_t item);
 
 private:
     friend struct SnapshotAccess;
@@ -126,7 +126,7 @@ private:
         void AddLine(const JointRows& rows, const JointRows::Column& column);
     };
 
-    struct Ballast
+    struct AddedMass
     {
         double mass = 0.0, inertia = 0.0;
     };
@@ -140,15 +140,15 @@ private:
     Array<JointRows> m_rows; // per item
     Array<uint8> m_active;
     Array<Vector3> m_weights; // 1 / e of its rows, 0 if inactive
-    Array<Vector3> m_lack, m_found;
+    Array<Vector3> m_residuals, m_found;
     Array<Side> m_sides;
     Array<uint8> m_exact;                 // per item
     mutable Array<Stiffness> m_stiffness; // by index
     Array<Vector3> m_x;                   // by index: right-hand side, then change of velocity
     Array<Block3> m_diagonal;             // by index; factors after elimination
     Array<Block3> m_entries;
-    Array<Ballast> m_ballast; // by index
-    Array<Block3> m_own;      // per iterative item: the factors of J M^-1 J^T
+    Array<AddedMass> m_addedMass; // by index
+    Array<Block3> m_own;          // per iterative item: the factors of J M^-1 J^T
 };
 
 } // namespace box2d

@@ -22,7 +22,7 @@ namespace
 constexpr double kTolerance = 0.01;
 /// Maximum credit as a multiple of the scale. A bridge of planks under falling boxes returns up to
 /// three times its kinetic energy; with more, a long deceleration could be followed by a burst.
-constexpr double kMostCredit = 3.0;
+constexpr double kMaxCredit = 3.0;
 /// Maximum stored debt as a fraction of the scale; a larger one is paid at once. With five times as
 /// much some random worlds gain energy; with a tenth small debts stop motions.
 constexpr double kMaxDebt = 0.1;
@@ -30,12 +30,12 @@ constexpr double kMaxDebt = 0.1;
 constexpr double kFade = 0.1;
 /// Energy that corrections may store in springs of bodies at rest [J/kg], equivalent to 1 m/s. A
 /// body on springs that is pushed out of the ground needs a hundredth of it.
-constexpr double kMostFromRest = 0.5;
+constexpr double kMaxFromRest = 0.5;
 /// Minimum scale, as the energy of a fall by this distance [m]. Joints are closed to within a slop;
 /// lifting a body by that, a hundredth of this energy, is not a gain.
-constexpr float32 kLeastFall = b2_linearSlop / float32(kTolerance);
+constexpr float32 kMinFall = b2_linearSlop / float32(kTolerance);
 /// Keeps all sums in the range of float [J].
-constexpr float32 kMostScale = 1e30f;
+constexpr float32 kMaxScale = 1e30f;
 
 bool MovesByItself(const b2Body& body)
 {
@@ -44,9 +44,9 @@ bool MovesByItself(const b2Body& body)
 }
 
 /// True if it moves or was moved by the user, so that bodies that it holds or touches move too.
-bool Carries(const b2Body& body)
+bool MovesOthers(const b2Body& body)
 {
-    return MovesByItself(body) || Data(body).world->IsRecent(Data(body).movedAt);
+    return MovesByItself(body) || Data(body).world->IsRecentUserChange(Data(body).userMovedAt);
 }
 
 /// True if energy may enter that the account does not include: kinematic bodies, and user changes
@@ -54,7 +54,7 @@ bool Carries(const b2Body& body)
 /// of springs and motors, are included.
 bool IsDriven(const b2Body& body)
 {
-    if (Carries(body))
+    if (MovesOthers(body))
     {
         return true;
     }
@@ -62,15 +62,15 @@ bool IsDriven(const b2Body& body)
     {
         const b2Contact& c = *edge->contact;
         if (c.IsTouching() &&
-            (Carries(*edge->other) || c.GetTangentSpeed() != 0.0f || c.GetRestitution() > 1.0f))
+            (MovesOthers(*edge->other) || c.GetTangentSpeed() != 0.0f || c.GetRestitution() > 1.0f))
         {
             return true;
         }
     }
     for (const b2JointEdge* edge = body.GetJointList(); edge; edge = edge->next)
     {
-        if (Carries(*edge->other) ||
-            Data(body).world->IsRecent(JointAccess::ChangedAt(*edge->joint)))
+        if (MovesOthers(*edge->other) ||
+            Data(body).world->IsRecentUserChange(JointAccess::ChangedAt(*edge->joint)))
         {
             return true;
         }
@@ -109,7 +109,7 @@ double EnergyAtStart(const b2Body& first)
 float32 ScaleOf(float32 past, const BodyData& body, const SolverBody& s)
 {
     const auto kinetic = float32(KineticEnergy(s, double(body.mass), double(body.inertia)));
-    return kinetic > past ? b2Min(kinetic, kMostScale) : past;
+    return kinetic > past ? b2Min(kinetic, kMaxScale) : past;
 }
 
 /// What impacts have won. A body's credit, what joints took from it, does not pay for that: nothing
@@ -118,7 +118,7 @@ float32 ScaleOf(float32 past, const BodyData& body, const SolverBody& s)
 void Charge(BodyData& body, float32 won)
 {
     const bool counts = won > float32(kTolerance) * body.energyScale; // or it is truncation
-    body.energyOwed = (counts ? b2Max(body.energyOwed, 0.0f) : body.energyOwed) + won;
+    body.energyDebt = (counts ? b2Max(body.energyDebt, 0.0f) : body.energyDebt) + won;
 }
 
 } // namespace
@@ -151,7 +151,7 @@ void EnergyGuard::Begin(const World& world, const SolverMemory& solver, float32 
     m_timeStep = timeStep;
     m_subSteps = world.subStepCount;
     m_gravity = world.gravity;
-    m_leastFall = kLeastFall * m_gravity.Length();
+    m_leastFall = kMinFall * m_gravity.Length();
     // Cleared above only for islands with an account: most islands may be asleep.
     m_accountOf.resize(b2Max(m_accountOf.size(), std::size_t(world.islands.Size())), -1);
     for (const b2Joint* joint : m_risky)
@@ -230,7 +230,7 @@ void EnergyGuard::Balance(const World& world, SolverMemory& solver)
     AddJoints(world, solver);
     for (Account& account : m_accounts)
     {
-        if (account.owed > kTolerance * account.scale)
+        if (account.debt > kTolerance * account.scale)
         {
             Collect(world, solver, account);
         }
@@ -275,7 +275,7 @@ void EnergyGuard::AddBodies(const World& world, SolverMemory& solver)
                 s = SolverBody(); // as it will be written back
                 won = Won(data, s);
             }
-            account.owed += double(data.energyOwed) + won;
+            account.debt += double(data.energyDebt) + won;
             const float32 past = PastOf(data);
             account.past += double(past);
             account.scale += double(ScaleOf(past, data, s));
@@ -288,13 +288,13 @@ void EnergyGuard::AddJoints(const World& world, const SolverMemory& solver)
     for (Spring& spring : m_springs)
     {
         spring.after = SpringOf(*spring.joint, solver.bodies.data());
-        m_accounts[std::size_t(spring.account)].owed += StoredBetween(spring.before, spring.after);
+        m_accounts[std::size_t(spring.account)].debt += StoredBetween(spring.before, spring.after);
     }
     for (const Motor& motor : m_motors)
     {
         const double after =
             MostMotorWork(*motor.joint, solver.bodies.data(), m_timeStep, world.subStepCount);
-        m_accounts[std::size_t(motor.account)].owed -= std::max(motor.work, after);
+        m_accounts[std::size_t(motor.account)].debt -= std::max(motor.work, after);
     }
 }
 
@@ -306,29 +306,29 @@ void EnergyGuard::Collect(const World& world, SolverMemory& solver, Account& acc
     const b2Body& first = *world.islands.At(account.island).first;
     if (IsIslandDriven(first))
     {
-        account.owed = 0.0;
+        account.debt = 0.0;
         return;
     }
     const double free = kTolerance * account.past; // from the energy before, because the current
                                                    // one contains the gain
     const IslandMotion found(first, solver.bodies.data());
-    const double payable = free + found.Energy() + kMostFromRest * found.Mass();
+    const double payable = free + found.Energy() + kMaxFromRest * found.Mass();
     for (const float32 time : {m_timeStep, 0.0f}) // first without corrections, then without motion
     {
-        if (m_subSteps == 1 && account.owed > payable)
+        if (m_subSteps == 1 && account.debt > payable)
         {
             MoveAgain(first, solver, account, time);
         }
     }
-    if (account.owed > free)
+    if (account.debt > free)
     {
         IslandMotion motion(first, solver.bodies.data());
-        const double debt = account.owed - free;
+        const double debt = account.debt - free;
         const double share = std::min(debt / (kMaxDebt * account.scale), 1.0);
         const double kept = (1.0 - share) * EnergyAtStart(first);
         const double lost = std::min(debt, std::max(motion.Energy() - kept, 0.0));
         motion.Lose(lost);
-        account.owed -= lost;
+        account.debt -= lost;
         account.scale = account.past;
     }
 }
@@ -371,7 +371,7 @@ void EnergyGuard::MoveAgain(const b2Body& first, SolverMemory& solver, Account& 
             saved -= StoredBetween(spring.before, spring.after);
         }
     }
-    account.owed -= saved;
+    account.debt -= saved;
 }
 
 /// Stores the account in shares of the bodies, relative to the scale. Debts decay with the scale.
@@ -382,8 +382,8 @@ void EnergyGuard::ShareOut(const World& world, const SolverMemory& solver)
     const auto fade = float32(1.0 / (1.0 + kFade * double(m_timeStep)));
     for (Account& account : m_accounts)
     {
-        const double share = account.scale > 0.0 ? account.owed / account.scale : 0.0;
-        account.owed = b2Clamp(share, -kMostCredit, kMaxDebt);
+        const double share = account.scale > 0.0 ? account.debt / account.scale : 0.0;
+        account.debt = b2Clamp(share, -kMaxCredit, kMaxDebt);
     }
     for (b2Body* body : world.awakeBodies)
     {
@@ -393,14 +393,14 @@ void EnergyGuard::ShareOut(const World& world, const SolverMemory& solver)
         {
             const SolverBody& s = solver.bodies[std::size_t(data.SolverIndex())];
             const float32 scale = ScaleOf(PastOf(data), data, s);
-            const auto share = float32(m_accounts[std::size_t(account)].owed);
+            const auto share = float32(m_accounts[std::size_t(account)].debt);
             data.energyScale = fade * scale;
-            data.energyOwed = share * (share > 0.0f ? data.energyScale : scale);
+            data.energyDebt = share * (share > 0.0f ? data.energyScale : scale);
         }
     }
 }
 
-void EnergyGuard::NoteImpact(BodyData& body, const Way& before) const
+void EnergyGuard::NoteImpact(BodyData& body, const Path& before) const
 {
     // Islands may have merged since, but both bodies of an impact are then in the same one.
     if (!body.IsDynamic() || body.island == -1 || std::size_t(body.island) >= m_accountOf.size() ||
@@ -409,10 +409,10 @@ void EnergyGuard::NoteImpact(BodyData& body, const Way& before) const
         return;
     }
     const b2Vec2 a = body.gravityScale * m_gravity + body.invMass * body.force;
-    const b2Vec2 way(float32(body.pose.x - before.end.x), float32(body.pose.y - before.end.y));
+    const b2Vec2 path(float32(body.pose.x - before.end.x), float32(body.pose.y - before.end.y));
     const b2Vec2 v = body.linearVelocity;
     const float32 w = body.angularVelocity;
-    Charge(body, body.mass * (0.5f * b2Dot(v - before.v, v + before.v) - b2Dot(a, way)) +
+    Charge(body, body.mass * (0.5f * b2Dot(v - before.v, v + before.v) - b2Dot(a, path)) +
                      body.inertia * (0.5f * (w - before.w) * (w + before.w)));
 }
 
@@ -423,7 +423,7 @@ void EnergyGuard::ChargeImpacts()
         BodyData& b = Data(*spring.joint->GetBodyB());
         BodyData& body = b.IsDynamic() ? b : Data(*spring.joint->GetBodyA());
         const SpringState end = SpringOf(*spring.joint, nullptr);
-        body.energyOwed +=
+        body.energyDebt +=
             float32(StoredBetween(spring.before, end) - StoredBetween(spring.before, spring.after));
     }
     m_springs.clear(); // a joint may be destroyed before the next step

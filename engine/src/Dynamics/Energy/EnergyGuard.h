@@ -41,7 +41,7 @@ public:
     void Balance(const World& world, SolverMemory& solver);
     bool HasAccounts() const { return !m_accounts.empty(); }
     /// The state of a body at the end of the step.
-    struct Way
+    struct Path
     {
         Pose end;
         b2Vec2 v;
@@ -49,7 +49,7 @@ public:
     };
     /// Call after an impact changed the body. In a step without sub-steps, a body moved back to an
     /// impact keeps the velocity of its whole fall.
-    void NoteImpact(BodyData& body, const Way& before) const;
+    void NoteImpact(BodyData& body, const Path& before) const;
     /// Call after impacts: energy that they stored in springs is charged in the next step.
     void ChargeImpacts();
 
@@ -71,7 +71,7 @@ private:
     struct Account
     {
         int32 island = -1;
-        double owed = 0.0;  ///< negative: credit [J]
+        double debt = 0.0;  ///< negative: credit [J]
         double past = 0.0;  ///< decaying maximum of the kinetic energy, before the step [J]
         double scale = 0.0; ///< the same after the step
     };

@@ -35,7 +35,7 @@ struct GearLanes
             return pair.SpeedAlong(axis, armFrame, armBody);
         }
         /// Returns the change of the coordinate in this step.
-        F Way(const PlacedPair<F>& pair) const
+        F Displacement(const PlacedPair<F>& pair) const
         {
             const Vector<F> d = pair.Offset(offset) + pair.b.Turn(armB) - pair.a.Turn(armA);
             const F slid = Dot(d, pair.a.Turn(axis)) - start;
@@ -161,8 +161,8 @@ struct GearKernels
         {
             const Gears gears = LoadNumbers<Gears, F>(numbers + kFirst + lane);
             const F error =
-                gears.error + gears.sides[0].Way(Placed(block, lane, 0, numbers, bodies)) +
-                gears.ratio * gears.sides[1].Way(Placed(block, lane, 1, numbers, bodies));
+                gears.error + gears.sides[0].Displacement(Placed(block, lane, 0, numbers, bodies)) +
+                gears.ratio * gears.sides[1].Displacement(Placed(block, lane, 1, numbers, bodies));
             Move(block, lane, gears, -gears.mass * error, numbers, bodies);
             joined = joined && !Any(Not(AtLeast(F::Set(b2_linearSlop), Abs(error))));
         }

@@ -37,15 +37,15 @@ double StoredBetween(const SpringState& before, const SpringState& after)
 
 bool IsAtRisk(const b2Joint& joint)
 {
-    constexpr float32 kMostRatio = 10.0f; // of masses
-    constexpr float32 kLongLever = 4.0f;  // in radii of gyration
+    constexpr float32 kMaxRatio = 10.0f; // of masses
+    constexpr float32 kLongLever = 4.0f; // in radii of gyration
     // A pull along a line turns a body straight within a sub-step, and is not foreseen.
     constexpr float32 kLongLeverOfLine = 2.0f;
     const BodyData& a = Data(*joint.GetBodyA());
     const BodyData& b = Data(*joint.GetBodyB());
     const float32 mA = a.SolverInvMass();
     const float32 mB = b.SolverInvMass();
-    if (mA > 0.0f && mB > 0.0f && (mA > kMostRatio * mB || mB > kMostRatio * mA))
+    if (mA > 0.0f && mB > 0.0f && (mA > kMaxRatio * mB || mB > kMaxRatio * mA))
     {
         return true;
     }

@@ -98,7 +98,7 @@ inline b2Vec2 ClampLength(const b2Vec2& v, float32 limit)
 }
 
 /// Returns the warm starting factor of a step.
-inline float32 CarryOver(const SolverContext& context)
+inline float32 WarmStartFactor(const SolverContext& context)
 {
     return context.warmStarting ? context.stepRatio : 0.0f;
 }
@@ -106,7 +106,7 @@ inline float32 CarryOver(const SolverContext& context)
 /// As above, for a joint with anchors. 0 if a body with a lever rotates so far in a step that the
 /// impulses have the wrong direction. A few iterations do not correct that, so that bodies gain
 /// energy and impulses grow from step to step.
-inline float32 CarryOver(const SolverContext& context, const b2Joint& joint)
+inline float32 WarmStartFactor(const SolverContext& context, const b2Joint& joint)
 {
     // The direction of a pendulum's tension is then off by half of itself. With 1 rad some random
     // worlds gain energy without bound.
@@ -117,19 +117,19 @@ inline float32 CarryOver(const SolverContext& context, const b2Joint& joint)
     };
     const bool isStale = (turns(*joint.GetBodyA()) && HasLeverOnA(joint, kRadii)) ||
                          (turns(*joint.GetBodyB()) && HasLeverOnB(joint, kRadii));
-    return isStale ? 0.0f : CarryOver(context);
+    return isStale ? 0.0f : WarmStartFactor(context);
 }
 
 /// Scales an impulse; resets one that is not finite.
-inline void Carry(float32& impulse, float32 share)
+inline void Scale(float32& impulse, float32 share)
 {
     impulse = b2IsValid(impulse) ? share * impulse : 0.0f;
 }
 
-inline void Carry(b2Vec2& impulse, float32 share)
+inline void Scale(b2Vec2& impulse, float32 share)
 {
-    Carry(impulse.x, share);
-    Carry(impulse.y, share);
+    Scale(impulse.x, share);
+    Scale(impulse.y, share);
 }
 
 /// Writes the first lines of every joint's Dump.

@@ -5,15 +5,15 @@
 
 /// What a joint does to its bodies in sub-steps, as rows of a linear system: for each row its
 /// derivative J by the velocities of the bodies. What holds rigidly comes first, with an error C at
-/// the present pose whose rate is J v. Motors, limits, springs and friction follow: they give way,
-/// each to its own law. The impulses change the velocities by M^-1 J^T lambda.
+/// the present pose whose rate is J v. Motors, limits, springs and friction follow as bounded rows,
+/// each with its own law. The impulses change the velocities by M^-1 J^T lambda.
 namespace box2d
 {
 
 struct JointRows
 {
-    static constexpr int32 kMostRows = 3;
-    static constexpr int32 kMostBodies = 4; ///< a gear has four
+    static constexpr int32 kMaxRows = 3;
+    static constexpr int32 kMaxBodies = 4; ///< a gear has four
 
     /// Derivatives of each row by one body's velocity and angular velocity.
     struct Column
@@ -21,7 +21,7 @@ struct JointRows
         const BodyData* data = nullptr;
         int32 body = 0; ///< solver index
         float32 invMass = 0.0f, invInertia = 0.0f;
-        float32 x[kMostRows] = {}, y[kMostRows] = {}, w[kMostRows] = {};
+        float32 x[kMaxRows] = {}, y[kMaxRows] = {}, w[kMaxRows] = {};
         float32 reach = 0.0f; ///< for a line: from the centre of mass to its end, along it [m]
 
         void AddTo(int32 row, const b2Vec2& direction, float32 lever)
@@ -73,7 +73,7 @@ struct JointRows
     /// Tolerance of speeds [m/s], [rad/s]: rounding must not release a limit.
     static constexpr float32 kSameSpeed = 1e-5f;
 
-    int32 Rigid() const { return rows - giving; }
+    int32 Rigid() const { return rows - boundedRows; }
     /// True if the row has a motor, a spring, or friction in addition to a limit.
     bool IsDriven() const
     {
@@ -84,29 +84,29 @@ struct JointRows
     /// Resets the rows at low cost: columns are cleared when they are added.
     void Clear()
     {
-        if (giving > 0)
+        if (boundedRows > 0)
         {
-            std::fill_n(laws, kMostRows, Law());
+            std::fill_n(laws, kMaxRows, Law());
         }
-        rows = giving = bodies = 0;
+        rows = boundedRows = bodies = 0;
         point = disc = false;
         length = 0.0f;
-        std::fill_n(error, kMostRows, 0.0f);
-        std::fill_n(impulse, kMostRows, 0.0f);
+        std::fill_n(error, kMaxRows, 0.0f);
+        std::fill_n(impulse, kMaxRows, 0.0f);
     }
-    void SetImpulse(const float32 (&value)[kMostRows]) { std::copy_n(value, kMostRows, impulse); }
+    void SetImpulse(const float32 (&value)[kMaxRows]) { std::copy_n(value, kMaxRows, impulse); }
 
-    int32 rows = 0;     ///< 0 to 3; the remaining array elements are zero
-    int32 giving = 0;   ///< number of bounded rows, the last ones
-    bool point = false; ///< the first two rows hold a point
+    int32 rows = 0;        ///< 0 to 3; the remaining array elements are zero
+    int32 boundedRows = 0; ///< number of bounded rows, the last ones
+    bool point = false;    ///< the first two rows hold a point
     /// The first two rows are bounded together: `most` limits the length of both impulses.
     bool disc = false;
     float32 length = 0.0f; ///< length of the line for the first row
     int32 bodies = 0;      ///< number of columns
-    Column columns[kMostBodies];
-    Law laws[kMostRows];
-    float32 error[kMostRows] = {};   ///< [m] or [rad], of rigid rows
-    float32 impulse[kMostRows] = {}; ///< [Ns] or [Nms]
+    Column columns[kMaxBodies];
+    Law laws[kMaxRows];
+    float32 error[kMaxRows] = {};   ///< [m] or [rad], of rigid rows
+    float32 impulse[kMaxRows] = {}; ///< [Ns] or [Nms]
 };
 
 /// A joint's frame with its rows.
@@ -206,7 +206,7 @@ struct RowFiller
 
     JointRows::Law& Give()
     {
-        ++rows.giving;
+        ++rows.boundedRows;
         return rows.laws[rows.rows - 1];
     }
     void GiveToMotor(float32 speed, float32 mostForce)
@@ -227,7 +227,7 @@ struct RowFiller
     void GiveToFriction(float32 mostForce, float32 mostTorque)
     {
         AddAngle(0.0f);
-        rows.giving = rows.rows;
+        rows.boundedRows = rows.rows;
         rows.disc = true;
         rows.laws[0].most = rows.laws[1].most = context.timeStep * mostForce;
         rows.laws[2].most = context.timeStep * mostTorque;

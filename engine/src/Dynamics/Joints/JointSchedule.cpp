@@ -19,7 +19,7 @@ namespace
 {
 
 /// Fewer joints of a type are solved one by one: a block costs as much as this many.
-constexpr std::ptrdiff_t kLeastLanes = 3;
+constexpr std::ptrdiff_t kMinLanes = 3;
 /// Blocks per part of a parallel loop.
 constexpr int32 kBlockGrain = 8;
 
@@ -152,7 +152,7 @@ void JointSchedule::AddLevel(b2Joint* const* begin, b2Joint* const* end)
 void JointSchedule::AddKind(b2JointType type, b2Joint* const* begin, b2Joint* const* end)
 {
     const auto isOfKind = [type](const b2Joint* joint) { return joint->GetType() == type; };
-    const bool wide = std::count_if(begin, end, isOfKind) >= kLeastLanes;
+    const bool wide = std::count_if(begin, end, isOfKind) >= kMinLanes;
     JointBlock* block = nullptr;
     for (b2Joint* const* joint = begin; joint != end; ++joint)
     {

@@ -73,7 +73,7 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     const float32 k = box2d::AxisMatrix(f, m_axis, armA, armB);
     const box2d::Softness soft =
         box2d::MakeSoftness(m_springHz, m_dampingRatio, box2d::InverseOrZero(k), context.timeStep);
-    box2d::Carry(m_impulse, box2d::CarryOver(context, *this));
+    box2d::Scale(m_impulse, box2d::WarmStartFactor(context, *this));
 
     using Lanes = box2d::DistanceLanes<float32>;
     static_assert(sizeof(Lanes) == sizeof(float32) * (Lanes::kPlainNumbers + Lanes::kLimitNumbers));
@@ -95,8 +95,8 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
         lane.Write(lanes, Lanes::kPlainNumbers);
         return;
     }
-    box2d::Carry(m_lowerImpulse, box2d::CarryOver(context, *this));
-    box2d::Carry(m_upperImpulse, box2d::CarryOver(context, *this));
+    box2d::Scale(m_lowerImpulse, box2d::WarmStartFactor(context, *this));
+    box2d::Scale(m_upperImpulse, box2d::WarmStartFactor(context, *this));
     const float32 toLower = b2Max(length - m_minLength, 0.0f);
     // To a limit that there is not: what no body goes in a step.
     const float32 toUpper = b2Clamp(m_maxLength - length, 0.0f, box2d::kReach);

@@ -24,8 +24,8 @@ b2FrictionJoint::b2FrictionJoint(const b2FrictionJointDef* def)
 
 void b2FrictionJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    box2d::Carry(m_impulse, box2d::CarryOver(context, *this));
-    box2d::Carry(m_angularImpulse, box2d::CarryOver(context, *this));
+    box2d::Scale(m_impulse, box2d::WarmStartFactor(context, *this));
+    box2d::Scale(m_angularImpulse, box2d::WarmStartFactor(context, *this));
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 armA = f.ArmA(m_localAnchorA);

@@ -268,7 +268,7 @@ box2d::GearLanes<float32>::Side SideOf(const BodyData& frame, const BodyData& bo
 
 void b2GearJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    box2d::Carry(m_impulse, box2d::CarryOver(context));
+    box2d::Scale(m_impulse, box2d::WarmStartFactor(context));
     box2d::GearLanes<float32> gear = {};
     double coordinate[2] = {};
     for (Side* side : {&m_side1, &m_side2})

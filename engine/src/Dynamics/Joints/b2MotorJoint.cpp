@@ -26,8 +26,8 @@ b2MotorJoint::b2MotorJoint(const b2MotorJointDef* def)
 
 void b2MotorJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    box2d::Carry(m_impulse, box2d::CarryOver(context, *this));
-    box2d::Carry(m_angularImpulse, box2d::CarryOver(context, *this));
+    box2d::Scale(m_impulse, box2d::WarmStartFactor(context, *this));
+    box2d::Scale(m_angularImpulse, box2d::WarmStartFactor(context, *this));
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 armA = f.ArmA(m_linearOffset);
@@ -89,11 +89,11 @@ double box2d::JointAccess::Kind<b2MotorJoint>::MaxPower(const b2MotorJoint& join
     const b2Vec2 armA = pair.ArmA(joint.GetLinearOffset());
     const b2Vec2 armB = pair.ArmB(b2Vec2_zero);
     const double rate = double(joint.GetCorrectionFactor()) / subStep;
-    const double way = double((pair.Offset() + armB - armA).Length());
+    const double distance = double((pair.Offset() + armB - armA).Length());
     const double turn = std::abs(pair.Angle() - double(joint.GetAngularOffset()));
     const double speed = double(pair.SpeedAt(armA, armB).Length());
     const double spin = double(b2Abs(pair.b.w - pair.a.w));
-    return double(joint.GetMaxForce()) * std::min(speed, rate * way) +
+    return double(joint.GetMaxForce()) * std::min(speed, rate * distance) +
            double(joint.GetMaxTorque()) * std::min(spin, rate * turn);
 }
 

@@ -33,7 +33,7 @@ b2MouseJoint::b2MouseJoint(const b2MouseJointDef* def)
 
 void b2MouseJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    box2d::Carry(m_impulse, box2d::CarryOver(context, *this));
+    box2d::Scale(m_impulse, box2d::WarmStartFactor(context, *this));
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 arm = f.ArmB(m_localAnchorB);

@@ -38,10 +38,10 @@ b2PrismaticJoint::b2PrismaticJoint(const b2PrismaticJointDef* def)
 
 void b2PrismaticJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    const float32 share = box2d::CarryOver(context, *this);
-    box2d::Carry(m_impulse, share);
-    box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
-    box2d::Carry(m_limitImpulse, m_enableLimit ? share : 0.0f);
+    const float32 share = box2d::WarmStartFactor(context, *this);
+    box2d::Scale(m_impulse, share);
+    box2d::Scale(m_motorImpulse, m_enableMotor ? share : 0.0f);
+    box2d::Scale(m_limitImpulse, m_enableLimit ? share : 0.0f);
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 armA = f.ArmA(m_localAnchorA);

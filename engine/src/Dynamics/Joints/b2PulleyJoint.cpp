@@ -69,7 +69,7 @@ b2PulleyJoint::b2PulleyJoint(const b2PulleyJointDef* def)
 
 void b2PulleyJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    box2d::Carry(m_impulse, box2d::CarryOver(context, *this));
+    box2d::Scale(m_impulse, box2d::WarmStartFactor(context, *this));
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 armA = f.ArmA(m_localAnchorA);

@@ -27,7 +27,7 @@ void b2RopeJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane
         m_axis.SetZero();
     }
     const float32 k = box2d::AxisMatrix(f, m_axis, armA, armB);
-    box2d::Carry(m_impulse, box2d::CarryOver(context, *this));
+    box2d::Scale(m_impulse, box2d::WarmStartFactor(context, *this));
 
     lane.Write(box2d::RopeLanes<float32>{.impulse = m_impulse,
                                          .axis = box2d::InLanes(m_axis),

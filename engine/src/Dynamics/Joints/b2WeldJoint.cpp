@@ -28,8 +28,8 @@ b2WeldJoint::b2WeldJoint(const b2WeldJointDef* def)
 
 void b2WeldJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    box2d::Carry(m_impulse, box2d::CarryOver(context, *this));
-    box2d::Carry(m_angularImpulse, box2d::CarryOver(context, *this));
+    box2d::Scale(m_impulse, box2d::WarmStartFactor(context, *this));
+    box2d::Scale(m_angularImpulse, box2d::WarmStartFactor(context, *this));
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const double angle = f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle);

@@ -35,10 +35,10 @@ b2WheelJoint::b2WheelJoint(const b2WheelJointDef* def)
 
 void b2WheelJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
-    const float32 share = box2d::CarryOver(context, *this);
-    box2d::Carry(m_impulse, share);
-    box2d::Carry(m_springImpulse, m_frequencyHz > 0.0f ? share : 0.0f);
-    box2d::Carry(m_motorImpulse, m_enableMotor ? share : 0.0f);
+    const float32 share = box2d::WarmStartFactor(context, *this);
+    box2d::Scale(m_impulse, share);
+    box2d::Scale(m_springImpulse, m_frequencyHz > 0.0f ? share : 0.0f);
+    box2d::Scale(m_motorImpulse, m_enableMotor ? share : 0.0f);
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 armA = f.ArmA(m_localAnchorA);

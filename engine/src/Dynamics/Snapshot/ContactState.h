@@ -17,9 +17,9 @@ void Visit(Archive& archive, ContactData& contact)
 {
     auto& [bodyA, bodyB, flags, friction, restitution, tangentSpeed, radiusA, radiusB, toiCount,
            color, solvedAs, manifold, relative, fixtureA, fixtureB, childA, childB, awakeIndex,
-           oldIndex, colorIndex, place, lasting, edgeA, edgeB, prev, next] = contact;
+           oldIndex, colorIndex, place, lastShare, edgeA, edgeB, prev, next] = contact;
     archive(flags, friction, restitution, tangentSpeed, radiusA, radiusB, toiCount);
-    archive(manifold, relative, lasting);
+    archive(manifold, relative, lastShare);
 }
 
 /// Identified by the proxies whose boxes overlap.

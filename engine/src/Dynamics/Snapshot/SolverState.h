@@ -12,7 +12,7 @@
 /// What the solver's memory leaves to the next step. Most of it is filled again in each step; what
 /// is made when joints or contacts come or go follows from the lists, but not all of it:
 ///  - contacts stay in their blocks in an order that places of bodies had in the past;
-///  - joints keep what of them gives way, and how stiff the last step's forces made them;
+///  - joints keep the states of their bounded rows, and how stiff the last step's forces made them;
 ///  - which joints win energy was found when the list was made, with the settings of that time;
 ///  - between the parts of a step of b2World::SetSubStepping the step is still under way.
 namespace box2d
@@ -73,8 +73,8 @@ void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& wo
     accounts.resize(std::size_t(count));
     for (auto& account : accounts)
     {
-        auto& [island, owed, past, scale] = account;
-        archive(island, owed, past, scale);
+        auto& [island, debt, past, scale] = account;
+        archive(island, debt, past, scale);
     }
     if (count > 0)
     {
@@ -98,8 +98,8 @@ template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 {
     // All else is made again with the pattern, or filled before it is read.
-    auto& [pattern, rows, active, weights, lack, found, sides, exact, stiffness, x, diagonal,
-           entries, ballast, own] = system;
+    auto& [pattern, rows, active, weights, residuals, found, sides, exact, stiffness, x, diagonal,
+           entries, addedMass, own] = system;
     constexpr std::size_t leastBytes = 69;
     auto count = int32(rows.size());
     archive.Count(count, leastBytes);
@@ -113,9 +113,9 @@ void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& world)
 {
-    auto& [joints, sides, rowSystem, parts, trees, treeOf, inTree, rowed, gives, yields, totals,
-           kicks, poses, opened, left, before, speeds, sweptBodies, now, elimination, partJoints,
-           version, restored, restoredVersion] = system;
+    auto& [joints, sides, rowSystem, parts, trees, treeOf, inTree, rowed, hasBounded, states,
+           totals, kicks, poses, opened, left, before, speeds, iterativeBodies, now, elimination,
+           partJoints, version, restored, restoredVersion] = system;
     Visit(archive, rowSystem);
     const int32 present = world.graph.JointVersion();
     bool followed = version == present || restoredVersion == present;
@@ -125,14 +125,14 @@ void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& w
         return;
     }
     // The list is used when the next step has woken all bodies that must wake.
-    auto& kept = version == present ? yields : restored;
+    auto& kept = version == present ? states : restored;
     restoredVersion = Archive::kReads ? present : restoredVersion;
     kept.resize(world.graph.Joints().size());
-    for (JointSystem::Yields& joint : kept)
+    for (JointSystem::RowStates& joint : kept)
     {
-        for (JointSystem::Yield& yield : joint.of)
+        for (JointSystem::RowState& state : joint.of)
         {
-            archive.Within(yield, JointSystem::Yield::Holds, JointSystem::Yield::Fastest);
+            archive.Within(state, JointSystem::RowState::Holds, JointSystem::RowState::Fastest);
         }
     }
 }
@@ -148,13 +148,13 @@ void VisitSolver(Archive& archive, World& world)
     SnapshotAccess::Visit(archive, *world.energyGuard, world);
     SnapshotAccess::Visit(archive, subSteps.joints, world);
     // Accelerations of freely falling bodies with sub-steps, for the remaining impacts.
-    auto count = int32(subSteps.ways.size());
+    auto count = int32(subSteps.modes.size());
     archive.Count(count, sizeof(int32));
-    subSteps.ways.resize(std::size_t(count));
+    subSteps.modes.resize(std::size_t(count));
     subSteps.kicks.resize(std::size_t(count));
-    for (std::size_t i = 0; i < subSteps.ways.size(); ++i)
+    for (std::size_t i = 0; i < subSteps.modes.size(); ++i)
     {
-        archive.Within(subSteps.ways[i], WayOfBody::Together, WayOfBody::InTree);
+        archive.Within(subSteps.modes[i], BodyMode::Together, BodyMode::InTree);
         archive(subSteps.kicks[i].acceleration);
     }
 }

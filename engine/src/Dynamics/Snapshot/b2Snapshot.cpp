@@ -69,13 +69,14 @@ void VisitWorld(Archive& archive, World& world)
            bodyNumber, jointNumber, gravity, defaultFilter, filter, listener, destructionListener,
            debugDraw, subStepCount, lastSubSteps, inverseStep, stepNumber, profile, contactManager,
            profiling, allowSleep, warmStarting, continuousPhysics, subStepping, stepComplete,
-           autoClearForces, locked, forcesApplied, hasBullets, filtersChanged, sweepsTurned] =
+           autoClearForces, locked, forcesApplied, hasBullets, filtersChanged, directionReversed] =
         world;
     archive(bodyNumber, jointNumber, inactiveCount, gravity);
-    archive.Within(subStepCount, 1, kMostSubSteps);
-    archive.Within(lastSubSteps, 1, kMostSubSteps);
+    archive.Within(subStepCount, 1, kMaxSubSteps);
+    archive.Within(lastSubSteps, 1, kMaxSubSteps);
     archive(inverseStep, stepNumber, allowSleep, warmStarting, continuousPhysics, subStepping,
-            stepComplete, autoClearForces, forcesApplied, hasBullets, filtersChanged, sweepsTurned);
+            stepComplete, autoClearForces, forcesApplied, hasBullets, filtersChanged,
+            directionReversed);
     SnapshotAccess::Visit(archive, proxies);
     VisitBodies(archive, world);
     VisitJoints(archive, world);

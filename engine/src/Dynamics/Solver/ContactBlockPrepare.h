@@ -85,7 +85,7 @@ struct BlockPreparer
         const Vector<F> onB = Add(offset, At(overlap.pointX[0], overlap.pointY[0]));
         const Vector<F> between = Subtract(onB, reference);
         const F length = Sqrt(between.x * between.x + between.y * between.y);
-        const auto apart = AtLeast(length, F::Set(kNearlyNothing));
+        const auto apart = AtLeast(length, F::Set(kMinLength));
         const F inverse = one / Select(apart, length, one);
         g.normal = {Select(apart, between.x * inverse, one),
                     Select(apart, between.y * inverse, zero)};
@@ -116,7 +116,7 @@ struct BlockPreparer
         return g;
     }
 
-    void CarryImpulses(PointLanes& p, int i, float32 share) const
+    void CopyImpulses(PointLanes& p, int i, float32 share) const
     {
         const F zero = F::Set(0.0f);
         const F most = F::Set(b2_maxFloat);
@@ -195,7 +195,7 @@ struct BlockPreparer
         bodies.invInertiaB = At(block.invInertiaB);
         for (int i = 0; i < block.pointCount; ++i)
         {
-            CarryImpulses(block.points[i], i, share);
+            CopyImpulses(block.points[i], i, share);
             FillPoint(block.points[i], bodies, g.normal, g.points[i],
                       Subtract(g.points[i], offset));
         }

@@ -13,7 +13,7 @@ namespace box2d
 namespace
 {
 
-constexpr float32 kNearlyNothing = b2_epsilon; ///< a shorter vector has no direction
+constexpr float32 kMinLength = b2_epsilon; ///< a shorter vector has no direction
 
 /// The relative motion of each contact's bodies, along its normal and tangent: see
 /// ContactSolver.cpp.

@@ -123,7 +123,7 @@ struct OverlapSolver
         const F half = F::Set(0.5f);
         const Vector<F> between = Subtract(onB, onA);
         const F length = Sqrt(between.x * between.x + between.y * between.y);
-        const auto apart = AtLeast(length, F::Set(kNearlyNothing));
+        const auto apart = AtLeast(length, F::Set(kMinLength));
         const F inverse = one / Select(apart, length, one);
         result.normal = {Select(apart, between.x * inverse, one),
                          Select(apart, between.y * inverse, zero)};

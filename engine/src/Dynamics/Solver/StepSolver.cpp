@@ -19,7 +19,7 @@ namespace
 
 /// Impulses grow with the step as long as they come from forces that last. Those of hits do not:
 /// after a very short step this much of them, and no more, is used for the warm start.
-constexpr float32 kMostStepRatio = 10.0f;
+constexpr float32 kMaxStepRatio = 10.0f;
 
 /// Of two polygons' skins and a slop [m]: such an overlap is not visible.
 constexpr float32 kUnseenOverlap = 2.0f * b2_polygonRadius + b2_linearSlop;
@@ -40,7 +40,7 @@ StepSolver::StepSolver(World& world, float32 timeStep)
 {
     m_context.timeStep = timeStep;
     m_context.inverseStep = 1.0f / timeStep;
-    m_context.stepRatio = b2Min(world.inverseStep * timeStep, kMostStepRatio);
+    m_context.stepRatio = b2Min(world.inverseStep * timeStep, kMaxStepRatio);
     m_context.warmStarting = world.warmStarting;
     m_memory.deep.clear();
 }
@@ -194,14 +194,15 @@ void StepSolver::SolveVelocities(int32 iterations)
     for (int32 i = 0; i < iterations; ++i)
     {
         m_memory.joints.SolveVelocities(m_context, m_threads);
-        const bool changed = SolveContacts(ColorDirectionOf(i, iterations, m_world.sweepsTurned));
+        const bool changed =
+            SolveContacts(ColorDirectionOf(i, iterations, m_world.directionReversed));
         // After an iteration that changed nothing, none changes anything. Joints do not report it.
         if (!changed && m_memory.joints.IsEmpty())
         {
             break;
         }
     }
-    m_world.sweepsTurned = !m_world.sweepsTurned;
+    m_world.directionReversed = !m_world.directionReversed;
     m_memory.joints.StoreImpulses(m_threads);
     ForBlocks([](ContactBlock& block, OverlapBlock&) { StoreImpulses(block); });
 }
@@ -272,7 +273,7 @@ void StepSolver::TurnAsSeen()
 void StepSolver::IntegratePositions()
 {
     ForBodies([this](std::size_t i) {
-        MoveByVelocity(m_memory.bodies[i + 1], m_context.timeStep, kMostMove);
+        MoveByVelocity(m_memory.bodies[i + 1], m_context.timeStep, kMaxMove);
     });
 }
 
@@ -280,9 +281,9 @@ void StepSolver::IntegratePositions()
 // changing velocity. Bodies with contacts are not tested, because stacks tremble.
 bool StepSolver::IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep)
 {
-    constexpr float32 kMostGain = 0.25f / b2_timeToSleep; // fraction of the tolerance, per second
-    const float32 linear = timeStep * kMostGain * b2_linearSleepTolerance;
-    const float32 angular = timeStep * kMostGain * b2_angularSleepTolerance;
+    constexpr float32 kMaxGain = 0.25f / b2_timeToSleep; // fraction of the tolerance, per second
+    const float32 linear = timeStep * kMaxGain * b2_linearSleepTolerance;
+    const float32 angular = timeStep * kMaxGain * b2_angularSleepTolerance;
     return body.colorMask == 0 &&
            ((moved.v - body.linearVelocity).LengthSquared() > linear * linear ||
             b2Abs(moved.w - body.angularVelocity) > angular);
@@ -292,9 +293,9 @@ bool StepSolver::IsTurning(const BodyData& body, const SolverBody& moved, float3
 // accelerating. Without sub-steps joints tremble more than that, and stacks always do.
 bool StepSolver::IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep)
 {
-    constexpr float32 kLeastGain = 1.0f / 15.0f; // fraction of the tolerance, per second
-    const float32 linear = timeStep * kLeastGain * b2_linearSleepTolerance;
-    const float32 angular = timeStep * kLeastGain * b2_angularSleepTolerance;
+    constexpr float32 kMinGain = 1.0f / 15.0f; // fraction of the tolerance, per second
+    const float32 linear = timeStep * kMinGain * b2_linearSleepTolerance;
+    const float32 angular = timeStep * kMinGain * b2_angularSleepTolerance;
     return body.colorMask == 0 && (moved.v.Length() > body.linearVelocity.Length() + linear ||
                                    b2Abs(moved.w) > b2Abs(body.angularVelocity) + angular);
 }
@@ -376,7 +377,7 @@ void StepSolver::WriteBack()
     int32 bullets = 0;
     for (std::size_t i = 0; m_world.hasBullets && i < m_memory.left.size(); ++i)
     {
-        bullets += (Data(*m_world.awakeBodies[i]).flags & kBodySwept) != 0;
+        bullets += (Data(*m_world.awakeBodies[i]).flags & kBodyPathBox) != 0;
     }
     m_world.proxies.BeginMoves(bullets);
     for (std::size_t i = 0; i < m_memory.left.size(); ++i)
@@ -416,11 +417,11 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     const b2Vec2 moved(float32(body.pose.x - body.previous.x),
                        float32(body.pose.y - body.previous.y));
     const float32 turned = b2Abs(float32(body.pose.angle - body.previous.angle));
-    const float32 way = moved.Length() + turned * body.maxExtent;
-    const bool fast = way > kFastShare * body.minExtent;
-    if (way < room && !(fast && (body.flags & kBodyBullet) != 0))
+    const float32 path = moved.Length() + turned * body.maxExtent;
+    const bool fast = path > kFastShare * body.minExtent;
+    if (path < room && !(fast && (body.flags & kBodyBullet) != 0))
     {
-        body.room = room - way; // no shape can have left its box
+        body.room = room - path; // no shape can have left its box
         return false;
     }
     return RefreshBoxes(body, fast);
@@ -448,12 +449,12 @@ void StepSolver::LetRest()
     }
 }
 
-void MoveByVelocity(SolverBody& body, float32 timeStep, const MostMove& most)
+void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& most)
 {
-    const b2Vec2 way = timeStep * body.v;
-    if (way.LengthSquared() > most.way * most.way)
+    const b2Vec2 path = timeStep * body.v;
+    if (path.LengthSquared() > most.distance * most.distance)
     {
-        body.v *= most.way / way.Length();
+        body.v *= most.distance / path.Length();
     }
     const float32 turn = timeStep * body.w;
     if (turn * turn > most.turn * most.turn)

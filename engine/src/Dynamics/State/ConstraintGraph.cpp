@@ -17,7 +17,7 @@ namespace
 
 // True if the solver moves the body. Bodies that never move may be shared by any constraints of a
 // colour.
-bool Yields(const BodyData& body)
+bool IsMovable(const BodyData& body)
 {
     return body.mobility == Mobility::Dynamic;
 }
@@ -33,17 +33,17 @@ constexpr uint32 kAllColors = (1u << ConstraintGraph::kOverflow) - 1;
 // ground are solved last, so that their error is smallest.
 int32 ConstraintGraph::Claim(BodyData& a, BodyData& b)
 {
-    const uint32 taken = (Yields(a) ? a.colorMask : 0u) | (Yields(b) ? b.colorMask : 0u);
+    const uint32 taken = (IsMovable(a) ? a.colorMask : 0u) | (IsMovable(b) ? b.colorMask : 0u);
     const uint32 open = ~taken & kAllColors;
     if (open == 0)
     {
         return kOverflow;
     }
     const int32 color =
-        Yields(a) && Yields(b) ? std::countr_zero(open) : 31 - std::countl_zero(open);
+        IsMovable(a) && IsMovable(b) ? std::countr_zero(open) : 31 - std::countl_zero(open);
     for (BodyData* body : {&a, &b})
     {
-        if (Yields(*body))
+        if (IsMovable(*body))
         {
             body->colorMask |= 1u << color;
         }
@@ -59,7 +59,7 @@ void ConstraintGraph::Release(BodyData& a, BodyData& b, int32 color)
     }
     for (BodyData* body : {&a, &b})
     {
-        if (Yields(*body))
+        if (IsMovable(*body))
         {
             body->colorMask &= ~(1u << color);
         }

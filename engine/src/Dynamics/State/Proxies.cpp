@@ -8,11 +8,11 @@ namespace
 {
 
 /// Smaller trees are good enough without a rebuild.
-constexpr int32 kLeastAdded = 1000;
+constexpr int32 kMinAdded = 1000;
 
 /// A move costs more than a leaf's part of a tree that is built again when there are so many, and
 /// they are at least this share of all.
-constexpr int32 kLeastMoved = 16;
+constexpr int32 kMinMoved = 16;
 constexpr int32 kMovedShare = 8;
 /// Steps between rebuilds of such a tree; with more its boxes overlap too much.
 constexpr int32 kRebuildPeriod = 3;
@@ -90,7 +90,7 @@ void Proxies::Grow(int32 proxyId, const b2AABB& fatBox)
 void Proxies::BeginMoves(int32 count)
 {
     const int32 all = TreeOf(Mobility::Dynamic).GetProxyCount();
-    m_rebuilds = count >= kLeastMoved && count >= all / kMovedShare;
+    m_rebuilds = count >= kMinMoved && count >= all / kMovedShare;
 }
 
 void Proxies::EndMoves()
@@ -118,7 +118,7 @@ void Proxies::Touch(int32 proxyId)
 void Proxies::RebuildStatic()
 {
     b2DynamicTree& tree = m_trees[int32(Mobility::Static)];
-    if (m_staticAdded >= kLeastAdded && m_staticAdded >= tree.GetProxyCount() / 2)
+    if (m_staticAdded >= kMinAdded && m_staticAdded >= tree.GetProxyCount() / 2)
     {
         tree.RebuildBottomUp();
         m_staticAdded = 0;

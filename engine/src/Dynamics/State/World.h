@@ -33,7 +33,7 @@ struct SolverMemory;
 struct SubStepMemory;
 
 /// Maximum of sub-steps per step.
-inline constexpr int32 kMostSubSteps = 64;
+inline constexpr int32 kMaxSubSteps = 64;
 
 class World
 {
@@ -45,9 +45,12 @@ public:
 
     /// Steps for which a body counts as moved after a user change. Corrections of poses take a
     /// fifth of an error in each, so a tenth of it is left then.
-    static constexpr std::uint32_t kHandLasts = 10;
-    /// True if the step with this number is one of the last kHandLasts.
-    bool IsRecent(std::uint32_t step) const { return stepNumber - step < kHandLasts; }
+    static constexpr std::uint32_t kUserChangeSteps = 10;
+    /// True if the step with this number is one of the last kUserChangeSteps.
+    bool IsRecentUserChange(std::uint32_t step) const
+    {
+        return stepNumber - step < kUserChangeSteps;
+    }
 
     b2World& owner;
     b2BlockAllocator allocator; ///< bodies, fixtures, shapes, joints, contacts
@@ -85,10 +88,10 @@ public:
     b2DestructionListener* destructionListener = nullptr;
     b2Draw* debugDraw = nullptr;
 
-    int32 subStepCount = 1;                ///< of a step
-    int32 lastSubSteps = 1;                ///< of the last step in which anything was solved
-    float32 inverseStep = 0.0f;            ///< of the last step [1/s], 0 before the first
-    std::uint32_t stepNumber = kHandLasts; ///< steps with a time above 0
+    int32 subStepCount = 1;                      ///< of a step
+    int32 lastSubSteps = 1;                      ///< of the last step in which anything was solved
+    float32 inverseStep = 0.0f;                  ///< of the last step [1/s], 0 before the first
+    std::uint32_t stepNumber = kUserChangeSteps; ///< steps with a time above 0
     b2Profile profile;
     /// The result of b2World::GetContactManager.
     mutable b2ContactManager contactManager{
@@ -105,7 +108,7 @@ public:
     bool forcesApplied = false;  ///< since the last ClearForces
     bool hasBullets = false;     ///< a body is, or was, a bullet
     bool filtersChanged = false; ///< a contact has kContactFilter set
-    bool sweepsTurned = false;   ///< alternates with each step, see ColorDirectionOf
+    bool directionReversed = false; ///< alternates with each step, see ColorDirectionOf
 };
 
 /// Locks a world while a callback of the program may run. Can be nested.

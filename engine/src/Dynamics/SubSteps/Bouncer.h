@@ -55,7 +55,7 @@ public:
         }
         for (int32 i = 0; i < count; ++i)
         {
-            Rub(i, x[i]);
+            ApplyFriction(i, x[i]);
         }
         return true;
     }
@@ -80,7 +80,7 @@ private:
         m_totals.normal[i][m_lane] += impulse;
     }
     /// Applies the friction of a normal impulse.
-    void Rub(int32 i, float32 impulse)
+    void ApplyFriction(int32 i, float32 impulse)
     {
         const PointLanes& p = m_block.points[i];
         const float32 limit = m_block.friction[m_lane] * impulse;

@@ -10,13 +10,13 @@ namespace box2d
 /// A joint opened by a drift by less than this [m], [rad] is closed by one solution. Its rows are
 /// those of before the drift, which leaves a few hundredths of the error.
 inline constexpr float32 kNearlyClosed = 1e-4f;
-inline constexpr int32 kMostCloses = 3;
+inline constexpr int32 kMaxCloses = 3;
 
 /// Returns the part of an initial error that remains after a drift. A small error is closed at once
 /// by velocities. For a large one these velocities would persist, so a fraction of it is closed per
 /// drift by poses only. Large errors occur in iteratively solved joints, or are created by the
 /// program.
-inline float32 Lasting(float32 before)
+inline float32 RemainingError(float32 before)
 {
     return b2Abs(before) <= kNearlyClosed ? 0.0f : before;
 }

@@ -15,11 +15,11 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kMostContacts = 128; ///< per contact island
-constexpr int32 kMostUpdates = 16;   ///< per body of the island, see RowPattern
+constexpr int32 kMaxContacts = 128; ///< per contact island
+constexpr int32 kMaxUpdates = 16;   ///< per body of the island, see RowPattern
 /// A contact sticks below this fraction of its friction limit.
 constexpr double kSticks = 0.9999;
-constexpr int32 kMostRounds = 2;  ///< of determining the friction limits
+constexpr int32 kMaxRounds = 2;   ///< of determining the friction limits
 constexpr double kEndless = 1e30; ///< [Ns]
 /// A kinematic body that presses against a static one has no solution: the impulses of least energy
 /// grow without bound. Contacts of such an island are softened by this fraction of what their
@@ -33,11 +33,11 @@ constexpr double kHeld = 1e-3;
 /// They are also contradictory above this multiple of the impulse that brings the whole island to
 /// the pusher's speed and stops its weight. The speed of the weight in a kick is this many
 /// tolerances.
-constexpr double kMostLoad = 10.0;
+constexpr double kMaxLoad = 10.0;
 constexpr double kTolerancesOfWeight = 100.0;
 /// Overlaps that iterations leave above the one are brought to the other [m]: under any load less
 /// than a slop is left.
-constexpr float32 kMostOverlap = 0.95f * b2_linearSlop;
+constexpr float32 kMaxOverlap = 0.95f * b2_linearSlop;
 constexpr float32 kOverlap = 0.8f * b2_linearSlop;
 constexpr float32 kAllPushes = 1.01f; ///< limit of a row of contacts, a little above the sum
 
@@ -171,7 +171,7 @@ void MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Hol
     {
         (void)system.Limit(context, i, 2, holds(i));
     }
-    for (int32 round = 0; round < kMostRounds; ++round)
+    for (int32 round = 0; round < kMaxRounds; ++round)
     {
         system.Minimize(context, tolerance);
         bool changed = false;
@@ -205,7 +205,7 @@ bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& 
     {
         mass += 1.0 / double(body->SolverInvMass());
     }
-    const double most = kMostLoad * mass * (driven + kTolerancesOfWeight * tolerance);
+    const double most = kMaxLoad * mass * (driven + kTolerancesOfWeight * tolerance);
     for (std::size_t i = 0; i < contacts; ++i)
     {
         const Vector3 speed = SpeedOf(context, system.Rows(i));
@@ -277,7 +277,7 @@ void ContactSystem::Begin(SolverMemory& solver, JointSystem& joints)
     }
     m_contacts.assign(std::size_t(solver.islands.Count()), 0);
     CountContacts(solver);
-    ChoosePiles(solver.islands);
+    ChooseContactIslands(solver.islands);
     if (!m_used.empty())
     {
         Gather(solver, joints);
@@ -296,21 +296,21 @@ void ContactSystem::CountContacts(SolverMemory& solver)
 
 /// An island keeps its contact system from step to step, so that its pattern and memory can be
 /// reused.
-void ContactSystem::ChoosePiles(const AwakeIslands& islands)
+void ContactSystem::ChooseContactIslands(const AwakeIslands& islands)
 {
-    const auto isPile = [this](int32 number) {
+    const auto isSmall = [this](int32 number) {
         const int32 contacts = number != -1 ? m_contacts[std::size_t(number)] : 0;
-        return contacts > 0 && contacts <= kMostContacts;
+        return contacts > 0 && contacts <= kMaxContacts;
     };
-    m_pileOf.assign(m_contacts.size(), -1);
+    m_contactIslandOf.assign(m_contacts.size(), -1);
     std::size_t kept = 0;
     for (const int32 index : m_used)
     {
-        Pile& pile = m_piles[std::size_t(index)];
-        const int32 number = islands.NumberOf(pile.island);
-        if (isPile(number))
+        ContactIsland& island = m_contactIslands[std::size_t(index)];
+        const int32 number = islands.NumberOf(island.id);
+        if (isSmall(number))
         {
-            m_pileOf[std::size_t(number)] = index;
+            m_contactIslandOf[std::size_t(number)] = index;
             m_used[kept++] = index;
         }
         else
@@ -321,42 +321,42 @@ void ContactSystem::ChoosePiles(const AwakeIslands& islands)
     m_used.resize(kept);
     for (int32 number = 0; number < islands.Count(); ++number)
     {
-        int32& index = m_pileOf[std::size_t(number)];
-        if (index == -1 && isPile(number))
+        int32& index = m_contactIslandOf[std::size_t(number)];
+        if (index == -1 && isSmall(number))
         {
-            index = TakePile();
-            m_piles[std::size_t(index)].island = islands.At(number);
+            index = TakeContactIsland();
+            m_contactIslands[std::size_t(index)].id = islands.At(number);
             m_used.push_back(index);
         }
     }
     for (const int32 index : m_used)
     {
-        Pile& pile = m_piles[std::size_t(index)];
-        pile.contacts.clear();
-        pile.joints.clear();
-        pile.followed = false;
+        ContactIsland& island = m_contactIslands[std::size_t(index)];
+        island.contacts.clear();
+        island.joints.clear();
+        island.followed = false;
     }
 }
 
-int32 ContactSystem::TakePile()
+int32 ContactSystem::TakeContactIsland()
 {
     if (m_free.empty())
     {
-        m_piles.emplace_back();
-        return int32(m_piles.size()) - 1;
+        m_contactIslands.emplace_back();
+        return int32(m_contactIslands.size()) - 1;
     }
-    const int32 pile = m_free.back();
+    const int32 index = m_free.back();
     m_free.pop_back();
-    return pile;
+    return index;
 }
 
 void ContactSystem::Gather(SolverMemory& solver, JointSystem& joints)
 {
     ForContacts(solver, [this](int32 island, const Place& place) {
-        const int32 pile = island != -1 ? m_pileOf[std::size_t(island)] : -1;
-        if (pile != -1)
+        const int32 index = island != -1 ? m_contactIslandOf[std::size_t(island)] : -1;
+        if (index != -1)
         {
-            m_piles[std::size_t(pile)].contacts.push_back(place);
+            m_contactIslands[std::size_t(index)].contacts.push_back(place);
         }
     });
     // A tree that moves independently touches no contact, though an island that was not split yet
@@ -366,10 +366,10 @@ void ContactSystem::Gather(SolverMemory& solver, JointSystem& joints)
         for (const BodyData* body : sides.sides)
         {
             const int32 island = body != nullptr ? solver.islands.NumberOf(body->island) : -1;
-            const int32 pile = island != -1 ? m_pileOf[std::size_t(island)] : -1;
-            if (pile != -1)
+            const int32 index = island != -1 ? m_contactIslandOf[std::size_t(island)] : -1;
+            if (index != -1)
             {
-                m_piles[std::size_t(pile)].joints.push_back(int32(i));
+                m_contactIslands[std::size_t(index)].joints.push_back(int32(i));
                 break;
             }
         }
@@ -377,27 +377,27 @@ void ContactSystem::Gather(SolverMemory& solver, JointSystem& joints)
 }
 
 /// An island that exceeds its memory takes over that of a free one.
-void ContactSystem::FindRoom(Pile& pile)
+void ContactSystem::FindRoom(ContactIsland& island)
 {
-    for (std::size_t i = 0; i < m_free.size() && m_sides.size() > pile.sides.capacity(); ++i)
+    for (std::size_t i = 0; i < m_free.size() && m_sides.size() > island.sides.capacity(); ++i)
     {
-        Pile& other = m_piles[std::size_t(m_free[i])];
+        ContactIsland& other = m_contactIslands[std::size_t(m_free[i])];
         if (m_sides.size() <= other.sides.capacity())
         {
-            std::swap(pile.sides, other.sides);
-            std::swap(pile.system, other.system);
+            std::swap(island.sides, other.sides);
+            std::swap(island.system, other.system);
         }
     }
 }
 
 /// Builds the system again if it was for other contacts. True if there is one.
-bool ContactSystem::Follow(Pile& pile, SolverMemory& solver, JointSystem& joints)
+bool ContactSystem::Follow(ContactIsland& island, SolverMemory& solver, JointSystem& joints)
 {
-    if (!pile.followed)
+    if (!island.followed)
     {
-        pile.followed = true;
+        island.followed = true;
         m_sides.clear();
-        for (const Place& place : pile.contacts)
+        for (const Place& place : island.contacts)
         {
             const ContactBlock& block = solver.contacts[place.color].Contacts(place.block);
             const ContactData& contact = Data(*block.contact[place.lane]);
@@ -405,19 +405,19 @@ bool ContactSystem::Follow(Pile& pile, SolverMemory& solver, JointSystem& joints
             s.Add(Data(*contact.bodyA));
             s.Add(Data(*contact.bodyB));
         }
-        for (const int32 joint : pile.joints)
+        for (const int32 joint : island.joints)
         {
             m_sides.push_back(joints.Sides(std::size_t(joint)));
         }
-        if (m_sides != pile.sides)
+        if (m_sides != island.sides)
         {
-            FindRoom(pile);
-            MakeRoom(pile.sides, m_sides.size());
-            pile.sides = m_sides;
-            pile.system.Build(m_sides, kMostUpdates, m_elimination);
+            FindRoom(island);
+            MakeRoom(island.sides, m_sides.size());
+            island.sides = m_sides;
+            island.system.Build(m_sides, kMaxUpdates, m_elimination);
         }
     }
-    return pile.system.IsExact();
+    return island.system.IsExact();
 }
 
 void ContactSystem::SolveVelocities(SolverMemory& solver, JointSystem& joints,
@@ -425,18 +425,18 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, JointSystem& joints,
 {
     for (const int32 index : m_used)
     {
-        Pile& pile = m_piles[std::size_t(index)];
+        ContactIsland& island = m_contactIslands[std::size_t(index)];
         float32 off = 0.0f;
-        for (const Place& place : pile.contacts)
+        for (const Place& place : island.contacts)
         {
             ContactBlock& block = solver.contacts[place.color].Contacts(place.block);
             off = b2Max(off, ContactItem(block, place.lane).Off(context.bodies));
         }
-        if (off > tolerance && Follow(pile, solver, joints))
+        if (off > tolerance && Follow(island, solver, joints))
         {
-            SolveVelocities(pile, solver, joints, context, tolerance);
+            SolveVelocities(island, solver, joints, context, tolerance);
         }
-        for (const Place& place : pile.contacts)
+        for (const Place& place : island.contacts)
         {
             ContactBlocks& blocks = solver.contacts[place.color];
             ContactItem(blocks.Contacts(place.block), place.lane)
@@ -445,24 +445,26 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, JointSystem& joints,
     }
 }
 
-void ContactSystem::SolveVelocities(Pile& pile, SolverMemory& solver, JointSystem& joints,
-                                    const SolverContext& context, float32 tolerance)
+void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
+                                    JointSystem& joints, const SolverContext& context,
+                                    float32 tolerance)
 {
     const auto contact = [&](std::size_t i) {
-        const Place& place = pile.contacts[i];
+        const Place& place = island.contacts[i];
         return ContactItem(solver.contacts[place.color].Contacts(place.block), place.lane);
     };
-    BoundedSystem& system = pile.system;
-    const std::size_t count = pile.contacts.size();
+    BoundedSystem& system = island.system;
+    const std::size_t count = island.contacts.size();
     for (std::size_t i = 0; i < count; ++i)
     {
         ContactItem item = contact(i);
         item.FillRows(system.Rows(i));
         item.Fill(system.At(i), SpeedOf(context, system.Rows(i)), double(tolerance));
     }
-    for (std::size_t i = 0; i < pile.joints.size(); ++i)
+    for (std::size_t i = 0; i < island.joints.size(); ++i)
     {
-        joints.FillItem(std::size_t(pile.joints[i]), system.Rows(count + i), system.At(count + i));
+        joints.FillItem(std::size_t(island.joints[i]), system.Rows(count + i),
+                        system.At(count + i));
     }
     const auto holds = [&](std::size_t i) { return contact(i).Holds(system.At(i)); };
     const auto soften = [&](float32 share) {
@@ -490,9 +492,9 @@ void ContactSystem::SolveVelocities(Pile& pile, SolverMemory& solver, JointSyste
     {
         contact(i).Take(system.At(i));
     }
-    for (std::size_t i = 0; i < pile.joints.size(); ++i)
+    for (std::size_t i = 0; i < island.joints.size(); ++i)
     {
-        joints.TakeItem(std::size_t(pile.joints[i]), system.At(count + i));
+        joints.TakeItem(std::size_t(island.joints[i]), system.At(count + i));
     }
 }
 
@@ -502,9 +504,9 @@ void ContactSystem::SolveOverlaps(SolverMemory& solver, JointSystem& joints,
     m_moves.resize(b2Max(m_moves.size(), solver.bodies.size()));
     for (const int32 index : m_used)
     {
-        Pile& pile = m_piles[std::size_t(index)];
+        ContactIsland& island = m_contactIslands[std::size_t(index)];
         float32 smallest = 0.0f;
-        for (const Place& place : pile.contacts)
+        for (const Place& place : island.contacts)
         {
             const OverlapConstraint o =
                 OverlapOf(solver.contacts[place.color].Overlaps(place.block), place.lane);
@@ -515,37 +517,38 @@ void ContactSystem::SolveOverlaps(SolverMemory& solver, JointSystem& joints,
                                   .separation);
             }
         }
-        if (smallest < -kMostOverlap && Follow(pile, solver, joints))
+        if (smallest < -kMaxOverlap && Follow(island, solver, joints))
         {
-            SolveOverlaps(pile, solver, joints, context, pace);
+            SolveOverlaps(island, solver, joints, context, pace);
         }
     }
 }
 
 /// The system solves displacements here in place of velocities.
-void ContactSystem::SolveOverlaps(Pile& pile, SolverMemory& solver, JointSystem& joints,
+void ContactSystem::SolveOverlaps(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
                                   const SolverContext& context, PushPace pace)
 {
-    SolverContext ways = context;
-    ways.bodies = m_moves.data();
-    BoundedSystem& system = pile.system;
-    const std::size_t count = pile.contacts.size();
+    SolverContext displacements = context;
+    displacements.bodies = m_moves.data();
+    BoundedSystem& system = island.system;
+    const std::size_t count = island.contacts.size();
     for (std::size_t i = 0; i < count; ++i)
     {
-        const Place& place = pile.contacts[i];
+        const Place& place = island.contacts[i];
         ContactBlocks& blocks = solver.contacts[place.color];
         FillOverlap(OverlapOf(blocks.Overlaps(place.block), place.lane),
                     Data(*blocks.Contacts(place.block).contact[place.lane]), context.bodies, pace,
                     system.Rows(i), system.At(i));
     }
-    for (std::size_t i = 0; i < pile.joints.size(); ++i)
+    for (std::size_t i = 0; i < island.joints.size(); ++i)
     {
-        joints.FillWays(std::size_t(pile.joints[i]), system.Rows(count + i), system.At(count + i));
+        joints.FillDisplacements(std::size_t(island.joints[i]), system.Rows(count + i),
+                                 system.At(count + i));
     }
-    system.Minimize(ways, double(0.01f * b2_linearSlop));
+    system.Minimize(displacements, double(0.01f * b2_linearSlop));
     for (std::size_t i = 0; i < count; ++i)
     {
-        const Place& place = pile.contacts[i];
+        const Place& place = island.contacts[i];
         BoundedSystem::Item& item = system.At(i);
         const double load = item.impulse.at[0] + item.impulse.at[1];
         item.most.at[2] =
@@ -556,7 +559,7 @@ void ContactSystem::SolveOverlaps(Pile& pile, SolverMemory& solver, JointSystem&
             item.active |= 4;
         }
     }
-    system.Minimize(ways, double(0.01f * b2_linearSlop));
+    system.Minimize(displacements, double(0.01f * b2_linearSlop));
     float32 farthest = 0.0f;
     for (const BodyData* body : system.Bodies())
     {
@@ -566,15 +569,15 @@ void ContactSystem::SolveOverlaps(Pile& pile, SolverMemory& solver, JointSystem&
     const bool hasRoom = farthest <= kAllPushes * float32(count + 1) * pace.most;
     for (const BodyData* body : system.Bodies())
     {
-        SolverBody& way = m_moves[std::size_t(body->SolverIndex())];
-        way = hasRoom ? way : SolverBody();
+        SolverBody& move = m_moves[std::size_t(body->SolverIndex())];
+        move = hasRoom ? move : SolverBody();
         SolverBody& s = context.bodies[body->SolverIndex()];
-        s.d += way.v;
+        s.d += move.v;
         if (body->SolverInvInertia() > 0.0f)
         {
-            s.Rotate(way.w);
+            s.Rotate(move.w);
         }
-        way = SolverBody();
+        move = SolverBody();
     }
 }
 

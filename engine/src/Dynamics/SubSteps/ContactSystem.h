@@ -4,15 +4,14 @@
 #include "../Direct/BoundedSystem.h"
 #include "../Solver/ContactBlocks.h"
 
-/// Piles that iterations do not bring to rest, solved exactly, in sub-steps: where a body lies on
-/// another that lies on another, an iteration carries a load one contact further, and half of a
-/// heavy one. For islands of so few contacts and joints, and of so few loops, that this costs
-/// little more than iterations do, and only where these have left something to do.
+/// Solves contact islands directly, in sub-steps. In a stack an iteration moves a load on by one
+/// contact, and by half if the load is heavy. Islands are selected by their size: few contacts and
+/// joints, and few loops, so that the cost is near that of iterations. An island is solved only if
+/// iterations leave a residual.
 namespace box2d
 {
 
 class AwakeIslands;
-class JointSystem;
 class JointSystem;
 struct SolverMemory;
 
@@ -37,9 +36,9 @@ private:
     {
         int32 color, block, lane;
     };
-    struct Pile
+    struct ContactIsland
     {
-        int32 island = -1; // of Islands; unused ones keep their last
+        int32 id = -1; // of Islands; unused ones keep their last
         Array<Place> contacts;
         Array<int32> joints;   // indices in the JointSystem
         Array<RowSides> sides; // constraints of the current system
@@ -48,21 +47,21 @@ private:
     };
 
     void CountContacts(SolverMemory& solver);
-    void ChoosePiles(const AwakeIslands& islands);
+    void ChooseContactIslands(const AwakeIslands& islands);
     void Gather(SolverMemory& solver, JointSystem& joints);
-    bool Follow(Pile& pile, SolverMemory& solver, JointSystem& joints);
-    void SolveVelocities(Pile& pile, SolverMemory& solver, JointSystem& joints,
+    bool Follow(ContactIsland& island, SolverMemory& solver, JointSystem& joints);
+    void SolveVelocities(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
                          const SolverContext& context, float32 tolerance);
-    void SolveOverlaps(Pile& pile, SolverMemory& solver, JointSystem& joints,
+    void SolveOverlaps(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
                        const SolverContext& context, PushPace pace);
-    int32 TakePile();
-    void FindRoom(Pile& pile);
+    int32 TakeContactIsland();
+    void FindRoom(ContactIsland& island);
     template <class Function>
     void ForContacts(SolverMemory& solver, Function&& function) const;
 
-    Array<int32> m_contacts; // contact count, by number of AwakeIslands
-    Array<int32> m_pileOf;   // likewise; -1: none, or too large
-    Array<Pile> m_piles;
+    Array<int32> m_contacts;        // contact count, by number of AwakeIslands
+    Array<int32> m_contactIslandOf; // likewise; -1: none, or too large
+    Array<ContactIsland> m_contactIslands;
     Array<int32> m_used;       // used in this step
     Array<int32> m_free;       // the others
     Array<RowSides> m_sides;   // scratch: of one island

@@ -16,7 +16,7 @@ namespace
 {
 
 /// A contact whose vertical part is below this fraction of its impulse does not support a body.
-constexpr double kLeastLift = 0.5;
+constexpr double kMinLift = 0.5;
 
 std::size_t At(int32 index)
 {
@@ -77,7 +77,7 @@ void FirstLoads::GatherPoint(const World& world, ContactBlock& block, int32 lane
     const int32 a = block.bodyA[lane];
     const int32 b = block.bodyB[lane];
     const ContactData& contact = Data(*block.contact[lane]);
-    if (contact.lasting >= 0.0f || !IsAtRest(Data(*contact.bodyA)) ||
+    if (contact.lastShare >= 0.0f || !IsAtRest(Data(*contact.bodyA)) ||
         !IsAtRest(Data(*contact.bodyB)))
     {
         return;
@@ -87,7 +87,7 @@ void FirstLoads::GatherPoint(const World& world, ContactBlock& block, int32 lane
         -(double(block.normalX[lane]) * double(g.x) + double(block.normalY[lane]) * double(g.y)) /
         double(g.Length());
     const bool isUpperB = up > 0.0;
-    if (!(b2Abs(up) > kLeastLift) || (isUpperB ? block.invMassB : block.invMassA)[lane] == 0.0f)
+    if (!(b2Abs(up) > kMinLift) || (isUpperB ? block.invMassB : block.invMassA)[lane] == 0.0f)
     {
         return;
     }

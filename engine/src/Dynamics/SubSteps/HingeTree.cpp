@@ -18,8 +18,8 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kMostDrifts = 128; ///< per step
-constexpr int32 kMostTries = 4;
+constexpr int32 kMaxDrifts = 128; ///< per step
+constexpr int32 kMaxTries = 4;
 /// Maximum squared rotation of a swing per drift [rad^2], by the estimate from the last step, and
 /// by the actual value. A leapfrog is stable below 4 (Hairer, Lubich and Wanner, "Geometric
 /// Numerical Integration", 2006, I.5). Tuned on 20 links with a ball of 1000:1,
@@ -41,7 +41,7 @@ int32 CountFor(double mostSquared, double squaredFrequency, float32 timeStep, in
 {
     const double square = squaredFrequency * double(timeStep) * double(timeStep) / mostSquared;
     int32 count = least;
-    while (double(count) * double(count) < square && count < kMostDrifts)
+    while (double(count) * double(count) < square && count < kMaxDrifts)
     {
         ++count;
     }
@@ -173,11 +173,11 @@ void HingeTree::Step(float32 timeStep, int32 smallSteps)
     const bool wereClosed = WidestGap() < kHardlyOpen;
     int32 count = CountFor(kEstimated, expected, timeStep, smallSteps);
     Outcome outcome = StepIn(count, timeStep, true);
-    for (int32 tries = 0; tries < kMostTries; ++tries)
+    for (int32 tries = 0; tries < kMaxTries; ++tries)
     {
         const double found = outcome.squaredFrequency;
         int32 needed = CountFor(kFound, found, timeStep, smallSteps);
-        needed = outcome.won ? b2Max(needed, b2Min(2 * count, kMostDrifts)) : needed;
+        needed = outcome.won ? b2Max(needed, b2Min(2 * count, kMaxDrifts)) : needed;
         if (needed <= count)
         {
             break;
@@ -250,7 +250,7 @@ HingeTree::Outcome HingeTree::StepIn(int32 count, float32 timeStep, bool byImpul
         for (Link& link : m_links)
         {
             link.noted = link.total;
-            MoveByVelocity(*link.state, time, kMostSmallMove);
+            MoveByVelocity(*link.state, time, kMaxSmallMove);
         }
         byImpulses ? Close(time) : ClosePoses(time);
         Kick(i < count ? time : 0.5f * time);
@@ -271,9 +271,9 @@ HingeTree::Energy HingeTree::WonEnergy() const
     for (const Link& link : m_links)
     {
         const SolverBody& now = *link.state;
-        const b2Vec2 way = now.d - link.start.d;
+        const b2Vec2 path = now.d - link.start.d;
         const double work =
-            link.mass * double(b2Dot(link.kick.acceleration, way)) +
+            link.mass * double(b2Dot(link.kick.acceleration, path)) +
             link.turning * double(link.kick.angularAcceleration * (now.angle - link.start.angle));
         const double before = KineticEnergy(link.start, link.mass, link.turning);
         energy.now += KineticEnergy(now, link.mass, link.turning);

@@ -79,7 +79,7 @@ private:
         double ease;          ///< or when it is turned
 
         // Values of a solution.
-        Pair lack;              ///< residual of the hinge's speed
+        Pair residual;          ///< of the hinge's speed
         Pair given;             ///< impulse from the subtree
         double givenTurn = 0.0; ///< its moment
         double load = 0.0;      ///< the mass of its subtree

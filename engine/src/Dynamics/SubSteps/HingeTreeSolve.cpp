@@ -16,13 +16,13 @@ namespace
 constexpr double kStiffening = 0.01;
 constexpr float32 kSmallAngle = 0.01f;
 constexpr float32 kClosed = 5e-6f; ///< the next drift closes this sufficiently [m]
-constexpr int32 kMostPoseCloses = 12;
+constexpr int32 kMaxPoseCloses = 12;
 
 /// Returns how far a hinge is closed at once: a large correction rotates bodies so that their
 /// levers become invalid.
 float32 Correction(float32 open, float32 before)
 {
-    return b2Clamp(open - (1.0f - kClosedShare) * Lasting(before), -b2_maxLinearCorrection,
+    return b2Clamp(open - (1.0f - kClosedShare) * RemainingError(before), -b2_maxLinearCorrection,
                    b2_maxLinearCorrection);
 }
 
@@ -158,8 +158,8 @@ void HingeTree::Gather(Want&& want)
 
 void HingeTree::AddGiven(const Link& link, Link& parent)
 {
-    const double x = link.k11 * link.lack.x + link.k12 * link.lack.y - link.given.x;
-    const double y = link.k12 * link.lack.x + link.k22 * link.lack.y - link.given.y;
+    const double x = link.k11 * link.residual.x + link.k12 * link.residual.y - link.given.x;
+    const double y = link.k12 * link.residual.x + link.k22 * link.residual.y - link.given.y;
     parent.given.x -= x;
     parent.given.y -= y;
     parent.givenTurn += link.aboveLever.x * x + link.aboveLever.y * y;
@@ -189,7 +189,7 @@ void HingeTree::ForgetGiven()
 
 void HingeTree::FindChange(Link& link, const Link* parent)
 {
-    Pair u = link.lack;
+    Pair u = link.residual;
     if (parent != nullptr)
     {
         u.x += parent->change.x - parent->changeTurn * link.aboveLever.x;
@@ -214,10 +214,10 @@ void HingeTree::Stop()
     Gather([](Link& link) {
         const SolverBody& a = *link.aboveState;
         const SolverBody& b = *link.state;
-        link.lack.x = double(a.v.x) - double(a.w) * link.aboveLever.x - double(b.v.x) +
-                      double(b.w) * link.lever.x;
-        link.lack.y = double(a.v.y) - double(a.w) * link.aboveLever.y - double(b.v.y) +
-                      double(b.w) * link.lever.y;
+        link.residual.x = double(a.v.x) - double(a.w) * link.aboveLever.x - double(b.v.x) +
+                          double(b.w) * link.lever.x;
+        link.residual.y = double(a.v.y) - double(a.w) * link.aboveLever.y - double(b.v.y) +
+                          double(b.w) * link.lever.y;
     });
     Spread([](Link& link) { AddVelocity(link); });
 }
@@ -249,7 +249,7 @@ float32 HingeTree::WantClosed(Link& link, float32 timeStep)
     const float32 x = Correction(open.x, link.open.x);
     const float32 y = Correction(open.y, link.open.y);
     const double perTime = 1.0 / double(timeStep);
-    link.lack = {-double(x) * perTime, -double(y) * perTime};
+    link.residual = {-double(x) * perTime, -double(y) * perTime};
     return b2Max(b2Abs(x), b2Abs(y));
 }
 
@@ -277,7 +277,7 @@ void HingeTree::Close(float32 timeStep)
 bool HingeTree::CloseByImpulses(float32 timeStep)
 {
     float32 first = 0.0f;
-    for (int32 i = 0; i < kMostCloses; ++i)
+    for (int32 i = 0; i < kMaxCloses; ++i)
     {
         float32 widest = 0.0f;
         Gather([&](Link& link) { widest = b2Max(widest, WantClosed(link, timeStep)); });
@@ -303,7 +303,7 @@ bool HingeTree::CloseByImpulses(float32 timeStep)
 /// would disturb them for long.
 void HingeTree::ClosePoses(float32 timeStep)
 {
-    for (int32 i = 0; i < kMostPoseCloses; ++i)
+    for (int32 i = 0; i < kMaxPoseCloses; ++i)
     {
         for (Link& link : m_links)
         {

@@ -22,10 +22,10 @@ constexpr double kDamped = 1e-2;
 /// own would let a heavy load sag.
 constexpr double kLoopCompliance = 1e-5;
 
-constexpr int32 kMostPoseCloses = 24;
-constexpr int32 kMostCycles = 16; ///< drifts per sub-step
+constexpr int32 kMaxPoseCloses = 24;
+constexpr int32 kMaxCycles = 16; ///< drifts per sub-step
 /// Maximum relative gain of kinetic energy by closing: see HasGained.
-constexpr double kMostGain = 0.5;
+constexpr double kMaxGain = 0.5;
 /// Forces within a step exceed their mean.
 constexpr double kCycleMargin = 0.75;
 /// Much larger for the jerk of a rope, a rod, or a limit that stops a heavy body. Tuned on 216
@@ -41,7 +41,7 @@ double KineticEnergyOf(const BodyData& body, const SolverBody& state)
 
 } // namespace
 
-void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
+void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep, int32 iterations,
                                  const BodyKick* kicks)
 {
     for (const std::size_t i : m_rowed)
@@ -58,7 +58,7 @@ void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep,
         cycles > 1 ? DriftInCycles(i, cycles, context, timeStep, kicks)
                    : ClosePart(i, context, timeStep);
     }
-    CloseSwept(context, timeStep, sweeps);
+    CloseIterative(context, timeStep, iterations);
     AddTotals();
 }
 
@@ -89,13 +89,13 @@ int32 JointSystem::Cycles(int32 part, float32 timeStep) const
     {
         return 1;
     }
-    const double now =
-        p.gives ? m_system.SquaredFrequency(part) / (0.5 * double(timeStep)) : p.squaredFrequency;
-    const double margin = p.gives || p.lines ? kSnapMargin : kCycleMargin;
+    const double now = p.hasBounded ? m_system.SquaredFrequency(part) / (0.5 * double(timeStep))
+                                    : p.squaredFrequency;
+    const double margin = p.hasBounded || p.lines ? kSnapMargin : kCycleMargin;
     const double square =
         margin * std::max(p.squaredFrequency, now) * double(timeStep) * double(timeStep);
     int32 count = 1;
-    while (double(count * count) < square && count < kMostCycles)
+    while (double(count * count) < square && count < kMaxCycles)
     {
         ++count;
     }
@@ -124,11 +124,11 @@ void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& co
     for (int32 i = 1; i <= count; ++i)
     {
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
-            MoveByVelocity(cycle.bodies[body.SolverIndex()], time, kMostSmallMove);
+            MoveByVelocity(cycle.bodies[body.SolverIndex()], time, kMaxSmallMove);
         });
         ClosePart(part, cycle, time);
         KickPart(part, cycle, i < count ? time : back, kicks);
-        if (!m_parts[std::size_t(part)].gives)
+        if (!m_parts[std::size_t(part)].hasBounded)
         {
             MeetKick(part, cycle);
         }
@@ -163,7 +163,7 @@ const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& c
 {
     JointRows& rows = m_system.Rows(joint);
     Impulses kept;
-    std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
+    std::copy_n(rows.impulse, JointRows::kMaxRows, kept.at);
     rows.Clear();
     JointAccess::FillRows(*m_joints[joint], context, rows);
     rows.SetImpulse(kept.at);
@@ -177,7 +177,7 @@ void JointSystem::MeetKick(int32 part, const SolverContext& context)
     m_system.ForItems(part, [&](std::size_t joint) { (void)FillHere(joint, context); });
     p.factored = false;
     SolvePart(part, context);
-    if (p.gives)
+    if (p.hasBounded)
     {
         m_system.ForItems(part, [&](std::size_t joint) { NoteKick(joint); });
     }
@@ -185,18 +185,19 @@ void JointSystem::MeetKick(int32 part, const SolverContext& context)
 
 void JointSystem::NoteKick(std::size_t joint)
 {
-    std::copy_n(m_system.Rows(joint).impulse, JointRows::kMostRows, m_kicks[joint].at);
+    std::copy_n(m_system.Rows(joint).impulse, JointRows::kMaxRows, m_kicks[joint].at);
 }
 
 void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 timeStep)
 {
     Part& p = m_parts[std::size_t(part)];
     m_system.ForItems(part, [&](std::size_t joint) {
-        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        for (int32 k = 0; k < JointRows::kMaxRows; ++k)
         {
-            m_left[joint].at[k] = (1.0f - kClosedShare) * Lasting(m_system.Rows(joint).error[k]);
+            m_left[joint].at[k] =
+                (1.0f - kClosedShare) * RemainingError(m_system.Rows(joint).error[k]);
         }
-        p.factored = (m_gives[joint] == 0 || !SetActiveToClose(joint)) && p.factored;
+        p.factored = (m_hasBounded[joint] == 0 || !SetActiveToClose(joint)) && p.factored;
     });
     if (!p.factored)
     {
@@ -237,7 +238,7 @@ void JointSystem::ClosePoses(int32 part, const SolverContext& context)
 {
     float32 best = b2_maxFloat;
     double compliance = ComplianceOf(part);
-    for (int32 i = 0; i < kMostPoseCloses; ++i)
+    for (int32 i = 0; i < kMaxPoseCloses; ++i)
     {
         float32 widest = WantClosedPoses(part, context);
         if (widest < best)
@@ -259,7 +260,7 @@ void JointSystem::ClosePoses(int32 part, const SolverContext& context)
             compliance = kDamped;
             widest = WantClosedPoses(part, context);
         }
-        if (widest < kNearlyClosed || i + 1 == kMostPoseCloses)
+        if (widest < kNearlyClosed || i + 1 == kMaxPoseCloses)
         {
             break;
         }
@@ -278,13 +279,14 @@ float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
     m_system.ForItems(part, [&](std::size_t joint) {
         const JointRows& rows = FillHere(joint, context);
         (void)SetActiveToClose(joint);
-        Vector3& lack = m_system.Lack(joint);
-        lack = Vector3{};
+        Vector3& residual = m_system.Residual(joint);
+        residual = Vector3{};
         for (int32 k = 0; k < rows.Rigid(); ++k)
         {
             const float32 open = rows.error[k] - m_left[joint].at[k];
             widest = b2Max(widest, b2Abs(open));
-            lack.at[k] = -double(b2Clamp(open, -b2_maxLinearCorrection, b2_maxLinearCorrection));
+            residual.at[k] =
+                -double(b2Clamp(open, -b2_maxLinearCorrection, b2_maxLinearCorrection));
         }
     });
     return widest;
@@ -345,9 +347,9 @@ void JointSystem::NoteOpen(const ConstraintGraph& graph, const SolverContext& co
     {
         m_now.Clear();
         JointAccess::FillRows(*m_joints[i], context, m_now);
-        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        for (int32 k = 0; k < JointRows::kMaxRows; ++k)
         {
-            m_left[i].at[k] = k < m_now.Rigid() ? Lasting(m_now.error[k]) : 0.0f;
+            m_left[i].at[k] = k < m_now.Rigid() ? RemainingError(m_now.error[k]) : 0.0f;
         }
     }
 }
@@ -355,7 +357,7 @@ void JointSystem::NoteOpen(const ConstraintGraph& graph, const SolverContext& co
 void JointSystem::LetGo(int32 part)
 {
     m_system.ForBodies(
-        part, [&](const BodyData&, std::size_t place) { m_system.SetBallast(place, 0.0, 0.0); });
+        part, [&](const BodyData&, std::size_t place) { m_system.SetAddedMass(place, 0.0, 0.0); });
 }
 
 /// True if closing added velocities that no drift explains. Closing corrects the difference of a
@@ -368,7 +370,7 @@ bool JointSystem::HasGained(int32 part, const SolverContext& context, float32 ti
     double after = 0.0;
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
         const SolverBody& now = context.bodies[body.SolverIndex()];
-        before += (1.0 + kMostGain) * KineticEnergyOf(body, m_opened[place]) +
+        before += (1.0 + kMaxGain) * KineticEnergyOf(body, m_opened[place]) +
                   0.5 * small * small / double(body.SolverInvMass());
         after += KineticEnergyOf(body, now);
     });
@@ -381,7 +383,7 @@ bool JointSystem::HasGained(int32 part, const SolverContext& context, float32 ti
 bool JointSystem::Close(int32 part, const SolverContext& context, float32 timeStep)
 {
     float32 first = 0.0f;
-    for (int32 i = 0; i < kMostCloses; ++i)
+    for (int32 i = 0; i < kMaxCloses; ++i)
     {
         float32 widest = 0.0f;
         m_system.ForItems(part, [&](std::size_t joint) {
@@ -409,10 +411,10 @@ void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32
     bool any = false;
     m_system.ForItems(part, [&](std::size_t joint) {
         const JointRows& rows = m_system.Rows(joint);
-        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        for (int32 k = 0; k < JointRows::kMaxRows; ++k)
         {
-            const float32 open = k < rows.Rigid() ? Lasting(rows.error[k]) : 0.0f;
-            m_system.Lack(joint).at[k] = -double(kClosedShare * open) / double(timeStep);
+            const float32 open = k < rows.Rigid() ? RemainingError(rows.error[k]) : 0.0f;
+            m_system.Residual(joint).at[k] = -double(kClosedShare * open) / double(timeStep);
             any = any || open != 0.0f;
         }
     });
@@ -424,52 +426,53 @@ void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32
 }
 
 /// By iterations that change only the poses, too.
-void JointSystem::CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps)
+void JointSystem::CloseIterative(const SolverContext& context, float32 timeStep, int32 iterations)
 {
-    if (m_system.Swept().empty())
+    if (m_system.Iterative().empty())
     {
         return;
     }
-    for (int32 i = 0; i < kMostCloses && SweepClosed(context, timeStep, sweeps) >= kNearlyClosed;
-         ++i)
+    for (int32 i = 0;
+         i < kMaxCloses && IterateClosing(context, timeStep, iterations) >= kNearlyClosed; ++i)
     {}
-    for (const int32 joint : m_system.Swept())
+    for (const int32 joint : m_system.Iterative())
     {
         m_system.Rows(std::size_t(joint)).SetImpulse(m_kicks[std::size_t(joint)].at);
     }
 }
 
 /// One iteration. Returns the maximum gap.
-float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps)
+float32 JointSystem::IterateClosing(const SolverContext& context, float32 timeStep,
+                                    int32 iterations)
 {
-    for (std::size_t i = 0; i < m_sweptBodies.size(); ++i)
+    for (std::size_t i = 0; i < m_iterativeBodies.size(); ++i)
     {
-        m_before[i] = context.bodies[m_sweptBodies[i]->SolverIndex()];
+        m_before[i] = context.bodies[m_iterativeBodies[i]->SolverIndex()];
     }
     float32 widest = 0.0f;
-    for (const int32 joint : m_system.Swept())
+    for (const int32 joint : m_system.Iterative())
     {
         const auto i = std::size_t(joint);
         const Vector3 speed = SpeedOf(context, m_system.Rows(i));
         widest = b2Max(widest, WantClosed(i, context, timeStep, 1.0f - kClosedShare));
-        for (int32 k = 0; k < JointRows::kMostRows; ++k)
+        for (int32 k = 0; k < JointRows::kMaxRows; ++k)
         {
-            m_speeds[i].at[k] = speed.at[k] + m_system.Lack(i).at[k];
+            m_speeds[i].at[k] = speed.at[k] + m_system.Residual(i).at[k];
         }
     }
-    for (int32 sweep = 0; sweep < sweeps; ++sweep)
+    for (int32 iteration = 0; iteration < iterations; ++iteration)
     {
-        for (const int32 joint : m_system.Swept())
+        for (const int32 joint : m_system.Iterative())
         {
             const auto i = std::size_t(joint);
-            Lack(i, context, m_speeds[i]);
-            m_system.SolveSwept(i);
+            SetResidual(i, context, m_speeds[i]);
+            m_system.SolveIterative(i);
             Push(context, m_system.Rows(i), m_system.Found(i));
         }
     }
-    for (std::size_t i = 0; i < m_sweptBodies.size(); ++i)
+    for (std::size_t i = 0; i < m_iterativeBodies.size(); ++i)
     {
-        SolverBody& body = context.bodies[m_sweptBodies[i]->SolverIndex()];
+        SolverBody& body = context.bodies[m_iterativeBodies[i]->SolverIndex()];
         body.d += timeStep * (body.v - m_before[i].v);
         const float32 turn = timeStep * (body.w - m_before[i].w);
         body.angle += turn;
@@ -483,21 +486,21 @@ float32 JointSystem::SweepClosed(const SolverContext& context, float32 timeStep,
 /// Sets the change of speed that closes a joint in the given time, up to the part that remains.
 /// Returns the gap.
 float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
-                                float32 lasting)
+                                float32 remaining)
 {
     JointRows& now = m_now;
     now.Clear();
     JointAccess::FillRows(*m_joints[joint], context, now);
     const float32(&before)[3] = m_system.Rows(joint).error;
-    Vector3 error = now.giving > 0 ? Beyond(joint, now, timeStep) : Vector3{};
+    Vector3 error = now.boundedRows > 0 ? Beyond(joint, now, timeStep) : Vector3{};
     for (int32 k = 0; k < now.Rigid(); ++k)
     {
-        error.at[k] = double(now.error[k]) - double(lasting * Lasting(before[k]));
+        error.at[k] = double(now.error[k]) - double(remaining * RemainingError(before[k]));
     }
     float32 widest = 0.0f;
-    for (int32 k = 0; k < JointRows::kMostRows; ++k)
+    for (int32 k = 0; k < JointRows::kMaxRows; ++k)
     {
-        m_system.Lack(joint).at[k] = -error.at[k] / double(timeStep);
+        m_system.Residual(joint).at[k] = -error.at[k] / double(timeStep);
         widest = b2Max(widest, b2Abs(float32(error.at[k])));
     }
     return widest;

@@ -13,9 +13,9 @@ namespace
 {
 
 /// Maximum cost of a system, in updates per body: a tree has one, a ladder two.
-constexpr int32 kMostUpdates = 16;
+constexpr int32 kMaxUpdates = 16;
 /// Maximum solutions to determine the active set; one is usual.
-constexpr int32 kMostTries = 12;
+constexpr int32 kMaxTries = 12;
 /// From this solution on inactive rows stay inactive. Otherwise the active set may cycle, and the
 /// last one could contain rows far above their limit, by a factor of fifty in a random world.
 constexpr int32 kSettlingTry = 6;
@@ -36,14 +36,14 @@ void JointSystem::Update(const ConstraintGraph& graph)
     {
         m_sides.push_back(SidesOf(*joint));
     }
-    m_system.Build(m_sides, kMostUpdates, m_elimination);
+    m_system.Build(m_sides, kMaxUpdates, m_elimination);
     m_parts.assign(std::size_t(m_system.Components()), Part());
     BuildTrees();
-    m_gives.assign(m_joints.size(), 0);
-    m_yields.assign(m_joints.size(), Yields());
+    m_hasBounded.assign(m_joints.size(), 0);
+    m_states.assign(m_joints.size(), RowStates());
     if (m_restoredVersion == m_version && m_restored.size() == m_joints.size())
     {
-        m_yields.swap(m_restored);
+        m_states.swap(m_restored);
     }
     m_restoredVersion = -1;
     m_totals.resize(m_joints.size());
@@ -53,21 +53,21 @@ void JointSystem::Update(const ConstraintGraph& graph)
     m_left.assign(m_joints.size(), Impulses());
     m_opened.resize(m_system.Bodies().size());
     m_before.resize(m_system.Bodies().size());
-    m_sweptBodies.clear();
-    for (const int32 joint : m_system.Swept())
+    m_iterativeBodies.clear();
+    for (const int32 joint : m_system.Iterative())
     {
         for (const BodyData* body : m_sides[std::size_t(joint)].sides)
         {
             if (body != nullptr)
             {
-                m_sweptBodies.push_back(body);
+                m_iterativeBodies.push_back(body);
             }
         }
     }
-    std::sort(m_sweptBodies.begin(), m_sweptBodies.end(),
+    std::sort(m_iterativeBodies.begin(), m_iterativeBodies.end(),
               [](const BodyData* a, const BodyData* b) { return a->number < b->number; });
-    m_sweptBodies.erase(std::unique(m_sweptBodies.begin(), m_sweptBodies.end()),
-                        m_sweptBodies.end());
+    m_iterativeBodies.erase(std::unique(m_iterativeBodies.begin(), m_iterativeBodies.end()),
+                            m_iterativeBodies.end());
 }
 
 void JointSystem::BuildTrees()
@@ -176,22 +176,22 @@ void JointSystem::Prepare(const SolverContext& context)
     {
         JointRows& rows = m_system.Rows(i);
         Impulses kept;
-        std::copy_n(rows.impulse, JointRows::kMostRows, kept.at);
+        std::copy_n(rows.impulse, JointRows::kMaxRows, kept.at);
         rows.Clear();
         JointAccess::FillRows(*m_joints[i], context, rows);
         std::copy_n(kept.at, rows.rows, rows.impulse);
-        m_gives[i] = rows.giving > 0;
-        if (rows.giving > 0)
+        m_hasBounded[i] = rows.boundedRows > 0;
+        if (rows.boundedRows > 0)
         {
-            Validate(rows, m_yields[i]);
+            Validate(rows, m_states[i]);
         }
     }
     for (std::size_t i = 0; i < m_parts.size(); ++i)
     {
         Part& part = m_parts[i];
-        part.gives = part.driven = part.lines = part.factored = false;
+        part.hasBounded = part.driven = part.lines = part.factored = false;
         m_system.ForItems(int32(i), [&](std::size_t item) {
-            part.gives = part.gives || m_gives[item] != 0;
+            part.hasBounded = part.hasBounded || m_hasBounded[item] != 0;
             part.driven = part.driven || m_system.Rows(item).IsDriven();
             part.lines = part.lines || m_system.Rows(item).length > 0.0f;
         });
@@ -213,10 +213,10 @@ void JointSystem::Start(const SolverContext& context, std::size_t joint, float32
     bool any = false;
     for (int32 k = 0; k < rows.rows; ++k)
     {
-        const float32 carried = CarriedOver(joint, k, share);
+        const float32 initial = WarmStartImpulse(joint, k, share);
         rows.impulse[k] = 0.0f;
-        impulse.at[k] = double(carried);
-        any = any || carried != 0.0f;
+        impulse.at[k] = double(initial);
+        any = any || initial != 0.0f;
     }
     if (any)
     {
@@ -225,19 +225,20 @@ void JointSystem::Start(const SolverContext& context, std::size_t joint, float32
 }
 
 /// Sets the residuals of the target speeds.
-void JointSystem::Lack(std::size_t joint, const SolverContext& context, const Vector3& wanted)
+void JointSystem::SetResidual(std::size_t joint, const SolverContext& context,
+                              const Vector3& wanted)
 {
     const Vector3 speed = SpeedOf(context, m_system.Rows(joint));
-    for (int32 k = 0; k < JointRows::kMostRows; ++k)
+    for (int32 k = 0; k < JointRows::kMaxRows; ++k)
     {
-        m_system.Lack(joint).at[k] = wanted.at[k] - speed.at[k];
+        m_system.Residual(joint).at[k] = wanted.at[k] - speed.at[k];
     }
 }
 
 void JointSystem::SolvePart(int32 part, const SolverContext& context)
 {
     Part& p = m_parts[std::size_t(part)];
-    for (int32 tries = 0; tries < kMostTries; ++tries)
+    for (int32 tries = 0; tries < kMaxTries; ++tries)
     {
         if (!p.factored)
         {
@@ -250,16 +251,16 @@ void JointSystem::SolvePart(int32 part, const SolverContext& context)
         m_system.Apply(part, context);
         bool changed = false;
         // The last active set is solved as well; otherwise rigid rows would keep a residual.
-        if (p.gives && tries + 1 < kMostTries)
+        if (p.hasBounded && tries + 1 < kMaxTries)
         {
             // All with the same factorization.
             m_system.ForItems(part, [&](std::size_t joint) {
                 m_speeds[joint] = SpeedOf(context, m_system.Rows(joint));
             });
             m_system.ForItems(part, [&](std::size_t joint) {
-                changed =
-                    (m_gives[joint] != 0 && Reconsider(joint, context, tries >= kSettlingTry)) ||
-                    changed;
+                changed = (m_hasBounded[joint] != 0 &&
+                           Reconsider(joint, context, tries >= kSettlingTry)) ||
+                          changed;
             });
         }
         p.factored = !changed;
@@ -280,18 +281,18 @@ void JointSystem::SolveVelocities(const SolverContext& context, bool first)
             SolvePart(i, context);
         }
     }
-    for (const int32 joint : m_system.Swept())
+    for (const int32 joint : m_system.Iterative())
     {
         const auto i = std::size_t(joint);
-        for (int32 tries = 0; tries < kMostTries; ++tries)
+        for (int32 tries = 0; tries < kMaxTries; ++tries)
         {
             SetActive(i);
-            m_system.FactorSwept(i);
+            m_system.FactorIterative(i);
             WantSpeeds(i, context);
-            m_system.SolveSwept(i);
+            m_system.SolveIterative(i);
             Push(context, m_system.Rows(i), m_system.Found(i));
             m_speeds[i] = SpeedOf(context, m_system.Rows(i));
-            if (m_gives[i] == 0 || !Reconsider(i, context, tries >= kSettlingTry))
+            if (m_hasBounded[i] == 0 || !Reconsider(i, context, tries >= kSettlingTry))
             {
                 break;
             }
@@ -305,28 +306,29 @@ void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::It
     item = BoundedSystem::Item();
     for (int32 i = 0; i < rows.rows; ++i)
     {
-        const Yield yield = i < rows.Rigid() ? Yield::Holds : m_yields[joint].of[i];
+        const RowState state = i < rows.Rigid() ? RowState::Holds : m_states[joint].of[i];
         const JointRows::Law& law = rows.laws[i];
         const bool bounded = i >= rows.Rigid() && law.most < b2_maxFloat;
         item.impulse.at[i] = double(rows.impulse[i]);
-        item.speeds.at[i] = i < rows.Rigid() ? 0.0 : WantedSpeed(rows, yield, i, 0.0);
-        item.least.at[i] = bounded && yield != Yield::Fastest ? -double(law.most) : -kEndless;
-        item.most.at[i] = bounded && yield != Yield::Slowest ? double(law.most) : kEndless;
-        const bool held = yield != Yield::Most && yield != Yield::Least;
+        item.speeds.at[i] = i < rows.Rigid() ? 0.0 : WantedSpeed(rows, state, i, 0.0);
+        item.least.at[i] = bounded && state != RowState::Fastest ? -double(law.most) : -kEndless;
+        item.most.at[i] = bounded && state != RowState::Slowest ? double(law.most) : kEndless;
+        const bool held = state != RowState::AtMax && state != RowState::AtMin;
         item.active = uint8(item.active | int(held) << i);
     }
 }
 
-void JointSystem::FillWays(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const
+void JointSystem::FillDisplacements(std::size_t joint, JointRows& rows,
+                                    BoundedSystem::Item& item) const
 {
     rows = m_system.Rows(joint);
     item = BoundedSystem::Item();
     for (int32 i = 0; i < rows.rows; ++i)
     {
         const bool rigid = i < rows.Rigid();
-        const Yield yield = m_yields[joint].of[i];
-        item.least.at[i] = rigid || yield == Yield::Fastest ? -kEndless : 0.0;
-        item.most.at[i] = rigid || yield == Yield::Slowest ? kEndless : 0.0;
+        const RowState state = m_states[joint].of[i];
+        item.least.at[i] = rigid || state == RowState::Fastest ? -kEndless : 0.0;
+        item.most.at[i] = rigid || state == RowState::Slowest ? kEndless : 0.0;
         item.active = uint8(item.active | int(item.least.at[i] < item.most.at[i]) << i);
     }
 }

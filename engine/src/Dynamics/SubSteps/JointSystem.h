@@ -88,8 +88,8 @@ public:
     /// [J]. An impulse acts on a body below its target speed, and does at most the work at the mean
     /// of the speeds before and after. The target speed of a spring may be thousands of metres per
     /// second.
-    double MostWork(std::size_t joint, const SolverContext& before,
-                    const SolverContext& after) const;
+    double MaxWork(std::size_t joint, const SolverContext& before,
+                   const SolverContext& after) const;
     /// Brings all rows to their target speeds; components without contacts only the first time.
     void SolveVelocities(const SolverContext& context, bool first);
     /// Call before a drift.
@@ -97,7 +97,7 @@ public:
     /// Call after the bodies moved for `timeStep`. Closes the joints by impulses along the rows of
     /// Prepare, which change velocities and displacements. (RATTLE: Andersen, "Rattle: a 'velocity'
     /// version of the Shake algorithm", 1983.) The kicks are by awake body.
-    void SolvePositions(const SolverContext& context, float32 timeStep, int32 sweeps,
+    void SolvePositions(const SolverContext& context, float32 timeStep, int32 iterations,
                         const BodyKick* kicks);
     /// Call after position correction of overlaps: closes what it opened since SolvePositions.
     void CloseAfterPushes(const SolverContext& context);
@@ -142,50 +142,50 @@ public:
     void TakeItem(std::size_t joint, const BoundedSystem::Item& item);
     /// As above, with displacements in place of velocities. Rigid rows and active limits must not
     /// move; motors and springs are omitted, because they have target velocities.
-    void FillWays(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
+    void FillDisplacements(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
 
 private:
     friend struct SnapshotAccess;
     struct Impulses
     {
-        float32 at[JointRows::kMostRows];
+        float32 at[JointRows::kMaxRows];
     };
     /// The state of a bounded row.
-    enum class Yield : uint8
+    enum class RowState : uint8
     {
         Holds,   ///< active: its speed is the target
-        Most,    ///< inactive: its impulse is at the maximum
-        Least,   ///< inactive: its impulse is at the minimum
+        AtMax,   ///< inactive: its impulse is at the maximum
+        AtMin,   ///< inactive: its impulse is at the minimum
         Slowest, ///< active: its speed is at a bound, with any impulse
         Fastest,
     };
-    struct Yields
+    struct RowStates
     {
-        Yield of[JointRows::kMostRows] = {};
+        RowState of[JointRows::kMaxRows] = {};
     };
     /// Sums over the kicks of a step.
     struct Totals
     {
-        float32 within[JointRows::kMostRows] = {};
-        float32 beyond[JointRows::kMostRows] = {};
+        float32 within[JointRows::kMaxRows] = {};
+        float32 beyond[JointRows::kMaxRows] = {};
     };
     /// A connected component.
     struct Part
     {
-        bool touched = false; ///< by contacts
-        bool gives = false;   ///< contains bounded rows
-        bool driven = false;  ///< contains bounded rows other than limits
-        bool lines = false;   ///< contains ropes and rods
+        bool touched = false;    ///< by contacts
+        bool hasBounded = false; ///< contains bounded rows
+        bool driven = false;     ///< contains bounded rows other than limits
+        bool lines = false;      ///< contains ropes and rods
         bool damped = false;
         bool factored = false;
         HingeTree* tree = nullptr;     ///< moves the component through this step
         double squaredFrequency = 0.0; ///< see RowSystem; from the last step's mean forces
     };
 
-    // JointYield.cpp
-    static void Validate(const JointRows& rows, Yields& yields);
-    float32 CarriedOver(std::size_t joint, int32 row, float32 share) const;
-    static double WantedSpeed(const JointRows& rows, Yield yield, int32 row, double impulse);
+    // JointActiveSet.cpp
+    static void Validate(const JointRows& rows, RowStates& states);
+    float32 WarmStartImpulse(std::size_t joint, int32 row, float32 share) const;
+    static double WantedSpeed(const JointRows& rows, RowState state, int32 row, double impulse);
     void SetActive(std::size_t joint);
     bool SetActiveToClose(std::size_t joint);
     void WantSpeeds(std::size_t joint, const SolverContext& context);
@@ -194,7 +194,8 @@ private:
                     bool settles);
     bool ReconsiderDisc(const SolverContext& context, std::size_t joint, const Vector3& speed,
                         bool settles);
-    static Yield After(const JointRows::Law& law, Yield yield, float32 impulse, float32 speed);
+    static RowState After(const JointRows::Law& law, RowState state, float32 impulse,
+                          float32 speed);
     Vector3 Beyond(std::size_t joint, const JointRows& now, float32 timeStep) const;
     void AddTotals();
     void AddTotals(std::size_t joint);
@@ -219,10 +220,10 @@ private:
     template <class Fate>
     bool HoldStopped(int32 part, Fate&& fate);
     void LetGo(int32 part);
-    void CloseSwept(const SolverContext& context, float32 timeStep, int32 sweeps);
-    float32 SweepClosed(const SolverContext& context, float32 timeStep, int32 sweeps);
+    void CloseIterative(const SolverContext& context, float32 timeStep, int32 iterations);
+    float32 IterateClosing(const SolverContext& context, float32 timeStep, int32 iterations);
     float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
-                       float32 lasting);
+                       float32 remaining);
 
     void Start(const SolverContext& context, std::size_t joint, float32 share);
     void BuildTrees();
@@ -230,14 +231,14 @@ private:
     void TakeImpulses(std::size_t joint);
     double ComplianceOf(int32 part) const;
     void SolvePart(int32 part, const SolverContext& context);
-    void Lack(std::size_t joint, const SolverContext& context, const Vector3& wanted);
+    void SetResidual(std::size_t joint, const SolverContext& context, const Vector3& wanted);
 
     /// How many times as heavy a body that an impact has stopped counts as the rest of its
     /// component.
     static constexpr double kHeldShare = 20.0;
     /// Its rotation is held only up to this angle [rad]. An impact ignores joints, and may give a
     /// light body a spin that its joints would prevent.
-    static constexpr double kMostHeldTurn = 0.5;
+    static constexpr double kMaxHeldTurn = 0.5;
 
     Array<b2Joint*> m_joints;
     Array<RowSides> m_sides;
@@ -247,8 +248,8 @@ private:
     Array<int32> m_treeOf;      // per component, -1: none
     Array<uint8> m_inTree;      // per joint, in this step
     Array<std::size_t> m_rowed; // joints outside of trees, in this step
-    Array<uint8> m_gives;       // per joint
-    Array<Yields> m_yields;     // per joint
+    Array<uint8> m_hasBounded;  // per joint
+    Array<RowStates> m_states;  // per joint
     Array<Totals> m_totals;     // per joint
     Array<Impulses> m_kicks;    // per joint: impulses before it was closed
     Array<SolverBody> m_poses;  // by index: before the drift
@@ -256,12 +257,12 @@ private:
     Array<Impulses> m_left;     // per joint: the error that may remain
     Array<SolverBody> m_before; // by body of iteratively solved joints: before they were closed
     Array<Vector3> m_speeds;    // scratch: per joint
-    Array<const BodyData*> m_sweptBodies;
+    Array<const BodyData*> m_iterativeBodies;
     JointRows m_now;              // scratch
     Elimination m_elimination;    // scratch of Update, reused as joints wake and sleep
     Array<b2Joint*> m_partJoints; // scratch: of one component
     int32 m_version = -1;
-    Array<Yields> m_restored;     // from a snapshot, for the joint list of
+    Array<RowStates> m_restored;  // from a snapshot, for the joint list of
     int32 m_restoredVersion = -1; // this version, used by Update
 };
 
@@ -285,7 +286,7 @@ bool JointSystem::HoldStopped(int32 part, Fate&& fate)
             const double held = fate(body) == AfterImpact::Free ? mass : kHeldShare * mass;
             const double turn = std::abs(body.pose.angle - body.previous.angle);
             const double reach = double(body.maxExtent);
-            m_system.SetBallast(place, held, (turn > kMostHeldTurn ? mass : held) * reach * reach);
+            m_system.SetAddedMass(place, held, (turn > kMaxHeldTurn ? mass : held) * reach * reach);
         });
     }
     return any;

@@ -3,16 +3,16 @@
 
 #include "../State/Solver.h"
 #include "BodyKick.h"
-#include "CarryGuard.h"
 #include "ContactSystem.h"
 #include "FirstLoads.h"
 #include "JointSystem.h"
+#include "WarmStartGuard.h"
 
 namespace box2d
 {
 
 /// How a body moves through a step with sub-steps.
-enum class WayOfBody : uint8
+enum class BodyMode : uint8
 {
     Together, ///< sub-step by sub-step
     Flies,    ///< in one step: without joints and contacts
@@ -25,8 +25,8 @@ struct SubStepMemory
     JointSystem joints;
     ContactSystem contacts;
     FirstLoads firstLoads;
-    CarryGuard carryGuard;
-    Array<WayOfBody> ways;          ///< by awake body
+    WarmStartGuard warmStartGuard;
+    Array<BodyMode> modes;          ///< by awake body
     Array<BodyKick> kicks;          ///< by awake body
     Array<SolverBody> beforePushes; ///< by solver index: see MoveApart
     Array<float32> farthestPushes;  ///< by number of AwakeIslands: maximum of its bodies [m]

@@ -29,8 +29,8 @@ namespace
 /// Iterations suffice for a contact island if contacts approach by less than this fraction of the
 /// speed that weight adds in a kick.
 constexpr float32 kRestTolerance = 0.01f;
-constexpr int32 kSweepsFromNothing = 8; ///< at least, without a warm start
-constexpr int32 kMostBounces = 64;      ///< iterations over what bounces in a row
+constexpr int32 kMinColdIterations = 8; ///< without a warm start
+constexpr int32 kMaxBounces = 64;       ///< iterations over what bounces in a row
 /// How fast a contact pushes out what started deep in something else [m/s]: faster is seen as a
 /// jump (Catto, "Solver2D", 2024, bounds it alike). What weight and impacts press in is less deep.
 constexpr float32 kPushSpeed = 3.0f;
@@ -63,21 +63,21 @@ bool TakeBias(ContactBlock& block)
 
 /// Scales each contact's impulses to the fraction still applied at the end of the last step: an
 /// impact is over.
-void KeepLasting(ContactBlock& block)
+void ScaleToLastShare(ContactBlock& block)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
     {
-        const float32 lasting = b2Max(Data(*block.contact[lane]).lasting, 0.0f);
+        const float32 share = b2Max(Data(*block.contact[lane]).lastShare, 0.0f);
         for (int32 i = 0; i < block.pointCount; ++i)
         {
-            block.points[i].normalImpulse[lane] *= lasting;
-            block.points[i].tangentImpulse[lane] *= lasting;
+            block.points[i].normalImpulse[lane] *= share;
+            block.points[i].tangentImpulse[lane] *= share;
         }
     }
 }
 
 /// Stores that fraction; see ScaleImpulses: it includes half of the last kick's change.
-void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
+void NoteLastShare(const ContactBlock& block, const BlockTotals& totals)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
     {
@@ -88,7 +88,7 @@ void NoteLasting(const ContactBlock& block, const BlockTotals& totals)
             last += 0.5f * (block.points[i].normalImpulse[lane] + totals.firstNormal[i][lane]);
             all += totals.normal[i][lane];
         }
-        Data(*block.contact[lane]).lasting = all > 0.0f ? b2Min(last / all, 1.0f) : 0.0f;
+        Data(*block.contact[lane]).lastShare = all > 0.0f ? b2Min(last / all, 1.0f) : 0.0f;
     }
 }
 
@@ -144,15 +144,15 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
 {
     const int32 count = world.subStepCount;
     const float32 h = timeStep / float32(count);
-    const int32 velocitySweeps = b2IterationsOfASubStep(velocityIterations, count);
-    const int32 positionSweeps = b2IterationsOfASubStep(positionIterations, count);
+    const int32 kickIterations = b2IterationsOfASubStep(velocityIterations, count);
+    const int32 pushIterations = b2IterationsOfASubStep(positionIterations, count);
     // Overlaps go at the same pace for every number of sub-steps: a faster one adds energy.
     const float32 rate =
         b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));
     SubStepSolver solve(world, timeStep);
     const auto kick = [&](float32 duration, float32 share) {
         ProfileScope velocity(world.profiling, world.profile.solveVelocity);
-        solve.Kick(duration, share, velocitySweeps);
+        solve.Kick(duration, share, kickIterations);
     };
     {
         ProfileScope init(world.profiling, world.profile.solveInit);
@@ -169,16 +169,16 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
     {
         {
             ProfileScope position(world.profiling, world.profile.solvePosition);
-            solve.Drift(h, velocitySweeps);
-            solve.MoveApart(h, positionSweeps, rate);
+            solve.Drift(h, kickIterations);
+            solve.MoveApart(h, pushIterations, rate);
             solve.CloseAfterPushes();
         }
         const bool last = i == count;
         // From half a kick to a whole one, and back.
         kick(last ? 0.5f * h : h, (i == 1 ? 2.0f : 1.0f) * (last ? 0.5f : 1.0f));
     }
-    world.sweepsTurned =
-        velocitySweeps > 1 ? (count % 2 == 0) != world.sweepsTurned : !world.sweepsTurned;
+    world.directionReversed =
+        kickIterations > 1 ? (count % 2 == 0) != world.directionReversed : !world.directionReversed;
     {
         ProfileScope position(world.profiling, world.profile.solvePosition);
         solve.End();
@@ -222,7 +222,7 @@ void SubStepSolver::Begin(int32 count)
     if (wereSmall)
     {
         ForEachBlock(Direction::Forward, m_threads,
-                     [](ContactBlocks& blocks, int32 i) { KeepLasting(blocks.Contacts(i)); });
+                     [](ContactBlocks& blocks, int32 i) { ScaleToLastShare(blocks.Contacts(i)); });
     }
     m_subSteps.firstLoads.Find(m_world, m_memory, 0.5f * m_context.timeStep / float32(count));
     Bounce();
@@ -234,11 +234,11 @@ void SubStepSolver::Begin(int32 count)
     if (AnyHeld())
     {
         m_memory.islands.Find(m_world);
-        m_subSteps.carryGuard.Begin(m_memory, m_subSteps.joints);
+        m_subSteps.warmStartGuard.Begin(m_memory, m_subSteps.joints);
     }
     m_subSteps.contacts.Begin(m_memory, m_subSteps.joints);
     m_subSteps.joints.ForTreeBodies([this](const BodyData& body) {
-        m_subSteps.ways[std::size_t(body.awakeIndex)] = WayOfBody::InTree;
+        m_subSteps.modes[std::size_t(body.awakeIndex)] = BodyMode::InTree;
     });
 }
 
@@ -251,10 +251,10 @@ void SubStepSolver::Bounce()
     ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
         any = TakeBias(blocks.Contacts(i)) || any;
     });
-    for (int32 sweep = 0; sweep < kMostBounces && any; ++sweep)
+    for (int32 iteration = 0; iteration < kMaxBounces && any; ++iteration)
     {
         any = false;
-        ForEachBlock(DirectionOf(sweep), nullptr, [&](ContactBlocks& blocks, int32 i) {
+        ForEachBlock(DirectionOf(iteration), nullptr, [&](ContactBlocks& blocks, int32 i) {
             ContactBlock& block = blocks.Contacts(i);
             for (int32 lane = 0; lane < block.count; ++lane)
             {
@@ -277,8 +277,8 @@ bool SubStepSolver::AnyHeld() const
 /// True if any body takes the common sub-steps.
 bool SubStepSolver::AnyTogether() const
 {
-    return AnyHeld() || std::find(m_subSteps.ways.begin(), m_subSteps.ways.end(),
-                                  WayOfBody::Together) != m_subSteps.ways.end();
+    return AnyHeld() || std::find(m_subSteps.modes.begin(), m_subSteps.modes.end(),
+                                  BodyMode::Together) != m_subSteps.modes.end();
 }
 
 void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
@@ -288,12 +288,12 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     kick.timeStep = duration;
     joints.Prepare(kick); // before the kick: springs use these velocities
     ForBodies([&](std::size_t i) {
-        if (m_subSteps.ways[i] == WayOfBody::Together)
+        if (m_subSteps.modes[i] == BodyMode::Together)
         {
             m_subSteps.kicks[i].Give(m_memory.bodies[i + 1], duration);
         }
     });
-    CarryGuard& guard = m_subSteps.carryGuard;
+    WarmStartGuard& guard = m_subSteps.warmStartGuard;
     if (AnyHeld())
     {
         guard.Note(m_world, m_memory);
@@ -303,13 +303,13 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
         ScaleImpulses(blocks.Contacts(i), blocks.Totals(i), share);
         WarmStartBlock(blocks.Contacts(i), m_context.bodies);
     });
-    Sweep(iterations);
-    if (AnyHeld() && guard.HasWon(m_world, m_memory, joints))
+    Iterate(iterations);
+    if (AnyHeld() && guard.HasGained(m_world, m_memory, joints))
     {
-        guard.TakeBack(m_memory);
+        guard.Restore(m_memory);
         joints.StartAgain(kick,
-                          [&](const RowSides& sides) { return guard.HasWon(m_memory, sides); });
-        Sweep(b2Max(iterations, kSweepsFromNothing));
+                          [&](const RowSides& sides) { return guard.HasGained(m_memory, sides); });
+        Iterate(b2Max(iterations, kMinColdIterations));
     }
     ++m_kick;
     m_subSteps.contacts.SolveVelocities(m_memory, m_subSteps.joints, m_context,
@@ -320,14 +320,14 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     });
 }
 
-void SubStepSolver::Sweep(int32 iterations)
+void SubStepSolver::Iterate(int32 iterations)
 {
     JointSystem& joints = m_subSteps.joints;
     for (int32 i = 0; i < iterations; ++i)
     {
         joints.SolveVelocities(m_context, i == 0);
         const bool changed =
-            SolveContacts(KickDirectionOf(m_kick, i, iterations, m_world.sweepsTurned));
+            SolveContacts(KickDirectionOf(m_kick, i, iterations, m_world.directionReversed));
         if (!changed && joints.IsExact())
         {
             break;
@@ -339,13 +339,13 @@ void SubStepSolver::Sweep(int32 iterations)
 void SubStepSolver::FindFlying()
 {
     const std::size_t count = m_world.awakeBodies.size();
-    m_subSteps.ways.resize(count);
+    m_subSteps.modes.resize(count);
     for (std::size_t i = 0; i < count; ++i)
     {
         const BodyData& body = Data(*m_world.awakeBodies[i]);
         const bool flies = body.IsDynamic() && body.colorMask == 0 && body.jointList == nullptr &&
                            body.linearDamping == 0.0f && body.angularDamping == 0.0f;
-        m_subSteps.ways[i] = flies ? WayOfBody::Flies : WayOfBody::Together;
+        m_subSteps.modes[i] = flies ? BodyMode::Flies : BodyMode::Together;
     }
     // Contacts in the overflow have no colour.
     for (b2Contact* contact : m_world.graph.Contacts(ConstraintGraph::kOverflow))
@@ -354,7 +354,7 @@ void SubStepSolver::FindFlying()
         {
             if (Data(*body).awakeIndex != -1)
             {
-                m_subSteps.ways[std::size_t(Data(*body).awakeIndex)] = WayOfBody::Together;
+                m_subSteps.modes[std::size_t(Data(*body).awakeIndex)] = BodyMode::Together;
             }
         }
     }
@@ -373,32 +373,33 @@ void SubStepSolver::Fly(std::size_t index)
     const SolverBody middle = s;
     for (int32 i = 0; i < m_world.subStepCount; ++i)
     {
-        MoveByVelocity(s, h / float32(m_world.subStepCount), kMostSmallMove);
+        MoveByVelocity(s, h / float32(m_world.subStepCount), kMaxSmallMove);
     }
     s.v = s.v == middle.v ? after : Bounded(s.v + (0.5f * h) * a); // it may have been limited
     s.w = Bounded(s.w + (0.5f * h) * alpha);
 }
 
-void SubStepSolver::Drift(float32 timeStep, int32 sweeps)
+void SubStepSolver::Drift(float32 timeStep, int32 iterations)
 {
     m_subSteps.joints.NotePoses(m_context);
     ForBodies([&](std::size_t i) {
-        if (m_subSteps.ways[i] == WayOfBody::Together)
+        if (m_subSteps.modes[i] == BodyMode::Together)
         {
-            MoveByVelocity(m_memory.bodies[i + 1], timeStep, kMostSmallMove);
+            MoveByVelocity(m_memory.bodies[i + 1], timeStep, kMaxSmallMove);
         }
     });
-    m_subSteps.joints.SolvePositions(m_context, timeStep, sweeps, m_subSteps.kicks.data());
+    m_subSteps.joints.SolvePositions(m_context, timeStep, iterations, m_subSteps.kicks.data());
     m_subSteps.joints.NotePoses(m_context);
 }
 
-void SubStepSolver::MoveApart(float32 timeStep, int32 sweeps, float32 rate)
+void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
 {
     m_subSteps.beforePushes = m_memory.bodies;
-    // The iterations and the solution after them take equal parts of the way.
-    const float32 most = b2Min(kPushSpeed * timeStep / float32(sweeps + 1), b2_maxLinearCorrection);
+    // The iterations and the solution after them take equal parts of the push.
+    const float32 most =
+        b2Min(kPushSpeed * timeStep / float32(iterations + 1), b2_maxLinearCorrection);
     float32 deepest = 0.0f;
-    for (int32 i = 0; i < sweeps; ++i)
+    for (int32 i = 0; i < iterations; ++i)
     {
         const float32 found = SolveOverlaps(DirectionOf(i), {rate, most});
         deepest = b2Min(deepest, found);
@@ -434,9 +435,9 @@ void SubStepSolver::LimitPushes(float32 most)
     };
     bool any = false;
     forPushed([&](const BodyData& body, float32& far, const SolverBody& before, SolverBody& s) {
-        const float32 way = PushOf(before, s, body.maxExtent);
-        far = b2Max(far, way);
-        any = any || way > most;
+        const float32 path = PushOf(before, s, body.maxExtent);
+        far = b2Max(far, path);
+        any = any || path > most;
     });
     if (!any)
     {
@@ -453,7 +454,7 @@ void SubStepSolver::LimitPushes(float32 most)
 void SubStepSolver::End()
 {
     ForBodies([this](std::size_t i) {
-        if (m_subSteps.ways[i] == WayOfBody::Flies)
+        if (m_subSteps.modes[i] == BodyMode::Flies)
         {
             Fly(i);
         }
@@ -465,7 +466,7 @@ void SubStepSolver::End()
         FindDeep();
     }
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
-        NoteLasting(blocks.Contacts(i), blocks.Totals(i));
+        NoteLastShare(blocks.Contacts(i), blocks.Totals(i));
         TakeTotals(blocks.Contacts(i), blocks.Totals(i));
         StoreImpulses(blocks.Contacts(i));
     });

@@ -19,15 +19,15 @@ public:
     bool AnyTogether() const;
     /// Applies a kick and solves the velocities.
     void Kick(float32 duration, float32 share, int32 iterations);
-    void Drift(float32 timeStep, int32 sweeps);
-    void MoveApart(float32 timeStep, int32 sweeps, float32 rate);
+    void Drift(float32 timeStep, int32 iterations);
+    void MoveApart(float32 timeStep, int32 iterations, float32 rate);
     void CloseAfterPushes() { m_subSteps.joints.CloseAfterPushes(m_context); }
     void End();
 
 private:
     bool AnyHeld() const;
     void Bounce();
-    void Sweep(int32 iterations);
+    void Iterate(int32 iterations);
     void LimitPushes(float32 most);
     void FindFlying();
     void Fly(std::size_t index);

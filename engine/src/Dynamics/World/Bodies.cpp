@@ -177,7 +177,7 @@ void SetTransform(World& world, b2Body& body, const b2Vec2& position, float32 an
     data.previous = data.pose;
     SynchronizePose(data);
     data.transform.p = position; // exactly what was asked for
-    data.movedAt = world.stepNumber;
+    data.userMovedAt = world.stepNumber;
     ResetProxies(world.proxies, data);
     WakeAttached(world, body);
 }
@@ -253,15 +253,15 @@ namespace
 
 /// Limits of masses and inertias: smaller ones have no finite inverse, larger ones no finite
 /// product with a speed. Beyond them they count as zero, or as the maximum.
-constexpr float32 kLeastMass = 1e-20f;
-constexpr float32 kMostMass = 1e20f;
+constexpr float32 kMinMass = 1e-20f;
+constexpr float32 kMaxMass = 1e20f;
 
 void SetInertia(BodyData& body, float32 mass, float32 inertiaAboutCenter)
 {
-    body.mass = mass >= kLeastMass ? b2Min(mass, kMostMass) : 1.0f;
+    body.mass = mass >= kMinMass ? b2Min(mass, kMaxMass) : 1.0f;
     body.invMass = 1.0f / body.mass;
-    const bool turns = inertiaAboutCenter >= kLeastMass && (body.flags & kBodyFixedRotation) == 0;
-    body.inertia = turns ? b2Min(inertiaAboutCenter, kMostMass) : 0.0f;
+    const bool turns = inertiaAboutCenter >= kMinMass && (body.flags & kBodyFixedRotation) == 0;
+    body.inertia = turns ? b2Min(inertiaAboutCenter, kMaxMass) : 0.0f;
     body.invInertia = turns ? 1.0f / body.inertia : 0.0f;
 }
 

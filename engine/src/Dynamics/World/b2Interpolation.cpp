@@ -40,7 +40,7 @@ Pose Between(const Pose& before, const Pose& now, double fraction)
 /// By a user change, not by a step. A small change is interpolated.
 bool HasJumped(const box2d::BodyData& body, const Pose& before, std::uint32_t step)
 {
-    return body.movedAt >= step && Distance(before, body.pose) > double(b2_maxTranslation);
+    return body.userMovedAt >= step && Distance(before, body.pose) > double(b2_maxTranslation);
 }
 
 bool IsSame(const Pose& a, const Pose& b)
@@ -101,9 +101,9 @@ void b2PosesBetween::Show(b2Body& body, const Pose& pose)
     m_owns.push_back(
         {&body, data.pose, data.rotation, data.transform, data.worldCenter, data.room});
     // The arc is longer than its chord, so this is an upper bound.
-    const double way = Distance(pose, data.pose) +
-                       std::fabs(pose.angle - data.pose.angle) * double(data.maxExtent);
-    m_farthest = b2Max(m_farthest, float32(1.0001 * way)); // rounded up
+    const double distance = Distance(pose, data.pose) +
+                            std::fabs(pose.angle - data.pose.angle) * double(data.maxExtent);
+    m_farthest = b2Max(m_farthest, float32(1.0001 * distance)); // rounded up
     data.pose = pose;
     box2d::SynchronizePose(data);
 }

@@ -176,9 +176,9 @@ void b2World::SetSubStepCount(int32 count)
     {
         return;
     }
-    (void)B2_REQUIRE(count >= 1 && count <= box2d::kMostSubSteps,
+    (void)B2_REQUIRE(count >= 1 && count <= box2d::kMaxSubSteps,
                      "The number of sub-steps must be from 1 to 64.");
-    m_world->subStepCount = b2Clamp(count, 1, box2d::kMostSubSteps);
+    m_world->subStepCount = b2Clamp(count, 1, box2d::kMaxSubSteps);
 }
 
 int32 b2World::GetSubStepCount() const

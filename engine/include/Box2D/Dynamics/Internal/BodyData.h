@@ -25,7 +25,7 @@ enum BodyFlag : std::uint32_t
     kBodyFixedRotation = 1u << 3,
     kBodyActive = 1u << 4,
     kBodyMassSet = 1u << 5, ///< mass set by SetMassData, not computed from the fixtures
-    kBodySwept = 1u << 6,   ///< a fast bullet: its boxes contain exactly its last path
+    kBodyPathBox = 1u << 6, ///< a fast bullet: its boxes contain exactly its last path
 };
 
 /// The type of a body, with the values of b2BodyType.
@@ -83,9 +83,9 @@ struct BodyData
     /// While the joint schedule is built: the first free level. While the pattern of a system is
     /// built: the index in it.
     mutable std::int32_t jointLevel = 0;
-    float32 energyOwed = 0.0f;  ///< share of the energy that its island gained, see EnergyGuard [J]
+    float32 energyDebt = 0.0f;  ///< share of the energy that its island gained, see EnergyGuard [J]
     float32 energyScale = 0.0f; ///< decaying maximum of the kinetic energy, while it has joints [J]
-    std::uint32_t movedAt = 0;  ///< World::stepNumber of the last user change of its transform
+    std::uint32_t userMovedAt = 0; ///< World::stepNumber of the last user change of its transform
     b2Body* islandPrev = nullptr;
     b2Body* islandNext = nullptr;
 

@@ -66,7 +66,7 @@ struct ContactData
     std::int32_t place = 0; ///< index in the list of a snapshot while it is written or read
     /// With sub-steps: the fraction of the step's impulse that the last sub-step applied. Negative
     /// before the first.
-    float32 lasting = -1.0f;
+    float32 lastShare = -1.0f;
 
     b2ContactEdge edgeA; ///< in the list of body A
     b2ContactEdge edgeB; ///< in the list of body B

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "SmallStepsScene.h"
+#include "SubStepsScene.h"
 
 /// Springs, in steps of four small ones.
 namespace
@@ -160,10 +160,10 @@ std::vector<Case> AllSprings()
     return cases;
 }
 
-INSTANTIATE_TEST_SUITE_P(SmallSteps, FreeSpring, testing::ValuesIn(AllSprings()));
+INSTANTIATE_TEST_SUITE_P(SubSteps, FreeSpring, testing::ValuesIn(AllSprings()));
 
 // x = exp(-z w t) (cos(v t) + z w / v sin(v t)),  v = w sqrt(1 - z^2)
-TEST(SmallStepsSpring, DampsAsItShould)
+TEST(SubStepsSpring, HasItsDampingRatio)
 {
     for (const float32 hz : {1.0f, 4.0f})
     {
@@ -195,7 +195,7 @@ TEST(SmallStepsSpring, DampsAsItShould)
 }
 
 // Several on a body, each stiffer than a small step resolves.
-TEST(SmallStepsSpring, IsStableHoweverStiff)
+TEST(SubStepsSpring, IsStableAtAnyStiffness)
 {
     for (const float32 hz : {30.0f, 120.0f, 1000.0f, 1e5f})
     {
@@ -222,7 +222,7 @@ TEST(SmallStepsSpring, IsStableHoweverStiff)
     }
 }
 
-TEST(SmallStepsSpring, ComesToRestHoweverStiffWhenItIsDamped)
+TEST(SubStepsSpring, ComesToRestAtAnyStiffnessWhenDamped)
 {
     for (const float32 hz : {10.0f, 100.0f, 1000.0f, 1e5f})
     {
@@ -239,7 +239,7 @@ TEST(SmallStepsSpring, ComesToRestHoweverStiffWhenItIsDamped)
     }
 }
 
-TEST(SmallStepsSpring, MayBecomeRigidAndSoftAgain)
+TEST(SubStepsSpring, CanBecomeRigidAndSoftAgain)
 {
     SmallScene s;
     b2Body* load = s.Part(0.5f, 0.0f);
@@ -254,7 +254,7 @@ TEST(SmallStepsSpring, MayBecomeRigidAndSoftAgain)
     EXPECT_NEAR(load->GetAngle(), 0.0f, kHeld);
 }
 
-TEST(SmallStepsMouse, DragsABodyToItsTarget)
+TEST(SubStepsMouse, DragsABodyToItsTarget)
 {
     SmallScene s;
     b2Body* load = s.Part(0.0f, 0.0f, 0.5f, 0.5f);
@@ -273,7 +273,7 @@ TEST(SmallStepsMouse, DragsABodyToItsTarget)
     EXPECT_NEAR(joint->GetReactionForce().y, weight, 0.005f * weight);
 }
 
-TEST(SmallStepsMouse, PullsNoHarderThanItMay)
+TEST(SubStepsMouse, PullsWithAtMostItsMaximumForce)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* load = s.Part(0.0f, 0.0f, 0.5f, 0.5f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "SmallStepsScene.h"
+#include "SubStepsScene.h"
 
 #include <cstring>
 
@@ -41,7 +41,7 @@ b2Joint* HangByPulley(SmallScene& s, b2Body*, b2Body* load)
     return s.world.CreateJoint(&def);
 }
 
-TEST(SmallStepsReaction, IsTheWeightOfWhatHangs)
+TEST(SubStepsReaction, IsTheHangingWeight)
 {
     for (const auto hang :
          {HangByHinge, HangByRod, HangByWeld, HangBySlider, HangByWheel, HangByPulley})
@@ -58,7 +58,7 @@ TEST(SmallStepsReaction, IsTheWeightOfWhatHangs)
 }
 
 // m v^2 / r + m g at the bottom: a mean over the step, not what its last part needed.
-TEST(SmallStepsReaction, IsTheMeanOverTheStep)
+TEST(SubStepsReaction, IsTheMeanOverTheStep)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* load = s.Part(2.0f, 0.0f, 0.1f, 0.1f);
@@ -72,7 +72,7 @@ TEST(SmallStepsReaction, IsTheMeanOverTheStep)
     }
 }
 
-TEST(SmallStepsReaction, OfAGearIsWhatItPassesOn)
+TEST(SubStepsReaction, OfAGearIsItsTransmittedTorque)
 {
     SmallScene s;
     b2Body* post = s.Post();
@@ -97,7 +97,7 @@ TEST(SmallStepsReaction, OfAGearIsWhatItPassesOn)
     EXPECT_NEAR(b2Abs(second->GetMotorTorque()), 3.0f, 0.005f * 3.0f);
 }
 
-TEST(SmallStepsMachine, ShareALoadThatTheyHoldTwice)
+TEST(SubStepsMachine, SharesALoadHeldByRedundantJoints)
 {
     SmallScene s;
     b2Body* post = s.Post();
@@ -119,7 +119,7 @@ TEST(SmallStepsMachine, ShareALoadThatTheyHoldTwice)
     }
 }
 
-TEST(SmallStepsMachine, FollowsAPlatform)
+TEST(SubStepsMachine, FollowsAPlatform)
 {
     SmallScene s;
     b2Body* platform = s.Body(b2_kinematicBody, 0.0f, 0.0f);
@@ -138,7 +138,7 @@ TEST(SmallStepsMachine, FollowsAPlatform)
     }
 }
 
-TEST(SmallStepsMachine, WeldsBodiesThatCannotTurn)
+TEST(SubStepsMachine, WeldsBodiesThatCannotTurn)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* a = s.Part(0.0f, 0.0f);
@@ -157,7 +157,7 @@ TEST(SmallStepsMachine, WeldsBodiesThatCannotTurn)
     EXPECT_LT(b2Distance(s.Momentum(), momentum), 1e-4f);
 }
 
-TEST(SmallStepsMachine, TurnsAHubWithThirtySpokes)
+TEST(SubStepsMachine, TurnsAHubWithThirtySpokes)
 {
     SmallScene s;
     b2Body* hub = s.Part(0.0f, 0.0f, 0.5f, 0.5f);
@@ -224,7 +224,7 @@ struct Cloth : SmallScene
 };
 
 // Every square of it is held twice over, and at this pose it could not move if it wanted to.
-TEST(SmallStepsMachine, LetsAMeshHangStillThatItSolvesExactly)
+TEST(SubStepsMachine, KeepsADirectlySolvedMeshStill)
 {
     for (const int32 count : {2, 4, 8})
     {
@@ -243,7 +243,7 @@ TEST(SmallStepsMachine, LetsAMeshHangStillThatItSolvesExactly)
 }
 
 // A hinge and a weld hold the same two bodies in different places; a ring of welds tumbles.
-TEST(SmallStepsMachine, KeepsWhatIsHeldTwiceInTwoPlaces)
+TEST(SubStepsMachine, HoldsARedundantLoopAtTwoPlaces)
 {
     SmallScene s;
     b2Body* a = s.Part(0.5f, 0.0f);
@@ -282,7 +282,7 @@ TEST(SmallStepsMachine, KeepsWhatIsHeldTwiceInTwoPlaces)
     }
 }
 
-TEST(SmallStepsMachine, KeepsAMeshTogetherThatItOnlySweepsOver)
+TEST(SubStepsMachine, KeepsAnIterativelySolvedMeshClosed)
 {
     for (const float32 stiffness : {0.0f, 1.0f})
     {
@@ -317,7 +317,7 @@ std::vector<float32> StateAfter(SmallScene& s, int32 threads, int steps)
     return state;
 }
 
-TEST(SmallStepsMachine, IsTheSameWithTwoThreads)
+TEST(SubStepsMachine, IsTheSameWithTwoThreads)
 {
     std::vector<float32> states[2];
     for (const int32 threads : {1, 2})
@@ -338,7 +338,7 @@ TEST(SmallStepsMachine, IsTheSameWithTwoThreads)
               0);
 }
 
-TEST(SmallStepsMachine, ComesOutTheSameEveryTime)
+TEST(SubStepsMachine, IsDeterministic)
 {
     std::vector<float32> states[2];
     for (std::vector<float32>& state : states)
@@ -351,7 +351,7 @@ TEST(SmallStepsMachine, ComesOutTheSameEveryTime)
 }
 
 // Hung on two nails where it has one hole; then by a rod that is suddenly longer.
-TEST(SmallStepsMachine, StaysCalmWhenItsJointsContradictEachOther)
+TEST(SubStepsMachine, StaysSlowWithContradictoryJoints)
 {
     SmallScene s;
     b2Body* post = s.Post();
@@ -384,7 +384,7 @@ TEST(SmallStepsMachine, StaysCalmWhenItsJointsContradictEachOther)
 }
 
 // The step's length, the number of small steps and the joints themselves may change at any time.
-TEST(SmallStepsMachine, TakesUpChangesBetweenSteps)
+TEST(SubStepsMachine, FollowsChangesBetweenSteps)
 {
     SmallScene s;
     b2Body* a = s.Part(0.5f, 0.0f);

@@ -3,18 +3,17 @@
 
 #include "JointSystem.h"
 
-/// Whether the impulses that a kick starts with, those of the last, have done harm. Sweeps that
-/// start from nothing only lower the kinetic energy that the kick has left. Those that start from
-/// the impulses of an impact, which the present kick does not ask for, first have to take them
-/// back, and where joints stand between contacts the few iterations of a kick do not: bodies come
-/// out faster than they went in. Such islands are to be solved again from nothing.
+/// Detects islands that gain energy by the warm start of a kick. Iterations from zero impulses only
+/// lower the kinetic energy after the kick. A warm start with the impulses of a past impact must be
+/// undone first. Where joints connect contacts, the few iterations of a kick do not suffice for
+/// that, and bodies gain speed. Such islands are solved again from zero impulses.
 namespace box2d
 {
 
 struct SolverMemory;
 class World;
 
-class CarryGuard
+class WarmStartGuard
 {
 public:
     /// Call once per step, before its first kick, after the awake islands were found.
@@ -23,12 +22,12 @@ public:
     void Note(const World& world, const SolverMemory& solver);
     /// True if an island gained more energy than its motors, springs and kinematic bodies can
     /// supply.
-    bool HasWon(const World& world, SolverMemory& solver, const JointSystem& joints);
+    bool HasGained(const World& world, SolverMemory& solver, const JointSystem& joints);
     /// For these islands: restores the velocities of Note and resets the impulses of their
     /// contacts.
-    void TakeBack(SolverMemory& solver) const;
+    void Restore(SolverMemory& solver) const;
     /// True if the island of these bodies gained energy.
-    bool HasWon(const SolverMemory& solver, const RowSides& sides) const;
+    bool HasGained(const SolverMemory& solver, const RowSides& sides) const;
     /// Returns the number of islands checked.
     std::size_t Count() const { return m_islands.size(); }
 
@@ -40,10 +39,10 @@ private:
         /// Driven by kinematic bodies, or iteratively solved and held together by warm starting
         /// only.
         bool exempt = false;
-        bool HasWon() const;
+        bool HasGained() const;
     };
 
-    bool HasWon(int32 island) const;
+    bool HasGained(int32 island) const;
     void Exempt(int32 island, bool really);
 
     Array<Island> m_islands;    // by number of AwakeIslands

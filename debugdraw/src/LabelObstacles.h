@@ -62,14 +62,14 @@ struct LabelThing
     labels::Box bounds{};
     std::size_t first = 0; ///< Lines: index of the first point
     std::size_t count = 0;
-    int column = 0; ///< its first cell, set by LabelGround
+    int column = 0; ///< its first cell, set by LabelObstacles
     int row = 0;
 };
 
-class LabelGround
+class LabelObstacles
 {
 public:
-    LabelGround(const Camera& camera, const DrawList& list);
+    LabelObstacles(const Camera& camera, const DrawList& list);
 
     labels::Point ToPixels(Vec2 place) const;
     Vec2 ToWorld(labels::Point pixels) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "CarryGuard.h"
+#include "WarmStartGuard.h"
 
 #include "../Solver/SolverMemory.h"
 #include "../State/Access.h"
@@ -57,22 +57,22 @@ int32 IslandOf(const SolverMemory& solver, const RowSides& sides)
 
 } // namespace
 
-bool CarryGuard::Island::HasWon() const
+bool WarmStartGuard::Island::HasGained() const
 {
     return !exempt && after > (1.0 + kTolerance) * before;
 }
 
-bool CarryGuard::HasWon(int32 island) const
+bool WarmStartGuard::HasGained(int32 island) const
 {
-    return island != -1 && m_islands[std::size_t(island)].HasWon();
+    return island != -1 && m_islands[std::size_t(island)].HasGained();
 }
 
-bool CarryGuard::HasWon(const SolverMemory& solver, const RowSides& sides) const
+bool WarmStartGuard::HasGained(const SolverMemory& solver, const RowSides& sides) const
 {
-    return HasWon(IslandOf(solver, sides));
+    return HasGained(IslandOf(solver, sides));
 }
 
-void CarryGuard::Exempt(int32 island, bool really)
+void WarmStartGuard::Exempt(int32 island, bool really)
 {
     if (island != -1 && really)
     {
@@ -80,7 +80,7 @@ void CarryGuard::Exempt(int32 island, bool really)
     }
 }
 
-void CarryGuard::Begin(SolverMemory& solver, const JointSystem& joints)
+void WarmStartGuard::Begin(SolverMemory& solver, const JointSystem& joints)
 {
     const AwakeIslands& islands = solver.islands;
     m_before.resize(solver.bodies.size());
@@ -104,7 +104,7 @@ void CarryGuard::Begin(SolverMemory& solver, const JointSystem& joints)
     });
 }
 
-void CarryGuard::Note(const World& world, const SolverMemory& solver)
+void WarmStartGuard::Note(const World& world, const SolverMemory& solver)
 {
     std::copy(solver.bodies.begin(), solver.bodies.end(), m_before.begin());
     for (Island& island : m_islands)
@@ -123,7 +123,7 @@ void CarryGuard::Note(const World& world, const SolverMemory& solver)
     }
 }
 
-bool CarryGuard::HasWon(const World& world, SolverMemory& solver, const JointSystem& joints)
+bool WarmStartGuard::HasGained(const World& world, SolverMemory& solver, const JointSystem& joints)
 {
     for (const b2Body* body : world.awakeBodies)
     {
@@ -140,28 +140,28 @@ bool CarryGuard::HasWon(const World& world, SolverMemory& solver, const JointSys
     end.bodies = solver.bodies.data();
     joints.ForRowed([&](std::size_t joint, const JointRows& rows) {
         const int32 island = IslandOf(solver, joints.Sides(joint));
-        if (rows.giving > 0 && island != -1)
+        if (rows.boundedRows > 0 && island != -1)
         {
-            m_islands[std::size_t(island)].before += joints.MostWork(joint, start, end);
+            m_islands[std::size_t(island)].before += joints.MaxWork(joint, start, end);
         }
     });
     return std::any_of(m_islands.begin(), m_islands.end(),
-                       [](const Island& island) { return island.HasWon(); });
+                       [](const Island& island) { return island.HasGained(); });
 }
 
-void CarryGuard::TakeBack(SolverMemory& solver) const
+void WarmStartGuard::Restore(SolverMemory& solver) const
 {
     for (std::size_t i = 0; i < solver.bodies.size(); ++i)
     {
-        if (HasWon(solver.islands.Of(int32(i))))
+        if (HasGained(solver.islands.Of(int32(i))))
         {
             solver.bodies[i].v = m_before[i].v;
             solver.bodies[i].w = m_before[i].w;
         }
     }
     ForContacts(solver, [&](ContactBlock& block, BlockTotals& totals, int32 lane) {
-        if (!HasWon(solver.islands.Of(block.bodyA[lane])) &&
-            !HasWon(solver.islands.Of(block.bodyB[lane])))
+        if (!HasGained(solver.islands.Of(block.bodyA[lane])) &&
+            !HasGained(solver.islands.Of(block.bodyB[lane])))
         {
             return;
         }

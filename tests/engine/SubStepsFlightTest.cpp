@@ -12,7 +12,7 @@ namespace
 
 using namespace dynamics;
 
-TEST(SubStepIterations, AreSharedOutAndAtLeastOneEach)
+TEST(SubStepIterations, AreDividedAmongSubStepsButAtLeastOne)
 {
     EXPECT_EQ(b2IterationsOfASubStep(8, 4), 2);
     EXPECT_EQ(b2IterationsOfASubStep(3, 4), 1);
@@ -22,7 +22,7 @@ TEST(SubStepIterations, AreSharedOutAndAtLeastOneEach)
     EXPECT_EQ(b2IterationsOfASubStep(0, 1), 0) << "the manual's scheme takes what it is given";
 }
 
-TEST(SmallSteps, AreOneUnlessSaidAndFrom1To64)
+TEST(SubSteps, DefaultToOneAndRangeFrom1To64)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     EXPECT_EQ(world.GetSubStepCount(), 1);
@@ -34,7 +34,7 @@ TEST(SmallSteps, AreOneUnlessSaidAndFrom1To64)
     ExpectMisuse("from 1 to 64", [&] { world.SetSubStepCount(65); });
 }
 
-TEST(SmallSteps, LetABodyFlyAlongTheParabolaWhateverTheirNumber)
+TEST(SubSteps, MoveAFallingBodyOnAParabolaForAnyCount)
 {
     for (const int32 count : {2, 3, 4, 16})
     {
@@ -55,7 +55,7 @@ TEST(SmallSteps, LetABodyFlyAlongTheParabolaWhateverTheirNumber)
     }
 }
 
-TEST(SmallSteps, GiveForcesAndTorquesTheirWholeStep)
+TEST(SubSteps, ApplyForcesAndTorquesForTheWholeStep)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     scene.world.SetSubStepCount(4);
@@ -71,7 +71,7 @@ TEST(SmallSteps, GiveForcesAndTorquesTheirWholeStep)
     EXPECT_NEAR(box->GetAngularVelocity(), 0.5f / box->GetInertia(), 1e-3f);
 }
 
-TEST(SmallSteps, DampAsTheExponentialDoes)
+TEST(SubSteps, DampVelocitiesExponentially)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     scene.world.SetSubStepCount(4);
@@ -86,7 +86,7 @@ TEST(SmallSteps, DampAsTheExponentialDoes)
     EXPECT_NEAR(ball->GetPosition().x, 4.0f * (1.0f - std::exp(-2.0f)), 1e-3f);
 }
 
-TEST(SmallSteps, LetWhatFallsThroughAirReachItsLastSpeed)
+TEST(SubSteps, ReachTheTerminalSpeedWithDamping)
 {
     Scene scene;
     scene.world.SetSubStepCount(4);
@@ -96,7 +96,7 @@ TEST(SmallSteps, LetWhatFallsThroughAirReachItsLastSpeed)
     EXPECT_NEAR(ball->GetLinearVelocity().y, -2.0f, 1e-4f);
 }
 
-TEST(SmallSteps, LeaveWhatRestsAtRest)
+TEST(SubSteps, KeepRestingBodiesAtRest)
 {
     Scene scene;
     scene.world.SetSubStepCount(4);
@@ -113,7 +113,7 @@ TEST(SmallSteps, LeaveWhatRestsAtRest)
     EXPECT_LT(b2Distance(boxes[2]->GetPosition(), place), 1e-4f);
 }
 
-TEST(SmallSteps, MoveABodyThatIsSlowAndFarAway)
+TEST(SubSteps, MoveASlowBodyFarFromTheOrigin)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     scene.world.SetSubStepCount(4);
@@ -124,7 +124,7 @@ TEST(SmallSteps, MoveABodyThatIsSlowAndFarAway)
     EXPECT_NEAR(ball->GetPosition().x, 10001.2f, 0.002f);
 }
 
-TEST(SmallSteps, SlideDownASlopeAsFarAsCoulombSays)
+TEST(SubSteps, SlideDownASlopeByCoulombFriction)
 {
     for (const int32 count : {2, 4, 8})
     {
@@ -172,7 +172,7 @@ std::vector<float32> Apexes(float32 restitution, int32 subSteps, int count)
     return apexes;
 }
 
-TEST(SmallSteps, LetAnElasticBallComeBackToItsHeight)
+TEST(SubSteps, ReturnAnElasticBallToItsHeight)
 {
     for (const int32 count : {2, 4, 8})
     {
@@ -183,14 +183,14 @@ TEST(SmallSteps, LetAnElasticBallComeBackToItsHeight)
     }
 }
 
-TEST(SmallSteps, TakeTheRestitutionOncePerImpact)
+TEST(SubSteps, ApplyRestitutionOncePerImpact)
 {
     const std::vector<float32> apexes = Apexes(0.5f, 4, 2);
     EXPECT_NEAR(apexes[0] / 2.5f, 1.0f, 0.002f);
     EXPECT_NEAR(apexes[1] / 0.625f, 1.0f, 0.005f);
 }
 
-TEST(SmallSteps, PassAHitOnThroughARowOfBalls)
+TEST(SubSteps, TransferAnImpactThroughARowOfBalls)
 {
     for (const float32 direction : {1.0f, -1.0f})
     {
@@ -214,7 +214,7 @@ TEST(SmallSteps, PassAHitOnThroughARowOfBalls)
     }
 }
 
-TEST(SmallSteps, KeepTheEnergyOfAGasBehindThinWalls)
+TEST(SubSteps, KeepTheEnergyOfAGasBetweenThinWalls)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     scene.world.SetSubStepCount(4);
@@ -247,7 +247,7 @@ TEST(SmallSteps, KeepTheEnergyOfAGasBehindThinWalls)
     EXPECT_NEAR(sum / (60.0 * 200.0 * 200.0), 1.0, 0.001);
 }
 
-TEST(SmallSteps, CanBeSwitchedOnAndOffWhileAPileRests)
+TEST(SubSteps, CanBeSwitchedOnAndOffWhileAStackRests)
 {
     Scene scene;
     scene.Ground();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "LabelGround.h"
+#include "LabelObstacles.h"
 
 #include <debugdraw/TextWidth.h>
 
@@ -16,7 +16,7 @@ using labels::Box;
 using labels::Point;
 
 constexpr double kSmallestCell = 64.0; // [px]
-constexpr double kMostCells = 64.0;    // per side, for any picture
+constexpr double kMaxCells = 64.0;     // per side, for any picture
 constexpr double kTouch = 0.5;         // smaller overlaps are ignored [px]
 
 /// Clips the segment from a to b to two bounds; `t0` and `t1` are the parameters of the remaining
@@ -66,9 +66,9 @@ Box Widened(const Box& box, double by)
 
 } // namespace labels
 
-LabelGround::LabelGround(const Camera& camera, const DrawList& list)
+LabelObstacles::LabelObstacles(const Camera& camera, const DrawList& list)
     : m_camera(camera),
-      m_cell(std::max(kSmallestCell, std::max(camera.width, camera.height) / kMostCells)),
+      m_cell(std::max(kSmallestCell, std::max(camera.width, camera.height) / kMaxCells)),
       m_columns(1 + static_cast<int>(camera.width / m_cell)),
       m_rows(1 + static_cast<int>(camera.height / m_cell)),
       m_cells(std::size_t(m_columns) * std::size_t(m_rows))
@@ -93,24 +93,24 @@ LabelGround::LabelGround(const Camera& camera, const DrawList& list)
     }
 }
 
-Point LabelGround::ToPixels(Vec2 place) const
+Point LabelObstacles::ToPixels(Vec2 place) const
 {
     return {(double(place.x) - m_camera.centerX) * m_camera.pixelsPerMeter,
             (double(place.y) - m_camera.centerY) * m_camera.pixelsPerMeter};
 }
 
-Vec2 LabelGround::ToWorld(Point pixels) const
+Vec2 LabelObstacles::ToWorld(Point pixels) const
 {
     return {float(m_camera.centerX + pixels.x / m_camera.pixelsPerMeter),
             float(m_camera.centerY + pixels.y / m_camera.pixelsPerMeter)};
 }
 
-bool LabelGround::IsInPicture(Point point) const
+bool LabelObstacles::IsInPicture(Point point) const
 {
     return std::abs(point.x) <= 0.5 * m_camera.width && std::abs(point.y) <= 0.5 * m_camera.height;
 }
 
-LabelGround::Cells LabelGround::CellsOf(const Box& box) const
+LabelObstacles::Cells LabelObstacles::CellsOf(const Box& box) const
 {
     const auto cell = [this](double pixels, int size, int count) {
         const double at = std::clamp(pixels + 0.5 * size, 0.0, double(size));
@@ -121,7 +121,7 @@ LabelGround::Cells LabelGround::CellsOf(const Box& box) const
         {cell(box.upper.x, m_camera.width, m_columns), cell(box.upper.y, m_camera.height, m_rows)}};
 }
 
-void LabelGround::AddItem(const DrawList& list, const DrawItem& item, LabelRole role)
+void LabelObstacles::AddItem(const DrawList& list, const DrawItem& item, LabelRole role)
 {
     if (item.count == 0)
     {
@@ -176,7 +176,7 @@ void LabelGround::AddItem(const DrawList& list, const DrawItem& item, LabelRole 
 }
 
 /// Labels are inside the picture, so all else is ignored.
-void LabelGround::Add(const LabelThing& thing)
+void LabelObstacles::Add(const LabelThing& thing)
 {
     const Box picture{{-0.5 * m_camera.width, -0.5 * m_camera.height},
                       {0.5 * m_camera.width, 0.5 * m_camera.height}};
@@ -199,7 +199,7 @@ void LabelGround::Add(const LabelThing& thing)
     m_things.back().row = first.second;
 }
 
-void LabelGround::AddLine(Point from, Point to, std::uint32_t owner)
+void LabelObstacles::AddLine(Point from, Point to, std::uint32_t owner)
 {
     const Box bounds{{std::min(from.x, to.x), std::min(from.y, to.y)},
                      {std::max(from.x, to.x), std::max(from.y, to.y)}};
@@ -208,7 +208,7 @@ void LabelGround::AddLine(Point from, Point to, std::uint32_t owner)
     Add({LabelRole::Sign, LabelForm::Lines, owner, bounds, m_points.size() - 2, 2});
 }
 
-bool LabelGround::Contains(const LabelThing& thing, Point point) const
+bool LabelObstacles::Contains(const LabelThing& thing, Point point) const
 {
     const Box& bounds = thing.bounds;
     if (point.x < bounds.lower.x || point.x > bounds.upper.x || point.y < bounds.lower.y ||
@@ -238,7 +238,7 @@ bool LabelGround::Contains(const LabelThing& thing, Point point) const
     return isInside;
 }
 
-double LabelGround::ThicknessOf(const LabelThing& thing) const
+double LabelObstacles::ThicknessOf(const LabelThing& thing) const
 {
     const Point lower = thing.bounds.lower;
     const Point upper = thing.bounds.upper;
@@ -263,7 +263,7 @@ double LabelGround::ThicknessOf(const LabelThing& thing) const
     return thickness;
 }
 
-bool LabelGround::Meets(const LabelThing& thing, const Box& box) const
+bool LabelObstacles::Meets(const LabelThing& thing, const Box& box) const
 {
     if (thing.form == LabelForm::Circle)
     {

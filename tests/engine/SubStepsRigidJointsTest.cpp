@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "SmallStepsScene.h"
+#include "SubStepsScene.h"
 
 /// What joints hold rigidly, in steps of four small ones: it stays held, and nothing is lost.
 namespace
@@ -95,7 +95,7 @@ TEST_P(HeldPair, KeepsMomentumAndSpin)
     EXPECT_NEAR(scene.Spin(), spin, 1e-4f);
 }
 
-TEST_P(HeldPair, StaysTogetherHoweverItIsShaken)
+TEST_P(HeldPair, StaysClosedWhenShaken)
 {
     for (int i = 0; i < 600; ++i)
     {
@@ -106,7 +106,7 @@ TEST_P(HeldPair, StaysTogetherHoweverItIsShaken)
     }
 }
 
-TEST_P(HeldPair, ComesTogetherAgainWhenItWasTornApart)
+TEST_P(HeldPair, ClosesAgainAfterItWasOpened)
 {
     b->SetTransform(b->GetPosition() + b2Vec2(0.01f, 0.02f), b->GetAngle() + 0.02f);
     const double before = scene.Kinetic();
@@ -115,7 +115,7 @@ TEST_P(HeldPair, ComesTogetherAgainWhenItWasTornApart)
     EXPECT_LT(scene.Kinetic(), 1.5 * before);
 }
 
-INSTANTIATE_TEST_SUITE_P(SmallSteps, HeldPair,
+INSTANTIATE_TEST_SUITE_P(SubSteps, HeldPair,
                          testing::Values(Pair{"Hinge", MakeHinge}, Pair{"Slider", MakeSlider},
                                          Pair{"Rod", MakeRod}, Pair{"Weld", MakeWeld},
                                          Pair{"Wheel", MakeWheel}),
@@ -301,7 +301,7 @@ TEST_P(HeldMachine, StaysTogetherAndKeepsItsEnergy)
     RecordProperty("energy", std::to_string(100.0 * off / most) + " %");
 }
 
-INSTANTIATE_TEST_SUITE_P(SmallSteps, HeldMachine,
+INSTANTIATE_TEST_SUITE_P(SubSteps, HeldMachine,
                          testing::Values(Machine{"DoublePendulum", MakeDoublePendulum},
                                          Machine{"RodPendulum", MakeRodPendulum},
                                          Machine{"WeldedPendulum", MakeWeldedPendulum},

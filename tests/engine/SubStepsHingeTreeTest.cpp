@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "SmallStepsScene.h"
+#include "SubStepsScene.h"
 
 /// Trees of plain hinges that nothing touches go through a step by themselves.
 namespace
@@ -63,7 +63,7 @@ void SolveByRows(const Tree& tree)
     }
 }
 
-TEST(SmallStepsHingeTree, MovesAsItDoesByRows)
+TEST(SubStepsHingeTree, MovesAsWithRows)
 {
     for (const bool tied : {false, true})
     {
@@ -93,7 +93,7 @@ TEST(SmallStepsHingeTree, MovesAsItDoesByRows)
     }
 }
 
-TEST(SmallStepsHingeTree, KeepsItsMomentumItsSpinAndItsEnergyWhenFree)
+TEST(SubStepsHingeTree, ConservesMomentumAndEnergyWhenFree)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     const Tree tree(s, nullptr, 1.0f);
@@ -111,7 +111,7 @@ TEST(SmallStepsHingeTree, KeepsItsMomentumItsSpinAndItsEnergyWhenFree)
     EXPECT_LT(tree.WidestGap(), 1e-4f);
 }
 
-TEST(SmallStepsHingeTree, HoldsALoadOfAThousandLinksAndSwingsIt)
+TEST(SubStepsHingeTree, SwingsALoadOfAThousandLinks)
 {
     for (const int32 count : {2, 4, 8})
     {
@@ -131,7 +131,7 @@ TEST(SmallStepsHingeTree, HoldsALoadOfAThousandLinksAndSwingsIt)
 }
 
 /// It goes slack and is torn straight by a ball that no drift can follow.
-TEST(SmallStepsHingeTree, LosesEnergyRatherThanWinHoweverHeavyTheLoad)
+TEST(SubStepsHingeTree, GainsNoEnergyWithAHeavyLoad)
 {
     for (const float32 heaviness : {1e4f, 1e5f})
     {
@@ -148,7 +148,7 @@ TEST(SmallStepsHingeTree, LosesEnergyRatherThanWinHoweverHeavyTheLoad)
     }
 }
 
-TEST(SmallStepsHingeTree, HangsFromAPlatformThatMoves)
+TEST(SubStepsHingeTree, HangsFromAMovingPlatform)
 {
     SmallScene s;
     b2Body* platform = s.Part(0.0f, 0.0f);
@@ -163,7 +163,7 @@ TEST(SmallStepsHingeTree, HangsFromAPlatformThatMoves)
     }
 }
 
-TEST(SmallStepsHingeTree, SlowsDownByItsDamping)
+TEST(SubStepsHingeTree, SlowsDownByDamping)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* rod = s.Part(0.5f, 0.0f);
@@ -176,7 +176,7 @@ TEST(SmallStepsHingeTree, SlowsDownByItsDamping)
     EXPECT_NEAR(rod->GetAngularVelocity(), 2.0f * std::exp(-1.0f), 1e-3f);
 }
 
-TEST(SmallStepsHingeTree, ClosesWhatWasMadeOpenWithoutASpeedThatStays)
+TEST(SubStepsHingeTree, ClosesAnOpenHingeWithoutResidualSpeed)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* first = s.Part(0.5f, 0.0f);

@@ -23,7 +23,7 @@ std::vector<b2Body*> Leaning(Scene& scene, int height, float32 by)
     return boxes;
 }
 
-TEST(SmallStepsPiles, StandHoweverTall)
+TEST(SubStepsStacks, StandAtAnyHeight)
 {
     for (const int32 count : {2, 4})
     {
@@ -65,7 +65,7 @@ float32 Fastest(const std::vector<b2Body*>& boxes)
     return fastest;
 }
 
-TEST(SmallStepsPiles, ComeToRestHoweverFewSweepsASmallStepHas)
+TEST(SubStepsStacks, ComeToRestWithFewIterationsPerSubStep)
 {
     for (const int32 count : {2, 4, 8, 16})
     {
@@ -107,7 +107,7 @@ bool Sleep(const std::vector<b2Body*>& boxes)
 }
 
 // They were put together without room for their skins, and are pushed apart much longer.
-TEST(SmallStepsPiles, SleepWithSkinsThatOverlap)
+TEST(SubStepsStacks, SleepWithOverlappingSkins)
 {
     Scene scene;
     scene.world.SetSubStepCount(4);
@@ -118,7 +118,7 @@ TEST(SmallStepsPiles, SleepWithSkinsThatOverlap)
     EXPECT_GT(DeepestOverlap(scene.world), 0.015f);
 }
 
-TEST(SmallStepsPiles, StayAwakeWhileTheyOverlapDeeper)
+TEST(SubStepsStacks, StayAwakeWhileTheyOverlapDeeper)
 {
     Scene scene;
     scene.world.SetSubStepCount(4);
@@ -132,7 +132,7 @@ TEST(SmallStepsPiles, StayAwakeWhileTheyOverlapDeeper)
     EXPECT_LT(DeepestOverlap(scene.world), 0.026f);
 }
 
-TEST(SmallStepsPiles, BearWhatIsAThousandTimesAsHeavy)
+TEST(SubStepsStacks, BearALoadAThousandTimesTheirMass)
 {
     for (const float32 ratio : {100.0f, 1000.0f})
     {
@@ -149,7 +149,7 @@ TEST(SmallStepsPiles, BearWhatIsAThousandTimesAsHeavy)
     }
 }
 
-TEST(SmallStepsPiles, PressWithTheirWeight)
+TEST(SubStepsStacks, PressOnTheGroundWithTheirWeight)
 {
     struct Scales : public b2ContactListener
     {
@@ -182,7 +182,7 @@ TEST(SmallStepsPiles, PressWithTheirWeight)
     }
 }
 
-TEST(SmallStepsPiles, StandOnAConveyorBeltAsOnTheGround)
+TEST(SubStepsStacks, StandOnAConveyorBeltAsOnTheGround)
 {
     struct Belt : public b2ContactListener
     {
@@ -211,7 +211,7 @@ TEST(SmallStepsPiles, StandOnAConveyorBeltAsOnTheGround)
     }
 }
 
-TEST(SmallStepsPiles, HangTogetherWithJointsThatHoldThem)
+TEST(SubStepsStacks, RestTogetherWithSupportingJoints)
 {
     // A box on a rope of two welded bars, which stands on a pile; all that is exact at once.
     Scene scene;
@@ -239,7 +239,7 @@ TEST(SmallStepsPiles, HangTogetherWithJointsThatHoldThem)
     EXPECT_LT(DeepestOverlap(scene.world), 0.0055f);
 }
 
-TEST(SmallStepsPiles, ComeApartFromADeepOverlapWithoutAJump)
+TEST(SubStepsStacks, SeparateFromADeepOverlapWithoutAJump)
 {
     Scene scene;
     scene.world.SetSubStepCount(4);
@@ -261,9 +261,9 @@ TEST(SmallStepsPiles, ComeApartFromADeepOverlapWithoutAJump)
     EXPECT_LT(DeepestOverlap(scene.world), 0.0055f);
 }
 
-// Of a joint only what holds has a say when overlaps are pushed apart: the speed that a spring or a
-// motor wants is not a way.
-TEST(SmallStepsPiles, AreNotMovedFartherByJointsThatGiveWay)
+// Only rigid rows and active limits take part in overlap correction. The target velocity of a
+// spring or motor is no displacement.
+TEST(SubStepsStacks, AreNotMovedFurtherBySpringsAndMotors)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     scene.world.SetSubStepCount(4);
@@ -290,7 +290,7 @@ TEST(SmallStepsPiles, AreNotMovedFartherByJointsThatGiveWay)
     }
 }
 
-TEST(SmallStepsPiles, FallAsleep)
+TEST(SubStepsStacks, FallAsleep)
 {
     Scene scene;
     scene.world.SetSubStepCount(4);
@@ -330,7 +330,7 @@ float32 FastestOfPyramid(int base, const b2Vec2& gravity, int steps)
     return fastest;
 }
 
-TEST(SmallStepsPiles, KnowTheirLoadsFromTheFirstStep)
+TEST(SubStepsStacks, CarryTheirLoadsFromTheFirstStep)
 {
     for (const int base : {5, 20, 40})
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "SmallStepsScene.h"
+#include "SubStepsScene.h"
 
 /// Motors, limits, ropes and friction, in steps of four small ones.
 namespace
@@ -20,7 +20,7 @@ struct Bearing : SmallScene
     b2RevoluteJoint* joint;
 };
 
-TEST(SmallStepsMotor, ReachesItsSpeedAtOnceWhenItIsStrong)
+TEST(SubStepsMotor, ReachesItsSpeedAtOnceWhenStrong)
 {
     Bearing s;
     s.joint->EnableMotor(true);
@@ -35,7 +35,7 @@ TEST(SmallStepsMotor, ReachesItsSpeedAtOnceWhenItIsStrong)
 
 /// An arm of two, each held 5 m from its centre, that stretches and folds: the upper joint's motor
 /// would need twice the torque that it has.
-TEST(SmallStepsMotor, GivesNoMoreThanItHasWhereItsFrameTurns)
+TEST(SubStepsMotor, StaysBelowItsMaximumWhenItsFrameTurns)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* upper = s.Part(5.0f, 0.0f, 0.4f, 0.4f);
@@ -59,7 +59,7 @@ TEST(SmallStepsMotor, GivesNoMoreThanItHasWhereItsFrameTurns)
     EXPECT_TRUE(slows);
 }
 
-TEST(SmallStepsMotor, GivesTheTorqueItHasUntilItReachesItsSpeed)
+TEST(SubStepsMotor, AppliesItsMaximumUntilItReachesItsSpeed)
 {
     Bearing s;
     s.joint->EnableMotor(true);
@@ -78,7 +78,7 @@ TEST(SmallStepsMotor, GivesTheTorqueItHasUntilItReachesItsSpeed)
 }
 
 // The torque that turns a rod about its end evenly: m g l cos(angle).
-TEST(SmallStepsMotor, ReportsTheTorqueThatItTakes)
+TEST(SubStepsMotor, ReportsItsTorque)
 {
     SmallScene s;
     b2Body* rod = s.Part(0.5f, 0.0f);
@@ -98,7 +98,7 @@ TEST(SmallStepsMotor, ReportsTheTorqueThatItTakes)
 }
 
 // Every second motor is too weak for its load, and gives way.
-TEST(SmallStepsMotor, HoldsAnArmOfManyJoints)
+TEST(SubStepsMotor, HoldsAnArmOfManyJoints)
 {
     SmallScene s;
     b2Body* last = s.Post();
@@ -130,7 +130,7 @@ TEST(SmallStepsMotor, HoldsAnArmOfManyJoints)
     EXPECT_LT(joints[3]->GetJointSpeed(), -0.01f);
 }
 
-TEST(SmallStepsMotor, LiftsASliderWithTheForceItHas)
+TEST(SubStepsMotor, LiftsASliderWithItsMaximumForce)
 {
     SmallScene s;
     b2Body* load = s.Part(0.0f, 0.0f, 0.5f, 0.5f);
@@ -146,7 +146,7 @@ TEST(SmallStepsMotor, LiftsASliderWithTheForceItHas)
     EXPECT_NEAR(joint->GetMotorForce(), 10.0f * load->GetMass(), 0.05f);
 }
 
-TEST(SmallStepsMotor, GetsALoadGoingThatLiesOnAPlatformOfLevers)
+TEST(SubStepsMotor, AcceleratesALoadOnAPlatformOfLevers)
 {
     // A foot is drawn in, and two bars push up a platform 15 times as fast: much more than the
     // motor has in a small step goes into their speed, and then contacts have to follow.
@@ -169,7 +169,7 @@ TEST(SmallStepsMotor, GetsALoadGoingThatLiesOnAPlatformOfLevers)
     EXPECT_GT(platform->GetPosition().y, 0.5f);
 }
 
-TEST(SmallStepsMotor, TurnsAWheelOnItsSpring)
+TEST(SubStepsMotor, TurnsAWheelOnItsSpring)
 {
     SmallScene s;
     b2Body* car = s.Part(0.0f, 0.0f, 1.0f, 0.3f);
@@ -193,7 +193,7 @@ TEST(SmallStepsMotor, TurnsAWheelOnItsSpring)
 }
 
 // It falls onto the lower limit, and is thrown against the upper.
-TEST(SmallStepsLimit, StopsAPendulum)
+TEST(SubStepsLimit, StopsAPendulum)
 {
     SmallScene s;
     b2Body* rod = s.Part(0.5f, 0.0f);
@@ -216,7 +216,7 @@ TEST(SmallStepsLimit, StopsAPendulum)
 }
 
 // A whip of eight links, each of which can bend a little.
-TEST(SmallStepsLimit, HoldsInAChainThatIsWhippedAbout)
+TEST(SubStepsLimit, HoldsInAWhippedChain)
 {
     SmallScene s;
     b2Body* last = s.Post();
@@ -248,7 +248,7 @@ TEST(SmallStepsLimit, HoldsInAChainThatIsWhippedAbout)
     EXPECT_LT(beyond, 1e-3f);
 }
 
-TEST(SmallStepsLimit, StopsASliderBetweenTwoBodiesThatMove)
+TEST(SubStepsLimit, StopsASliderBetweenTwoMovingBodies)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* a = s.Part(0.0f, 0.0f);
@@ -272,7 +272,7 @@ TEST(SmallStepsLimit, StopsASliderBetweenTwoBodiesThatMove)
     EXPECT_NEAR(s.Spin(), spin, 1e-4f);
 }
 
-TEST(SmallStepsLimit, TakesBackWhatIsBeyondItGently)
+TEST(SubStepsLimit, CorrectsAViolationGradually)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* rod = s.Part(0.5f, 0.0f);
@@ -290,7 +290,7 @@ TEST(SmallStepsLimit, TakesBackWhatIsBeyondItGently)
     EXPECT_LT(fastest, 2.01f);
 }
 
-TEST(SmallStepsLimit, OfNothingBetweenHoldsLikeAWeld)
+TEST(SubStepsLimit, WithEqualBoundsHoldsLikeAWeld)
 {
     SmallScene s;
     b2Body* rod = s.Part(0.5f, 0.0f);
@@ -307,7 +307,7 @@ TEST(SmallStepsLimit, OfNothingBetweenHoldsLikeAWeld)
     EXPECT_NEAR(joint->GetReactionTorque(), torque, 0.005f * torque);
 }
 
-TEST(SmallStepsLimit, AndMotorShareOneAxis)
+TEST(SubStepsLimit, AndMotorShareOneAxis)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* load = s.Part(0.0f, 0.0f);
@@ -327,7 +327,7 @@ TEST(SmallStepsLimit, AndMotorShareOneAxis)
     EXPECT_NEAR(joint->GetMotorForce(), -7.0f, 1e-4f);
 }
 
-TEST(SmallStepsRope, HoldsWhatFallsIntoIt)
+TEST(SubStepsRope, StopsAFallingBody)
 {
     SmallScene s;
     b2Body* load = s.Part(0.5f, 0.0f, 0.3f, 0.3f);
@@ -349,7 +349,7 @@ TEST(SmallStepsRope, HoldsWhatFallsIntoIt)
     EXPECT_GT(longest, 1.99f);
 }
 
-TEST(SmallStepsRope, CarriesAWeight)
+TEST(SubStepsRope, HoldsAWeight)
 {
     SmallScene s;
     b2Body* load = s.Part(0.0f, -2.0f, 0.3f, 0.3f);
@@ -366,7 +366,7 @@ TEST(SmallStepsRope, CarriesAWeight)
     EXPECT_EQ(joint->GetLimitState(), e_atUpperLimit);
 }
 
-TEST(SmallStepsFriction, SlowsDownWithTheForceItHas)
+TEST(SubStepsFriction, DeceleratesByItsMaximumForce)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* a = s.Part(0.0f, 0.0f, 0.5f, 0.5f);
@@ -389,7 +389,7 @@ TEST(SmallStepsFriction, SlowsDownWithTheForceItHas)
     EXPECT_NEAR(s.Spin(), spin, 1e-3f);
 }
 
-TEST(SmallStepsFriction, HoldsWhatItCan)
+TEST(SubStepsFriction, HoldsLoadsBelowItsMaximum)
 {
     SmallScene s;
     b2Body* load = s.Part(0.0f, 0.0f, 0.5f, 0.5f);
@@ -407,7 +407,7 @@ TEST(SmallStepsFriction, HoldsWhatItCan)
     EXPECT_NEAR(joint->GetReactionForce().y, 5.0f * load->GetMass(), 0.05f);
 }
 
-TEST(SmallStepsMotorJoint, GoesWhereItIsTold)
+TEST(SubStepsMotorJoint, ReachesItsTarget)
 {
     SmallScene s;
     b2Body* load = s.Part(0.0f, 0.0f, 0.5f, 0.5f);
@@ -456,7 +456,7 @@ double EnergyOfTornPair(b2JointType type, float32 speed, float32 lever)
     return energy() / before;
 }
 
-TEST(SmallStepsMotorJoint, WinsNoEnergyAgainstWhatIsRigid)
+TEST(SubStepsMotorJoint, GainsNoEnergyAgainstRigidJoints)
 {
     for (const b2JointType type : {e_weldJoint, e_revoluteJoint})
     {

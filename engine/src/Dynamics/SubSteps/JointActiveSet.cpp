@@ -17,8 +17,8 @@ namespace
 
 /// Relative tolerance of impulses that are bounded as a vector.
 constexpr float32 kSameImpulse = 1e-4f;
-constexpr int32 kMostNewtonSteps = 20;   ///< five are usual
-constexpr double kLeastResponse = 1e-12; ///< ratio of the responses in two directions
+constexpr int32 kMaxNewtonSteps = 20;  ///< five are usual
+constexpr double kMinResponse = 1e-12; ///< ratio of the responses in two directions
 
 float32 WantedOf(const JointRows::Law& law)
 {
@@ -47,11 +47,12 @@ Pair ResponseOf(const JointRows& rows)
     return k;
 }
 
-/// Returns the impulse of length `most` that is parallel to the residual g - K x, with g = lacking
-/// + K now: (K + s) x = g, s >= 0. Newton's method for 1 / |x(s)| = 1 / most, in the axes of K,
-/// converges from below (More and Sorensen, "Computing a Trust Region Step", 1983). If a shorter
-/// impulse leaves no residual, returns that; otherwise the length slightly exceeds `most`.
-b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, float32 most)
+/// Returns the impulse x of length `most` that is parallel to its residual g - K x. `residual` is
+/// that of `now`, so that g = residual + K now. The condition is (K + s) x = g, s >= 0. Newton's
+/// method for 1 / |x(s)| = 1 / most, in the axes of K, converges from below (More and Sorensen,
+/// "Computing a Trust Region Step", 1983). If a shorter impulse leaves no residual, returns that;
+/// otherwise the length slightly exceeds `most`.
+b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& residual, float32 most)
 {
     const double half = 0.5 * (k.xx - k.yy);
     const double root = std::sqrt(half * half + k.xy * k.xy);
@@ -67,17 +68,17 @@ b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, 
     const double length = std::sqrt(c * c + s * s);
     c = length > 0.0 ? c / length : 1.0;
     s = length > 0.0 ? s / length : 0.0;
-    const double gx = double(lacking.x) + k.xx * double(now.x) + k.xy * double(now.y);
-    const double gy = double(lacking.y) + k.xy * double(now.x) + k.yy * double(now.y);
+    const double gx = double(residual.x) + k.xx * double(now.x) + k.xy * double(now.y);
+    const double gy = double(residual.y) + k.xy * double(now.x) + k.yy * double(now.y);
     const double g1 = c * gx + s * gy;
     const double g2 = c * gy - s * gx;
     const double bound = double(most);
     double shift = b2Max(std::sqrt(g1 * g1 + g2 * g2) / bound - large, 0.0);
     double x1 = 0.0, x2 = 0.0;
-    for (int32 i = 0; i < kMostNewtonSteps; ++i)
+    for (int32 i = 0; i < kMaxNewtonSteps; ++i)
     {
         const double d1 = large + shift;
-        const double d2 = b2Max(small + shift, kLeastResponse * large);
+        const double d2 = b2Max(small + shift, kMinResponse * large);
         x1 = g1 / d1;
         x2 = g2 / d2;
         const double square = x1 * x1 + x2 * x2;
@@ -95,7 +96,7 @@ b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& lacking, 
 }
 
 /// Returns the impulse that brings a single row to its target speed.
-float32 LackingImpulse(const JointRows& rows, int32 row, float32 speed)
+float32 ResidualImpulse(const JointRows& rows, int32 row, float32 speed)
 {
     const JointRows::Law& law = rows.laws[row];
     float32 response = law.softness;
@@ -105,11 +106,11 @@ float32 LackingImpulse(const JointRows& rows, int32 row, float32 speed)
         response += c.invMass * (c.x[row] * c.x[row] + c.y[row] * c.y[row]) +
                     c.invInertia * c.w[row] * c.w[row];
     }
-    const float32 lacking = WantedOf(law) - law.softness * rows.impulse[row] - speed;
-    return response > 0.0f ? lacking / response : 0.0f;
+    const float32 residual = WantedOf(law) - law.softness * rows.impulse[row] - speed;
+    return response > 0.0f ? residual / response : 0.0f;
 }
 
-b2Vec2 PairOf(const float32 (&impulse)[JointRows::kMostRows])
+b2Vec2 PairOf(const float32 (&impulse)[JointRows::kMaxRows])
 {
     return b2Vec2(impulse[0], impulse[1]);
 }
@@ -117,45 +118,45 @@ b2Vec2 PairOf(const float32 (&impulse)[JointRows::kMostRows])
 } // namespace
 
 /// A change of a joint's settings since the last kick may have made it impossible.
-void JointSystem::Validate(const JointRows& rows, Yields& yields)
+void JointSystem::Validate(const JointRows& rows, RowStates& states)
 {
     for (int32 i = rows.Rigid(); i < rows.rows; ++i)
     {
         const JointRows::Law& law = rows.laws[i];
-        Yield& yield = yields.of[i];
-        const bool unbounded = (yield == Yield::Slowest && law.slowest == -b2_maxFloat) ||
-                               (yield == Yield::Fastest && law.fastest == b2_maxFloat);
+        RowState& state = states.of[i];
+        const bool unbounded = (state == RowState::Slowest && law.slowest == -b2_maxFloat) ||
+                               (state == RowState::Fastest && law.fastest == b2_maxFloat);
         if (unbounded || law.most == b2_maxFloat)
         {
-            yield = Yield::Holds;
+            state = RowState::Holds;
         }
-        if (yield == Yield::Holds && (law.most == 0.0f || law.DrivesAbove()))
+        if (state == RowState::Holds && (law.most == 0.0f || law.DrivesAbove()))
         {
-            yield = Yield::Most;
+            state = RowState::AtMax;
         }
-        if (yield == Yield::Holds && law.DrivesBelow())
+        if (state == RowState::Holds && law.DrivesBelow())
         {
-            yield = Yield::Least;
+            state = RowState::AtMin;
         }
     }
 }
 
 /// Returns the warm starting impulse of a row. Directly solved rows start at zero: the result is
 /// the same, and contradictory joints do not accumulate impulses.
-float32 JointSystem::CarriedOver(std::size_t joint, int32 row, float32 share) const
+float32 JointSystem::WarmStartImpulse(std::size_t joint, int32 row, float32 share) const
 {
     const JointRows& rows = m_system.Rows(joint);
-    const Yields& yields = m_yields[joint];
+    const RowStates& states = m_states[joint];
     const bool alone = row >= rows.Rigid() && !(rows.disc && row < 2);
-    if (alone && yields.of[row] == Yield::Most)
+    if (alone && states.of[row] == RowState::AtMax)
     {
         return rows.laws[row].most;
     }
-    if (alone && yields.of[row] == Yield::Least)
+    if (alone && states.of[row] == RowState::AtMin)
     {
         return -rows.laws[row].most;
     }
-    const bool slips = rows.disc && row < 2 && yields.of[row] == Yield::Most;
+    const bool slips = rows.disc && row < 2 && states.of[row] == RowState::AtMax;
     return m_system.IsExact(joint) && !slips ? 0.0f : share * rows.impulse[row];
 }
 
@@ -166,8 +167,8 @@ void JointSystem::SetActive(std::size_t joint)
     uint8 active = 7;
     for (int32 i = rows.Rigid(); i < rows.rows; ++i)
     {
-        const Yield yield = m_yields[joint].of[i];
-        if (yield == Yield::Most || yield == Yield::Least)
+        const RowState state = m_states[joint].of[i];
+        if (state == RowState::AtMax || state == RowState::AtMin)
         {
             active = uint8(active & ~(1u << i));
         }
@@ -184,10 +185,10 @@ bool JointSystem::SetActiveToClose(std::size_t joint)
     bool other = false;
     for (int32 i = rows.Rigid(); i < rows.rows; ++i)
     {
-        const Yield yield = m_yields[joint].of[i];
-        const bool bounded = yield == Yield::Slowest || yield == Yield::Fastest;
+        const RowState state = m_states[joint].of[i];
+        const bool bounded = state == RowState::Slowest || state == RowState::Fastest;
         active = uint8(active | unsigned(bounded) << i);
-        other = other || yield == Yield::Holds;
+        other = other || state == RowState::Holds;
     }
     m_system.SetActive(joint, active);
     return other;
@@ -199,32 +200,32 @@ void JointSystem::WantSpeeds(std::size_t joint, const SolverContext& context)
     Vector3 wanted{};
     for (int32 i = rows.Rigid(); i < rows.rows; ++i)
     {
-        wanted.at[i] = WantedSpeed(rows, m_yields[joint].of[i], i, double(rows.impulse[i]));
+        wanted.at[i] = WantedSpeed(rows, m_states[joint].of[i], i, double(rows.impulse[i]));
     }
-    Lack(joint, context, wanted);
+    SetResidual(joint, context, wanted);
 }
 
-double JointSystem::WantedSpeed(const JointRows& rows, Yield yield, int32 row, double impulse)
+double JointSystem::WantedSpeed(const JointRows& rows, RowState state, int32 row, double impulse)
 {
     const JointRows::Law& law = rows.laws[row];
-    switch (yield)
+    switch (state)
     {
-    case Yield::Holds:
+    case RowState::Holds:
         return double(WantedOf(law)) - double(law.softness) * impulse;
-    case Yield::Slowest:
+    case RowState::Slowest:
         return double(law.slowest);
-    case Yield::Fastest:
+    case RowState::Fastest:
         return double(law.fastest);
-    case Yield::Most:
-    case Yield::Least:
+    case RowState::AtMax:
+    case RowState::AtMin:
         break;
     }
     // A row at its limit keeps its target speed: contacts may take up its work and make it active.
     return double(WantedOf(law));
 }
 
-double JointSystem::MostWork(std::size_t joint, const SolverContext& before,
-                             const SolverContext& after) const
+double JointSystem::MaxWork(std::size_t joint, const SolverContext& before,
+                            const SolverContext& after) const
 {
     const JointRows& rows = m_system.Rows(joint);
     const Vector3 from = SpeedOf(before, rows);
@@ -233,11 +234,11 @@ double JointSystem::MostWork(std::size_t joint, const SolverContext& before,
     for (int32 i = rows.Rigid(); i < rows.rows; ++i)
     {
         const JointRows::Law& law = rows.laws[i];
-        const Yield yield = m_yields[joint].of[i];
+        const RowState state = m_states[joint].of[i];
         const float32 within = rows.disc && i < 2 ? rows.impulse[i] : law.Within(rows.impulse[i]);
-        const float32 bound = yield == Yield::Slowest   ? law.slowest
-                              : yield == Yield::Fastest ? law.fastest
-                                                        : 0.0f;
+        const float32 bound = state == RowState::Slowest   ? law.slowest
+                              : state == RowState::Fastest ? law.fastest
+                                                           : 0.0f;
         const double wanted = b2Max(double(within) * double(law.wanted), 0.0) +
                               b2Max(double(rows.impulse[i] - within) * double(bound), 0.0);
         const double done = 0.5 * double(rows.impulse[i]) * (from.at[i] + to.at[i]);
@@ -270,17 +271,17 @@ bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, in
 {
     JointRows& rows = m_system.Rows(joint);
     const JointRows::Law& law = rows.laws[row];
-    Yield& yield = m_yields[joint].of[row];
+    RowState& state = m_states[joint].of[row];
     const float32 impulse = rows.impulse[row];
-    Yield next = After(law, yield, impulse, speed);
+    RowState next = After(law, state, impulse, speed);
     // The bounds change with every kick.
-    float32 bound = next == Yield::Most ? law.most : -law.most;
-    if (settles && next == Yield::Holds && yield != Yield::Holds)
+    float32 bound = next == RowState::AtMax ? law.most : -law.most;
+    if (settles && next == RowState::Holds && state != RowState::Holds)
     {
-        next = yield;
-        bound = b2Clamp(impulse + LackingImpulse(rows, row, speed), -law.most, law.most);
+        next = state;
+        bound = b2Clamp(impulse + ResidualImpulse(rows, row, speed), -law.most, law.most);
     }
-    const bool moves = (next == Yield::Most || next == Yield::Least) && impulse != bound;
+    const bool moves = (next == RowState::AtMax || next == RowState::AtMin) && impulse != bound;
     if (moves)
     {
         Vector3 difference{};
@@ -288,8 +289,8 @@ bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, in
         Push(context, rows, difference);
         rows.impulse[row] = bound;
     }
-    const bool changed = moves || next != yield;
-    yield = next;
+    const bool changed = moves || next != state;
+    state = next;
     return changed;
 }
 
@@ -297,42 +298,44 @@ bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, in
 /// speed. At the lowest speed it is above the maximum. From there to the target speed it is the
 /// maximum, and above that the minimum. At the highest speed it is below the minimum. If the target
 /// is below the lowest speed, the impulse is the minimum at all speeds, and vice versa.
-JointSystem::Yield JointSystem::After(const JointRows::Law& law, Yield yield, float32 impulse,
-                                      float32 speed)
+JointSystem::RowState JointSystem::After(const JointRows::Law& law, RowState state, float32 impulse,
+                                         float32 speed)
 {
     const float32 same = JointRows::kSameSpeed * (1.0f + b2Abs(speed));
     const float32 wanted = WantedOf(law);
-    switch (yield)
+    switch (state)
     {
-    case Yield::Holds:
-        return impulse > law.most ? Yield::Most : impulse < -law.most ? Yield::Least : yield;
-    case Yield::Slowest:
-        return impulse >= law.Within(law.most) ? yield
-               : law.DrivesBelow()             ? Yield::Least
-                                               : Yield::Most;
-    case Yield::Fastest:
-        return impulse <= law.Within(-law.most) ? yield
-               : law.DrivesAbove()              ? Yield::Most
-                                                : Yield::Least;
-    case Yield::Most:
-    case Yield::Least:
+    case RowState::Holds:
+        return impulse > law.most ? RowState::AtMax : impulse < -law.most ? RowState::AtMin : state;
+    case RowState::Slowest:
+        return impulse >= law.Within(law.most) ? state
+               : law.DrivesBelow()             ? RowState::AtMin
+                                               : RowState::AtMax;
+    case RowState::Fastest:
+        return impulse <= law.Within(-law.most) ? state
+               : law.DrivesAbove()              ? RowState::AtMax
+                                                : RowState::AtMin;
+    case RowState::AtMax:
+    case RowState::AtMin:
         break;
     }
     if (speed < law.slowest - same)
     {
-        return Yield::Slowest;
+        return RowState::Slowest;
     }
     if (speed > law.fastest + same)
     {
-        return Yield::Fastest;
+        return RowState::Fastest;
     }
-    const bool tooMuch = yield == Yield::Most && speed > wanted + same;
-    const bool tooLittle = yield == Yield::Least && speed < wanted - same;
+    const bool tooMuch = state == RowState::AtMax && speed > wanted + same;
+    const bool tooLittle = state == RowState::AtMin && speed < wanted - same;
     if (law.most == 0.0f || !(tooMuch || tooLittle))
     {
-        return yield;
+        return state;
     }
-    return law.DrivesBelow() ? Yield::Least : law.DrivesAbove() ? Yield::Most : Yield::Holds;
+    return law.DrivesBelow()   ? RowState::AtMin
+           : law.DrivesAbove() ? RowState::AtMax
+                               : RowState::Holds;
 }
 
 /// Returns the displacement of a drift beyond a speed bound, by row. Closing also holds joints at
@@ -343,12 +346,13 @@ Vector3 JointSystem::Beyond(std::size_t joint, const JointRows& now, float32 tim
     const JointRows& rows = m_system.Rows(joint);
     for (int32 i = rows.Rigid(); i < rows.rows; ++i)
     {
-        const Yield yield = m_yields[joint].of[i];
-        const double way = double(now.laws[i].place) - double(rows.laws[i].place) -
-                           double(timeStep) * WantedSpeed(rows, yield, i, double(rows.impulse[i]));
-        if ((yield == Yield::Slowest && way < 0.0) || (yield == Yield::Fastest && way > 0.0))
+        const RowState state = m_states[joint].of[i];
+        const double path = double(now.laws[i].place) - double(rows.laws[i].place) -
+                            double(timeStep) * WantedSpeed(rows, state, i, double(rows.impulse[i]));
+        if ((state == RowState::Slowest && path < 0.0) ||
+            (state == RowState::Fastest && path > 0.0))
         {
-            beyond.at[i] = way;
+            beyond.at[i] = path;
         }
     }
     return beyond;
@@ -359,24 +363,24 @@ Vector3 JointSystem::Beyond(std::size_t joint, const JointRows& now, float32 tim
 bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint,
                                  const Vector3& speed, bool settles)
 {
-    Yields& yields = m_yields[joint];
+    RowStates& states = m_states[joint];
     JointRows& rows = m_system.Rows(joint);
     const float32 most = rows.laws[0].most;
     const b2Vec2 impulse = PairOf(rows.impulse);
     b2Vec2 wanted = impulse;
-    if (yields.of[0] != Yield::Holds)
+    if (states.of[0] != RowState::Holds)
     {
         const Pair k = ResponseOf(rows);
-        const b2Vec2 lacking(
+        const b2Vec2 residual(
             rows.laws[0].wanted - rows.laws[0].softness * impulse.x - float32(speed.at[0]),
             rows.laws[1].wanted - rows.laws[1].softness * impulse.y - float32(speed.at[1]));
-        wanted = SlippingImpulse(k, impulse, lacking, most);
+        wanted = SlippingImpulse(k, impulse, residual, most);
     }
     const bool slips = most == 0.0f || wanted.LengthSquared() > most * most ||
-                       (settles && yields.of[0] == Yield::Most);
-    const Yield next = slips ? Yield::Most : Yield::Holds;
-    const bool changed = yields.of[0] != next;
-    yields.of[0] = yields.of[1] = next;
+                       (settles && states.of[0] == RowState::AtMax);
+    const RowState next = slips ? RowState::AtMax : RowState::Holds;
+    const bool changed = states.of[0] != next;
+    states.of[0] = states.of[1] = next;
     if (!slips)
     {
         return changed;
