@@ -7,12 +7,13 @@ file(RENAME "${WORK_DIR}/prefix" "${prefix}")
 file(GLOB_RECURSE pc "${prefix}/*/boxreel-recorder.pc")
 get_filename_component(folder "${pc}" DIRECTORY)
 
-# compile(PROGRAM SOURCE STANDARD PACKAGE …)
-function(compile program source standard)
-  step("pkg-config ${ARGN}" OUTPUT flags COMMAND "${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${folder}"
-    "${PKG_CONFIG}" --static --cflags --libs ${ARGN})
+# compile(PROGRAM SOURCE STANDARD PACKAGE [FLAG …])
+function(compile program source standard package)
+  step("pkg-config ${package}" OUTPUT flags COMMAND "${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${folder}"
+    "${PKG_CONFIG}" --static --cflags --libs ${package})
   separate_arguments(flags UNIX_COMMAND "${flags}")
-  step("compiling ${program}" COMMAND "${CXX}" -std=${standard} "${source}" -o "${WORK_DIR}/${program}" ${flags})
+  step("compiling ${program}" COMMAND "${CXX}" -std=${standard} ${ARGN} "${source}" -o "${WORK_DIR}/${program}"
+    ${flags})
 endfunction()
 
 compile(film "${BOXREEL_DIR}/docs/examples/film_pixels.cpp" c++20 boxreel-recorder)
