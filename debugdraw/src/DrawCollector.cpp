@@ -62,7 +62,8 @@ void DrawCollector::LookAt(const View& view)
             b2Vec2(view.area->upper.x, view.area->upper.y) + reach);
 }
 
-// The engine names the body of each shape; shapes of nobody are drawn by the user, in own colours.
+// The engine names the body of each shape; shapes without a body are drawn by the user, in the
+// user's colours.
 Paint DrawCollector::PaintOf(const b2Color& color) const
 {
     const Color asked = From(color);

@@ -39,7 +39,7 @@ enum class ColorRole : std::uint8_t
     ContactFriction,
     JointForce,
     Velocity,
-    Ink,  ///< labels, and whatever is meant to stand out most from the background
+    Ink,  ///< labels, and marks with the highest contrast to the background
     None, ///< a colour of the user's own, which themes keep
 };
 /// How many roles there are, without None.
