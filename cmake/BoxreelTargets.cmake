@@ -45,8 +45,8 @@ endfunction()
 # given, once for all of the target's: half of the time that a source takes to compile. A source still
 # includes what it uses; the matrix builds without (CMAKE_DISABLE_PRECOMPILE_HEADERS).
 function(boxreel_precompile target)
-  target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <limits> <memory> <optional>
-                            <span> <string> <utility> <variant> <vector> ${ARGN})
+  target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <filesystem> <functional> <limits> <map>
+                            <memory> <optional> <set> <span> <string> <utility> <variant> <vector> ${ARGN})
 endfunction()
 
 # boxreel_add_library(NAME SOURCES … [PUBLIC …] [PRIVATE …]): the library boxreel::NAME of the
@@ -57,7 +57,11 @@ function(boxreel_add_library name)
   add_library(boxreel::${name} ALIAS boxreel_${name})
   set_target_properties(boxreel_${name} PROPERTIES EXPORT_NAME ${name})
   boxreel_configure(boxreel_${name})
-  boxreel_precompile(boxreel_${name})
+  if(name STREQUAL "engine" OR name STREQUAL "base")
+    boxreel_precompile(boxreel_${name})
+  else() # base's are read once for all of the toolkit, which is compiled with the same options
+    target_precompile_headers(boxreel_${name} REUSE_FROM boxreel_base)
+  endif()
   target_include_directories(boxreel_${name}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
