@@ -117,8 +117,8 @@ void FollowCamera::Resize(const Rect& subject, double dt)
     const double aspect = static_cast<double>(m_view.width) / m_view.height;
     const double reachX = std::max(subject.upper.x - m_x.shown, m_x.shown - subject.lower.x);
     const double reachY = std::max(subject.upper.y - m_y.shown, m_y.shown - subject.lower.y);
-    const double least = 2.0 * std::max(reachX / aspect, reachY);
-    m_viewHeight.HoldWithin(least, std::numeric_limits<double>::infinity());
+    const double minimum = 2.0 * std::max(reachX / aspect, reachY);
+    m_viewHeight.HoldWithin(minimum, std::numeric_limits<double>::infinity());
 }
 
 void FollowCamera::Update(const Rect& subject, double dt)

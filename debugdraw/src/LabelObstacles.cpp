@@ -249,16 +249,16 @@ double LabelObstacles::ThicknessOf(const LabelThing& thing) const
         const Point a = m_points[thing.first + i];
         const Point b = m_points[thing.first + (i + 1) % thing.count];
         const double length = std::hypot(b.x - a.x, b.y - a.y);
-        double least = 0.0;
-        double most = 0.0;
+        double minimum = 0.0;
+        double maximum = 0.0;
         for (std::size_t k = 0; length > 0.0 && k < thing.count; ++k)
         {
             const Point p = m_points[thing.first + k];
             const double away = ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / length;
-            least = std::min(least, away);
-            most = std::max(most, away);
+            minimum = std::min(minimum, away);
+            maximum = std::max(maximum, away);
         }
-        thickness = length > 0.0 ? std::min(thickness, most - least) : thickness;
+        thickness = length > 0.0 ? std::min(thickness, maximum - minimum) : thickness;
     }
     return thickness;
 }

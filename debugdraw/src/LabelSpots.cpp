@@ -202,8 +202,8 @@ Box LabelSpots::BoxAround(Point middle, double width) const
 Box LabelSpots::BoxOnPlace(const LabelWish& wish) const
 {
     const auto inside = [](double place, double size, double room) {
-        const double most = std::max(0.0, 0.5 * (room - size) - kEdge);
-        return std::clamp(place, -most, most);
+        const double maximum = std::max(0.0, 0.5 * (room - size) - kEdge);
+        return std::clamp(place, -maximum, maximum);
     };
     const Point place = m_obstacles.ToPixels(wish.place);
     return BoxAround({inside(place.x, wish.width, m_camera.width),

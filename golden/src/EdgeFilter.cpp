@@ -137,13 +137,14 @@ Answers Judge(const Around& around, Words actual, Masks isOver, float steps, flo
     const Floats beyond = along - 2.0f * shift * spanSquared;
     const Floats margin = kMovedMargin * (along + spanSquared);
     const Floats allowed = steps * steps * spanSquared;
-    const Floats most = beyond + margin, least = beyond - margin;
+    const Floats maximum = beyond + margin, minimum = beyond - margin;
     Answers answers{};
-    answers.mayBe =
-        isOver & (spanSquared > 0.0f) & ((least <= 0.0f) | (least * least <= allowed * 1.00001f));
+    answers.mayBe = isOver & (spanSquared > 0.0f) &
+                    ((minimum <= 0.0f) | (minimum * minimum <= allowed * 1.00001f));
     if (Any(answers.mayBe))
     {
-        answers.isSo = answers.mayBe & ((most < 0.0f) | (most * most < allowed * 0.99999f));
+        answers.isSo =
+            answers.mayBe & ((maximum < 0.0f) | (maximum * maximum < allowed * 0.99999f));
         JudgeOff(around, {one, span, Larger(spanSquared, Splat(1.0f))}, color, steps, answers);
     }
     return answers;

@@ -148,8 +148,8 @@ private:
 
 PixelBounds PixelsAround(const Rect& bounds, const Camera& camera)
 {
-    const auto pixel = [](float value, int most) {
-        return int(std::clamp(value, 0.0f, float(most)));
+    const auto pixel = [](float value, int maximum) {
+        return int(std::clamp(value, 0.0f, float(maximum)));
     };
     return {pixel(std::floor(bounds.lower.x - kMargin), camera.width),
             pixel(std::floor(bounds.lower.y - kMargin), camera.height),

@@ -134,15 +134,15 @@ std::size_t BestCut(std::vector<Weighted>& colors, const Box& box)
 /// Returns the colour that fills most of the box, otherwise the mean.
 std::uint32_t ColorOf(const std::vector<Weighted>& colors, const Box& box)
 {
-    Weighted most = colors[box.begin];
+    Weighted maximum = colors[box.begin];
     for (std::size_t i = box.begin + 1; i < box.end; ++i)
     {
-        most = colors[i].pixels > most.pixels ? colors[i] : most;
+        maximum = colors[i].pixels > maximum.pixels ? colors[i] : maximum;
     }
     const Moments& m = box.moments;
-    if (std::int64_t(most.pixels) * 2 >= m.pixels)
+    if (std::int64_t(maximum.pixels) * 2 >= m.pixels)
     {
-        return most.color;
+        return maximum.color;
     }
     std::uint32_t mean = 0;
     for (const std::int64_t sum : m.sum)

@@ -40,16 +40,16 @@ bool Fits(const Rational& rate, std::span<const std::int64_t> delays)
     constexpr double kRounding = 1e-9; // of the divisions below
     std::int64_t time = 0;
     std::int64_t before = 0;
-    double least = 0.0;
-    double most = 0.0;
+    double minimum = 0.0;
+    double maximum = 0.0;
     for (const std::int64_t delay : delays)
     {
         time += delay;
         const std::int64_t periods = std::llround(double(time) * rate.ToDouble() / 100.0);
         const double off = double(periods) * 100.0 / rate.ToDouble() - double(time);
-        least = std::min(least, off);
-        most = std::max(most, off);
-        if (periods <= before || most - least > 1.0 + kRounding)
+        minimum = std::min(minimum, off);
+        maximum = std::max(maximum, off);
+        if (periods <= before || maximum - minimum > 1.0 + kRounding)
         {
             return false;
         }

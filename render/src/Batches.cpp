@@ -62,9 +62,9 @@ std::size_t Batches::Place(ProgramKind kind, Form form)
         }
     }
     // The first batch of this kind and form that is drawn after everything below this instance.
-    const int least = m_first + std::max(int(latest) - 1, 0);
+    const int minimum = m_first + std::max(int(latest) - 1, 0);
     std::vector<int>& ofKind = m_ofKind[std::size_t(kind) * kForms + std::size_t(form)];
-    const auto found = std::lower_bound(ofKind.begin(), ofKind.end(), least);
+    const auto found = std::lower_bound(ofKind.begin(), ofKind.end(), minimum);
     int batch = found == ofKind.end() ? int(m_used) : *found;
     if (found == ofKind.end())
     {

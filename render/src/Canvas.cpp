@@ -105,9 +105,9 @@ Result<void> Canvas::MakeTarget()
     m_gl.ActiveTexture(GL_TEXTURE0 + kInstancesUnit);
     m_gl.BindTexture(GL_TEXTURE_BUFFER, m_instancesTexture);
     m_gl.ActiveTexture(GL_TEXTURE0 + kFontUnit);
-    GLint most = 0;
-    m_gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-    m_mostVectors = std::size_t(most);
+    GLint maximum = 0;
+    m_gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &maximum);
+    m_mostVectors = std::size_t(maximum);
     return {};
 }
 
@@ -244,17 +244,17 @@ void Canvas::NeedQuads(std::size_t count)
 Result<void> Canvas::Draw(std::span<const Batch> batches)
 {
     std::size_t total = 0;
-    std::size_t most = 0;
+    std::size_t maximum = 0;
     for (const Batch& batch : batches)
     {
         total += VectorsOf(batch);
-        most = std::max(most, batch.instances);
+        maximum = std::max(maximum, batch.instances);
     }
     if (total == 0)
     {
         return {};
     }
-    NeedQuads(most);
+    NeedQuads(maximum);
     if (total <= m_mostVectors)
     {
         MakeRoom(total);
@@ -300,10 +300,10 @@ Result<void> Canvas::DrawSliced(const Batch& batch)
 {
     ASSIGN_OR_RETURN(const Program* program, Need(batch.kind, batch.form));
     const std::size_t vectors = program->vectors;
-    const std::size_t most = m_mostVectors / vectors;
-    for (std::size_t done = 0; done < batch.instances; done += most)
+    const std::size_t maximum = m_mostVectors / vectors;
+    for (std::size_t done = 0; done < batch.instances; done += maximum)
     {
-        const std::size_t count = std::min(most, batch.instances - done);
+        const std::size_t count = std::min(maximum, batch.instances - done);
         MakeRoom(count * vectors);
         m_gl.BufferSubData(GL_TEXTURE_BUFFER, 0, GLsizeiptr(count * vectors * kVectorBytes),
                            batch.data.data() + done * vectors * 4);

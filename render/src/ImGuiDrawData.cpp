@@ -148,8 +148,8 @@ void CopyDrawData(const ImDrawData& data, int width, int height, Overlay& overla
                 Append(fan, white, overlay);
             }
             const auto count = std::uint32_t(overlay.indices.size()) - first;
-            const auto limit = [](float value, int most) {
-                return int(std::clamp(value, 0.0f, float(most)));
+            const auto limit = [](float value, int maximum) {
+                return int(std::clamp(value, 0.0f, float(maximum)));
             };
             if (count > 0)
             {

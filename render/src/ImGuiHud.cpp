@@ -95,8 +95,8 @@ Layout Arrange(const HudContent& content, ImVec2 frame, float unit)
     Layout layout;
     layout.unit = unit;
     const float wanted = 2.0f * padding + std::max(Width(content.title), names + gap + values);
-    const float most = std::max(1.0f, frame.x - 2.0f * unit * kFrameMargin);
-    layout.width = std::min(most, std::max(unit * kMinWidth, step * std::ceil(wanted / step)));
+    const float maximum = std::max(1.0f, frame.x - 2.0f * unit * kFrameMargin);
+    layout.width = std::min(maximum, std::max(unit * kMinWidth, step * std::ceil(wanted / step)));
     layout.firstRow = padding + (content.title.empty() ? 0.0f : line + unit * kUnderTitle);
     layout.height = layout.firstRow + float(content.rows.size()) * (line + unit * kLineGap) -
                     unit * kLineGap + padding;

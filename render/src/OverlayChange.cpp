@@ -24,8 +24,8 @@ PixelBounds BoundsOf(const Overlay& overlay, std::size_t firstIndex, const Pixel
         lower = {std::min(lower.x, p.x), std::min(lower.y, p.y)};
         upper = {std::max(upper.x, p.x), std::max(upper.y, p.y)};
     }
-    const auto whole = [](float value, int least, int most) {
-        return int(std::clamp(value, float(least), float(most)));
+    const auto whole = [](float value, int minimum, int maximum) {
+        return int(std::clamp(value, float(minimum), float(maximum)));
     };
     // Positions are rounded to subpixels in the pipeline: one pixel of margin on every side.
     return {whole(std::floor(lower.x) - 1.0f, clip.x0, clip.x1),

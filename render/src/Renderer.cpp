@@ -90,11 +90,11 @@ Result<void> CheckOverlay(const Overlay& overlay)
                              std::to_string(overlay.indices.size())};
         }
     }
-    const auto most = std::max_element(overlay.indices.begin(), overlay.indices.end());
-    if (most != overlay.indices.end() && *most >= overlay.vertices.size())
+    const auto maximum = std::max_element(overlay.indices.begin(), overlay.indices.end());
+    if (maximum != overlay.indices.end() && *maximum >= overlay.vertices.size())
     {
         return Error{ErrorKind::Unusable, "overlay",
-                     "an index names vertex " + std::to_string(*most) + " of " +
+                     "an index names vertex " + std::to_string(*maximum) + " of " +
                          std::to_string(overlay.vertices.size()),
                      "count vertices from 0"};
     }
@@ -258,7 +258,7 @@ void Renderer::Impl::Plan()
 /// False if it costs more than a full redraw.
 bool Renderer::Impl::PlanParts()
 {
-    const std::size_t most = instances.All().size() + kQuadsToSpare;
+    const std::size_t maximum = instances.All().size() + kQuadsToSpare;
     batches.Clear(settings.width, settings.height);
     for (const PixelBounds& r : rectangles)
     {
@@ -266,7 +266,7 @@ bool Renderer::Impl::PlanParts()
                     {float(r.x0), float(r.y0), float(r.x1), float(r.y1)}, background);
     }
     statistics.itemsDrawn = 0;
-    for (std::size_t i = 0; i < instances.Items() && batches.Instances() <= most; ++i)
+    for (std::size_t i = 0; i < instances.Items() && batches.Instances() <= maximum; ++i)
     {
         bool isDrawn = false;
         for (const Instance& instance : instances.OfItem(i))
@@ -285,7 +285,7 @@ bool Renderer::Impl::PlanParts()
         }
         statistics.itemsDrawn += isDrawn ? 1 : 0;
     }
-    return batches.Instances() <= most;
+    return batches.Instances() <= maximum;
 }
 
 void Renderer::Impl::PlanWhole()

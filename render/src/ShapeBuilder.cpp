@@ -162,8 +162,8 @@ Point ShapeBuilder::ToPixel(Vec2 world) const
 std::optional<PixelBounds> ShapeBuilder::InPicture(Point lower, Point upper) const
 {
     // Clamped before the conversion to integers, to avoid overflow.
-    const auto limit = [](double value, int most) {
-        return int(std::clamp(value, 0.0, double(most)));
+    const auto limit = [](double value, int maximum) {
+        return int(std::clamp(value, 0.0, double(maximum)));
     };
     const PixelBounds bounds{
         limit(std::floor(lower.x), m_camera.width), limit(std::floor(lower.y), m_camera.height),

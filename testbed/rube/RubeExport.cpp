@@ -172,17 +172,18 @@ void Describe(RubeJoint& said, b2PrismaticJoint& joint)
 /// Whether a distance joint is a rope: a maximum length and nothing else.
 bool IsRope(const b2DistanceJoint& joint)
 {
-    const float32 least = joint.GetMinLength();
-    const float32 most = joint.GetMaxLength();
-    return !joint.IsSpring() && least <= b2_linearSlop && least < most && most < b2_maxFloat;
+    const float32 minimum = joint.GetMinLength();
+    const float32 maximum = joint.GetMaxLength();
+    return !joint.IsSpring() && minimum <= b2_linearSlop && minimum < maximum &&
+           maximum < b2_maxFloat;
 }
 
 /// Whether it has limits that a scene file has no word for: others are ropes or rods.
 bool HasUnsaidLimits(const b2DistanceJoint& joint)
 {
-    const float32 least = joint.GetMinLength();
-    const float32 most = joint.GetMaxLength();
-    return !IsRope(joint) && least < most && (least > 0.0f || most < b2_maxFloat);
+    const float32 minimum = joint.GetMinLength();
+    const float32 maximum = joint.GetMaxLength();
+    return !IsRope(joint) && minimum < maximum && (minimum > 0.0f || maximum < b2_maxFloat);
 }
 
 void Describe(RubeJoint& said, b2DistanceJoint& joint)

@@ -68,11 +68,11 @@ private:
 
     bool CountObject() { return Within(++m_objects, kMaxObjects, "objects"); }
 
-    bool Within(std::size_t count, std::size_t most, const char* what)
+    bool Within(std::size_t count, std::size_t maximum, const char* what)
     {
-        if (count > most)
+        if (count > maximum)
         {
-            m_refusal.problem = "has more than " + std::to_string(most) + " " + what;
+            m_refusal.problem = "has more than " + std::to_string(maximum) + " " + what;
             m_refusal.remedy = kSplit;
         }
         return m_refusal.problem.empty();
@@ -318,7 +318,8 @@ bool JsonValue::Bool(bool fallback) const
     return fallback;
 }
 
-std::int64_t JsonValue::Integer(std::int64_t fallback, std::int64_t least, std::int64_t most) const
+std::int64_t JsonValue::Integer(std::int64_t fallback, std::int64_t minimum,
+                                std::int64_t maximum) const
 {
     if (!Exists())
     {
@@ -328,18 +329,18 @@ std::int64_t JsonValue::Integer(std::int64_t fallback, std::int64_t least, std::
     // enough to be exact in it.
     const double value = Node(m_node).is_number() ? Node(m_node).get<double>()
                                                   : std::numeric_limits<double>::quiet_NaN();
-    if (value >= static_cast<double>(least) && value <= static_cast<double>(most) &&
+    if (value >= static_cast<double>(minimum) && value <= static_cast<double>(maximum) &&
         value == std::floor(value))
     {
         return static_cast<std::int64_t>(value);
     }
-    Complain(least == most ? "must be " + std::to_string(least)
-                           : "must be a whole number from " + std::to_string(least) + " to " +
-                                 std::to_string(most));
+    Complain(minimum == maximum ? "must be " + std::to_string(minimum)
+                                : "must be a whole number from " + std::to_string(minimum) +
+                                      " to " + std::to_string(maximum));
     return fallback;
 }
 
-float JsonValue::Number(float fallback, float least, float most) const
+float JsonValue::Number(float fallback, float minimum, float maximum) const
 {
     if (!Exists())
     {
@@ -362,12 +363,12 @@ float JsonValue::Number(float fallback, float least, float most) const
         return fallback;
     }
     // Written so that NaN, which a hex string can spell, fails as well.
-    if (value >= static_cast<double>(least) && value <= static_cast<double>(most))
+    if (value >= static_cast<double>(minimum) && value <= static_cast<double>(maximum))
     {
         return static_cast<float>(value);
     }
-    Complain("is " + Written(value) + " but must be from " + Written(least) + " to " +
-             Written(most));
+    Complain("is " + Written(value) + " but must be from " + Written(minimum) + " to " +
+             Written(maximum));
     return fallback;
 }
 

@@ -71,9 +71,9 @@ public:
 
     bool Bool(bool fallback) const;
     /// A whole number in [least, most].
-    std::int64_t Integer(std::int64_t fallback, std::int64_t least, std::int64_t most) const;
+    std::int64_t Integer(std::int64_t fallback, std::int64_t minimum, std::int64_t maximum) const;
     /// A number, or a string with the eight hex digits of a float's bits; in [least, most].
-    float Number(float fallback, float least, float most) const;
+    float Number(float fallback, float minimum, float maximum) const;
     std::string Text() const;
 
     /// All of it, as JSON text; empty when missing.

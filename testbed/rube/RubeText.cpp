@@ -21,14 +21,14 @@ constexpr float32 kStrongest = 1e12f; ///< forces, torques, masses, densities
 constexpr float32 kStiffest = 1e25f;  ///< rotational inertia: the most mass, farthest [kg m^2]
 constexpr float32 kLargest = 1e6f;    ///< everything without a unit, damping and frequencies
 
-b2Vec2 ReadVector(const JsonValue& value, float32 most = kFarthest)
+b2Vec2 ReadVector(const JsonValue& value, float32 maximum = kFarthest)
 {
     if (!value.Exists() || value.IsZero())
     {
         return b2Vec2(0.0f, 0.0f);
     }
-    const float32 x = value.Required("x").Number(0.0f, -most, most);
-    const float32 y = value.Required("y").Number(0.0f, -most, most);
+    const float32 x = value.Required("x").Number(0.0f, -maximum, maximum);
+    const float32 y = value.Required("y").Number(0.0f, -maximum, maximum);
     return b2Vec2(x, y);
 }
 
@@ -387,8 +387,8 @@ void ReadWorld(const JsonValue& value, RubeScene& scene)
 
 bool IsReadableMass(const b2MassData& data)
 {
-    const auto isWithin = [](float32 value, float32 least, float32 most) {
-        return value >= least && value <= most;
+    const auto isWithin = [](float32 value, float32 minimum, float32 maximum) {
+        return value >= minimum && value <= maximum;
     };
     return data.mass > 0.0f && isWithin(data.mass, 0.0f, kStrongest) &&
            isWithin(data.I, 0.0f, kStiffest) && isWithin(data.center.x, -kFarthest, kFarthest) &&

@@ -82,8 +82,8 @@ public:
     {
         float32 lost[2] = {0.0f, 0.0f};
         ForEachMover(m_world, [&](const b2Body& body) {
-            float32& most = lost[IsOnUpperLane(body) ? 0 : 1];
-            most = b2Max(most, LostSpeed(body));
+            float32& maximum = lost[IsOnUpperLane(body) ? 0 : 1];
+            maximum = b2Max(maximum, LostSpeed(body));
         });
         return {{"lost on edges alone (orange)", WithUnit(lost[0], "m/s")},
                 {"lost on edges with neighbours (blue)", WithUnit(lost[1], "m/s")}};

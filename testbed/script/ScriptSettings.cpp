@@ -16,7 +16,7 @@ namespace
 struct Setting
 {
     const char* name;
-    int most; // 0: on or off
+    int maximum; // 0: on or off
     void (*apply)(int value, b2World& world, StepSettings& steps);
 };
 
@@ -65,12 +65,12 @@ Result<int> ParseSetting(const std::string& name, const std::string& text)
     {
         return UnknownSetting(name);
     }
-    if (setting->most == 0)
+    if (setting->maximum == 0)
     {
         return text == "on" || text == "off" ? Result<int>(text == "on" ? 1 : 0)
                                              : BadValue(name, text, "must be on or off");
     }
-    const Result<std::int64_t> number = ParseWhole(name, text, 1, setting->most);
+    const Result<std::int64_t> number = ParseWhole(name, text, 1, setting->maximum);
     return number ? Result<int>(static_cast<int>(*number)) : number.GetError();
 }
 

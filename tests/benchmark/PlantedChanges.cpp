@@ -148,10 +148,10 @@ private:
             }
         }
         inFills.erase(Word(m_expected, 1, 1));
-        const auto most =
+        const auto maximum =
             std::max_element(inFills.begin(), inFills.end(),
                              [](const auto& a, const auto& b) { return a.second < b.second; });
-        return most == inFills.end() ? 0 : most->first;
+        return maximum == inFills.end() ? 0 : maximum->first;
     }
 
     /// Off by four in each channel, as with a theme that was changed by mistake.

@@ -250,7 +250,7 @@ int PrintErrors(const RenderCase& one)
         }
         const EdgeError error = Compare((*painter)->Picture(), truth);
         std::printf("{\"method\":\"%s\",\"rms\":%.4g,\"most\":%.4g,\"edgePixels\":%zu}\n",
-                    method.name.c_str(), error.rms, error.most, error.edgePixels);
+                    method.name.c_str(), error.rms, error.maximum, error.edgePixels);
     }
     return 0;
 }

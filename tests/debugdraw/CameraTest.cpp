@@ -204,8 +204,8 @@ TEST(FitTo, ShowsAPointAndALineInAViewOfUsefulSize)
 
 TEST(FitTo, StaysFiniteForTheLargestArea)
 {
-    const float most = std::numeric_limits<float>::max();
-    const Camera camera = FitTo({{-most, -most}, {most, most}}, 1280, 720);
+    const float maximum = std::numeric_limits<float>::max();
+    const Camera camera = FitTo({{-maximum, -maximum}, {maximum, maximum}}, 1280, 720);
     EXPECT_GT(camera.pixelsPerMeter, 0.0);
     EXPECT_TRUE(std::isfinite(camera.centerX) && std::isfinite(camera.centerY));
     EXPECT_TRUE(IsInside({{0.0f, 0.0f}, {0.0f, 0.0f}}, camera.VisibleArea(), 0.0));

@@ -110,15 +110,16 @@ bool Share(std::size_t a, std::size_t b)
 
 double LeastDistance(const Palette& palette, Vision vision)
 {
-    double least = 1.0;
+    double minimum = 1.0;
     for (std::size_t a = 0; a < kColorRoles; ++a)
     {
         for (std::size_t b = a + 1; b < kColorRoles; ++b)
         {
-            least = Share(a, b) ? least : std::min(least, Distance(palette[a], palette[b], vision));
+            minimum =
+                Share(a, b) ? minimum : std::min(minimum, Distance(palette[a], palette[b], vision));
         }
     }
-    return least;
+    return minimum;
 }
 
 constexpr std::array kVisions{Vision::Normal, Vision::Protanopia, Vision::Deuteranopia,

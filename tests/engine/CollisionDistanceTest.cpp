@@ -56,7 +56,7 @@ double PlainDistance(const std::vector<Vec>& a, const std::vector<Vec>& b)
     {
         return 0.0;
     }
-    double least = 1.0e30;
+    double minimum = 1.0e30;
     for (std::size_t i = 0; i < a.size(); ++i)
     {
         for (std::size_t j = 0; j < b.size(); ++j)
@@ -69,11 +69,11 @@ double PlainDistance(const std::vector<Vec>& a, const std::vector<Vec>& b)
             {
                 return 0.0;
             }
-            least =
-                std::min({least, FromPointToSegment(a1, b1, b2), FromPointToSegment(b1, a1, a2)});
+            minimum =
+                std::min({minimum, FromPointToSegment(a1, b1, b2), FromPointToSegment(b1, a1, a2)});
         }
     }
-    return least;
+    return minimum;
 }
 
 b2DistanceInput MakeInput(const b2Shape& a, const b2Shape& b, Random& random, float reach)

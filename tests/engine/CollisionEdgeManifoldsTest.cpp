@@ -177,14 +177,14 @@ TEST(EdgeManifold, SomeEdgeAnswersWhereverTheSkinsOverlap)
         xf.p.y = 10.0f;
         for (int step = 0; step < 60; ++step)
         {
-            float least = b2_maxFloat;
+            float minimum = b2_maxFloat;
             for (int32 k = 0; k < chain.GetChildCount(); ++k)
             {
                 b2EdgeShape edge;
                 chain.GetChildEdge(&edge, k);
-                least = b2Min(least, DistanceToEdge(edge, polygon, xf));
+                minimum = b2Min(minimum, DistanceToEdge(edge, polygon, xf));
             }
-            if (least < 0.5f * kSkins)
+            if (minimum < 0.5f * kSkins)
             {
                 const std::vector<Contact> contacts = Collide(chain, polygon, xf);
                 ASSERT_FALSE(contacts.empty()) << i;
@@ -195,7 +195,7 @@ TEST(EdgeManifold, SomeEdgeAnswersWhereverTheSkinsOverlap)
                 ++compared;
                 break;
             }
-            xf.p.y -= least - 0.4f * kSkins;
+            xf.p.y -= minimum - 0.4f * kSkins;
         }
     }
     EXPECT_GT(compared, 25000);

@@ -94,15 +94,15 @@ Plain ClipPlainly(const Polygon& reference, const Polygon& incident, std::size_t
     Plain plain;
     plain.normal = Normal(reference, face);
     std::size_t side = 0;
-    double least = 2.0;
+    double minimum = 2.0;
     double second = 2.0;
     for (std::size_t i = 0; i < incident.size(); ++i)
     {
         const double facing = Dot(plain.normal, Normal(incident, i));
-        if (facing < least)
+        if (facing < minimum)
         {
-            second = least;
-            least = facing;
+            second = minimum;
+            minimum = facing;
             side = i;
         }
         else
@@ -110,7 +110,7 @@ Plain ClipPlainly(const Polygon& reference, const Polygon& incident, std::size_t
             second = std::min(second, facing);
         }
     }
-    plain.isClear = second - least > kAmbiguous;
+    plain.isClear = second - minimum > kAmbiguous;
     Vec p = incident[side];
     Vec q = incident[(side + 1) % incident.size()];
     const Vec v1 = reference[face];
@@ -383,7 +383,7 @@ TEST(Manifold, OfPolygonAndCircleFollowsTheNearestPoint)
         const Polygon pa = Place(a, xfA);
         const Vec c = ToVec(xfB.p);
         // The point of the outline that is nearest to the centre.
-        double least = 1.0e30;
+        double minimum = 1.0e30;
         Vec nearest;
         bool isInside = true;
         bool isCorner = false;
@@ -393,9 +393,9 @@ TEST(Manifold, OfPolygonAndCircleFollowsTheNearestPoint)
             isInside = isInside && Cross(e, c - pa[k]) > 0.0;
             const double t = Dot(c - pa[k], e) / Dot(e, e);
             const Vec p = pa[k] + std::clamp(t, 0.0, 1.0) * e;
-            if (Length(c - p) < least)
+            if (Length(c - p) < minimum)
             {
-                least = Length(c - p);
+                minimum = Length(c - p);
                 nearest = p;
                 isCorner = t < 0.0 || t > 1.0;
             }
@@ -408,11 +408,11 @@ TEST(Manifold, OfPolygonAndCircleFollowsTheNearestPoint)
             ASSERT_EQ(manifold.pointCount, 1);
             continue;
         }
-        if (std::fabs(least - radius) < 1.0e-4 || least < 1.0e-3)
+        if (std::fabs(minimum - radius) < 1.0e-4 || minimum < 1.0e-3)
         {
             continue;
         }
-        ASSERT_EQ(manifold.pointCount, least < radius ? 1 : 0) << i;
+        ASSERT_EQ(manifold.pointCount, minimum < radius ? 1 : 0) << i;
         if (manifold.pointCount == 1)
         {
             b2WorldManifold world;
@@ -420,7 +420,7 @@ TEST(Manifold, OfPolygonAndCircleFollowsTheNearestPoint)
             const Vec normal = Unit(c - nearest);
             ASSERT_NEAR(world.normal.x, normal.x, 1.0e-3) << i;
             ASSERT_NEAR(world.normal.y, normal.y, 1.0e-3) << i;
-            ASSERT_NEAR(world.separations[0], least - radius, 1.0e-4) << i;
+            ASSERT_NEAR(world.separations[0], minimum - radius, 1.0e-4) << i;
             (isCorner ? corners : faces) += 1;
         }
     }

@@ -94,16 +94,16 @@ void CompareWithList(const b2DynamicTree& tree, const std::map<int32, b2AABB>& l
     const b2RayCastInput ray = {random.Point(60.0f), random.Point(60.0f), 1.0f};
     Nearest nearest{tree};
     tree.RayCast(&nearest, ray);
-    float32 least = 2.0f;
+    float32 minimum = 2.0f;
     for (const auto& [id, box] : list)
     {
         b2RayCastOutput output;
         if (box.RayCast(&output, ray))
         {
-            least = std::min(least, output.fraction);
+            minimum = std::min(minimum, output.fraction);
         }
     }
-    ASSERT_EQ(nearest.fraction, least);
+    ASSERT_EQ(nearest.fraction, minimum);
 }
 } // namespace
 

@@ -291,8 +291,8 @@ TEST(DynamicsContinuous, BothWallsOfACornerTakePartInTheImpact)
 /// Both walls at once: what one gives back turns the box against the other.
 TEST(DynamicsContinuous, ABoxThatSpinsIntoACornerKeepsItsEnergy)
 {
-    double least = 1.0; // of what it had
-    double most = 1.0;
+    double minimum = 1.0; // of what it had
+    double maximum = 1.0;
     for (int i = 0; i < 500; ++i)
     {
         Scene scene(b2Vec2(0.0f, 0.0f));
@@ -313,11 +313,11 @@ TEST(DynamicsContinuous, ABoxThatSpinsIntoACornerKeepsItsEnergy)
         const double before = energy();
         scene.Step();
         ASSERT_GT(box->GetLinearVelocity().x, 0.0f) << i;
-        least = std::min(least, energy() / before);
-        most = std::max(most, energy() / before);
+        minimum = std::min(minimum, energy() / before);
+        maximum = std::max(maximum, energy() / before);
     }
-    EXPECT_GT(least, 0.9995);
-    EXPECT_LT(most, 1.0001);
+    EXPECT_GT(minimum, 0.9995);
+    EXPECT_LT(maximum, 1.0001);
 }
 
 TEST(DynamicsContinuous, AContactDisabledAtTheImpactLetsTheBodyGoOnItsWay)

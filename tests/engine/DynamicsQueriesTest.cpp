@@ -53,11 +53,11 @@ struct Collector : b2QueryCallback
     {
         ++calls;
         found.insert(fixture);
-        return calls < most;
+        return calls < maximum;
     }
     std::set<b2Fixture*> found;
     int calls = 0;
-    int most = 1 << 30;
+    int maximum = 1 << 30;
 };
 
 TEST(DynamicsQueries, FindEveryFixtureWhoseBoxOverlaps)
@@ -102,12 +102,12 @@ TEST(DynamicsQueries, EndOnRequest)
     b2AABB all;
     all.lowerBound.Set(-100.0f, -100.0f);
     all.upperBound.Set(100.0f, 100.0f);
-    for (const int most : {1, 2, 50})
+    for (const int maximum : {1, 2, 50})
     {
         Collector collector;
-        collector.most = most;
+        collector.maximum = maximum;
         scene.world.QueryAABB(&collector, all);
-        EXPECT_EQ(collector.calls, most);
+        EXPECT_EQ(collector.calls, maximum);
     }
 }
 

@@ -205,12 +205,12 @@ TEST(Sweeps, ImpactOfCirclesInClosedFormIsThatOfTheSearch)
         };
         // The search ends anywhere between the target and a quarter of the slop above.
         const double target = b2Max(b2_linearSlop, radii - 3.0f * b2_linearSlop);
-        const double most = target + 0.25 * double(b2_linearSlop);
+        const double maximum = target + 0.25 * double(b2_linearSlop);
         const double rounding = 1e-5 * (1.0 + std::hypot(wx, wy));
         if (output.state == b2TOIOutput::e_touching && output.t < 1.0f)
         {
             ASSERT_LE(t, output.t + 1e-6f) << i;
-            ASSERT_TRUE(t == 0.0f || std::abs(distanceAt(double(t)) - most) < rounding) << i;
+            ASSERT_TRUE(t == 0.0f || std::abs(distanceAt(double(t)) - maximum) < rounding) << i;
             ++touching;
             atOnce += t == 0.0f;
         }

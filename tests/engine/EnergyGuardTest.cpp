@@ -166,12 +166,12 @@ TEST(EnergyGuard, LetsMotorsGiveWhatTheyCanAndNoMore)
     pair.hinge->EnableMotor(true);
     pair.hinge->SetMotorSpeed(6.0f);
     pair.hinge->SetMaxMotorTorque(100.0f);
-    const double most = 6.0 * 100.0 * double(kStep); // 10 J
+    const double maximum = 6.0 * 100.0 * double(kStep); // 10 J
     pair.Begin();
     const double start = pair.Energy();
     pair.At(pair.b).v.y += 2.0f; // 6 J
     const double driven = pair.Energy();
-    ASSERT_LT(driven, start + most);
+    ASSERT_LT(driven, start + maximum);
     pair.Balance();
     EXPECT_EQ(pair.Energy(), driven);
 
@@ -179,7 +179,7 @@ TEST(EnergyGuard, LetsMotorsGiveWhatTheyCanAndNoMore)
     pair.Begin(); // from what the bodies had, with an account that is even
     pair.At(pair.b).v.y += 10.0f;
     pair.Balance();
-    EXPECT_LT(pair.Energy(), start + 2.0 * most + 1e-3);
+    EXPECT_LT(pair.Energy(), start + 2.0 * maximum + 1e-3);
 }
 
 TEST(EnergyGuard, LeavesWhatAPlatformMovesAlone)

@@ -141,11 +141,11 @@ TEST_P(DistanceLimits, GainNoEnergy)
 // Small steps find a limit within a drift of up to 70 m/s, as ropes do: only Shake's own checks.
 TEST_P(DistanceLimits, EndureRoughTreatment)
 {
-    const float32 most = GetParam() == 1 ? 3.0f + 4.0f * b2_linearSlop : b2_maxFloat;
+    const float32 maximum = GetParam() == 1 ? 3.0f + 4.0f * b2_linearSlop : b2_maxFloat;
     for (const float32 frequency : {0.0f, 4.0f})
     {
         Hanger h(GetParam(), -2.0f, Numbers(1.0f, 3.0f, frequency));
-        h.Shake(h.load, 600, [&] { EXPECT_LT(h.Length(), most); });
+        h.Shake(h.load, 600, [&] { EXPECT_LT(h.Length(), maximum); });
     }
 }
 
@@ -217,7 +217,7 @@ TEST(DistanceLimitsDefinition, IsClampedAsIn24)
 {
     const struct
     {
-        float32 least, most, clampedLeast, clampedMost;
+        float32 minimum, maximum, clampedLeast, clampedMost;
     } cases[] = {{5.0f, 2.0f, 5.0f, 5.0f},
                  {-1.0f, 4.0f, b2_linearSlop, 4.0f},
                  {0.0f, 4.0f, b2_linearSlop, 4.0f},
@@ -229,10 +229,10 @@ TEST(DistanceLimitsDefinition, IsClampedAsIn24)
                  {2.0f, 2.0f, 2.0f, 2.0f}};
     for (const auto& c : cases)
     {
-        Hanger h(1, -3.0f, Numbers(c.least, c.most));
-        ASSERT_NE(h.joint, nullptr) << c.least << ' ' << c.most;
-        EXPECT_EQ(h.joint->GetMinLength(), c.clampedLeast) << c.least << ' ' << c.most;
-        EXPECT_EQ(h.joint->GetMaxLength(), c.clampedMost) << c.least << ' ' << c.most;
+        Hanger h(1, -3.0f, Numbers(c.minimum, c.maximum));
+        ASSERT_NE(h.joint, nullptr) << c.minimum << ' ' << c.maximum;
+        EXPECT_EQ(h.joint->GetMinLength(), c.clampedLeast) << c.minimum << ' ' << c.maximum;
+        EXPECT_EQ(h.joint->GetMaxLength(), c.clampedMost) << c.minimum << ' ' << c.maximum;
     }
 }
 

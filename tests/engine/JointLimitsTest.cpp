@@ -272,9 +272,9 @@ void ExpectBlockSolution(const box2d::HeldRow<One>& row, const std::array<double
     constexpr double kRounding = 1e-4; // of single precision on arms of 10 m
     const double mass = double(row.mass.v);
     EXPECT_NEAR(mass, solution[2], kRounding * solution[2]);
-    const double most = std::max(std::abs(solution[0]), std::abs(solution[1])) + solution[2];
-    EXPECT_NEAR(mass * double(row.reaction.x.v), solution[0], kRounding * most);
-    EXPECT_NEAR(mass * double(row.reaction.y.v), solution[1], kRounding * most);
+    const double maximum = std::max(std::abs(solution[0]), std::abs(solution[1])) + solution[2];
+    EXPECT_NEAR(mass * double(row.reaction.x.v), solution[0], kRounding * maximum);
+    EXPECT_NEAR(mass * double(row.reaction.y.v), solution[1], kRounding * maximum);
 }
 
 TEST(HeldRow, IsTheBlockSolutionOfThreeRows)

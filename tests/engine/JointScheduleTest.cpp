@@ -458,9 +458,9 @@ std::vector<b2Body*> AddRagdoll(Scene& scene, float32 x, float32 y)
         Scene::AddBox(limbs.back(), hx, hy, 0.6f);
         return limbs.back();
     };
-    const auto hinge = [&](b2Body* a, b2Body* b, float32 dx, float32 dy, float32 most) {
+    const auto hinge = [&](b2Body* a, b2Body* b, float32 dx, float32 dy, float32 maximum) {
         b2RevoluteJoint* joint = Hinge(scene, a, b, x + dx, y + dy);
-        joint->SetLimits(-most, most);
+        joint->SetLimits(-maximum, maximum);
         joint->EnableLimit(true);
     };
     b2Body* torso = limb(0.0f, 0.0f, 0.2f, 0.35f);

@@ -161,7 +161,7 @@ struct Met
     bool QueryCallback(int32 proxyId)
     {
         proxies.push_back(proxyId);
-        return int32(proxies.size()) < most;
+        return int32(proxies.size()) < maximum;
     }
     float32 RayCastCallback(const b2RayCastInput& input, int32 proxyId)
     {
@@ -173,7 +173,7 @@ struct Met
     }
 
     const b2BroadPhase* broadPhase = nullptr;
-    int32 most = 1000;
+    int32 maximum = 1000;
     float32 nearest = 1.0f;
     std::vector<int32> proxies;
 };
@@ -244,7 +244,7 @@ TEST(WorldBroadPhase, FindsTheBoxesThatABoxOverlaps)
     EXPECT_EQ(std::set<const b2Fixture*>(found.begin(), found.end()),
               std::set<const b2Fixture*>(row.fixtures.begin() + 1, row.fixtures.begin() + 4));
     Met one;
-    one.most = 1;
+    one.maximum = 1;
     row.BroadPhase().Query(&one, BoxOf(-10.0f, 100.0f));
     EXPECT_EQ(one.proxies.size(), 1u) << "no other tree is asked once a callback has said stop";
 }

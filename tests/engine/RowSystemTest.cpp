@@ -260,7 +260,7 @@ public:
             system.Rows(i) = frame.rows[i];
             BoundedSystem::Item& item = system.At(i);
             item = BoundedSystem::Item();
-            item.most.at[1] = 1e30;
+            item.maximum.at[1] = 1e30;
             item.active = 2;
         }
     }
@@ -288,7 +288,7 @@ TEST(BoundedSystem, PushesAndNeverPulls)
 TEST(BoundedSystem, GivesNoMoreThanItMay)
 {
     Column column(3);
-    column.system.At(0).most.at[1] = 0.5;
+    column.system.At(0).maximum.at[1] = 0.5;
     column.system.Minimize(column.frame.context, 1e-9);
     EXPECT_EQ(column.system.At(0).impulse.at[1], 0.5);
     EXPECT_LT(column.frame.bodies[1].v.y, -0.5f);

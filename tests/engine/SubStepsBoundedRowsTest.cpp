@@ -45,16 +45,16 @@ TEST(SubStepsMotor, StaysBelowItsMaximumWhenItsFrameTurns)
     motor->EnableMotor(true);
     motor->SetMotorSpeed(6.8f);
     motor->SetMaxMotorTorque(600.0f);
-    double most = 0.0;
+    double maximum = 0.0;
     bool slows = false;
     for (int step = 0; step < 60; ++step)
     {
         const float32 before = motor->GetJointSpeed();
         s.Step();
         const float32 fastest = b2Max(before, b2Max(motor->GetJointSpeed(), 6.8f));
-        most += 600.0 * double(fastest * kStep);
+        maximum += 600.0 * double(fastest * kStep);
         slows = slows || (step > 10 && motor->GetJointSpeed() < 6.5f);
-        ASSERT_LE(s.Energy(), 1.001 * most) << "step " << step;
+        ASSERT_LE(s.Energy(), 1.001 * maximum) << "step " << step;
     }
     EXPECT_TRUE(slows);
 }

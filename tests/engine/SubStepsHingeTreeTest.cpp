@@ -118,13 +118,13 @@ TEST(SubStepsHingeTree, SwingsALoadOfAThousandLinks)
         SmallScene s(b2Vec2(0.0f, -kGravity), count);
         const Tree tree(s, s.Post(), 1000.0f);
         const double energy = s.Energy();
-        const double most = kGravity * double(s.parts.back()->GetMass()) * 3.5;
+        const double maximum = kGravity * double(s.parts.back()->GetMass()) * 3.5;
         float32 widest = 0.0f;
         for (int step = 0; step < 600; ++step)
         {
             s.Step();
             widest = std::max(widest, tree.WidestGap());
-            ASSERT_LT(s.Energy() - energy, 0.01 * most) << count << " sub-steps, step " << step;
+            ASSERT_LT(s.Energy() - energy, 0.01 * maximum) << count << " sub-steps, step " << step;
         }
         EXPECT_LT(widest, 1e-3f) << count;
     }
@@ -138,11 +138,11 @@ TEST(SubStepsHingeTree, GainsNoEnergyWithAHeavyLoad)
         SmallScene s(b2Vec2(0.0f, -kGravity), 2);
         const Tree tree(s, s.Post(), heaviness);
         const double energy = s.Energy();
-        const double most = kGravity * double(s.parts.back()->GetMass()) * 3.5;
+        const double maximum = kGravity * double(s.parts.back()->GetMass()) * 3.5;
         for (int step = 0; step < 600; ++step)
         {
             s.Step();
-            ASSERT_LT(s.Energy() - energy, 0.02 * most) << heaviness << " step " << step;
+            ASSERT_LT(s.Energy() - energy, 0.02 * maximum) << heaviness << " step " << step;
             ASSERT_LT(s.parts.back()->GetPosition().Length(), 5.0f) << heaviness << " " << step;
         }
     }

@@ -269,16 +269,16 @@ TEST(SubStepsMachine, HoldsARedundantLoopAtTwoPlaces)
     joints.push_back(s.Hinge(s.Post(), ring[0], 6.0f, 0.0f));
     s.Step();
     const double before = s.Energy();
-    double most = 0.0;
+    double maximum = 0.0;
     for (int i = 0; i < 600; ++i)
     {
         s.Step();
-        most = std::max(most, s.Kinetic());
+        maximum = std::max(maximum, s.Kinetic());
         for (const b2Joint* joint : joints)
         {
             ASSERT_LT(Gap(joint), kHeld) << i;
         }
-        ASSERT_NEAR(s.Energy(), before, 0.005 * most) << i;
+        ASSERT_NEAR(s.Energy(), before, 0.005 * maximum) << i;
     }
 }
 
@@ -406,9 +406,10 @@ TEST(SubStepsMachine, FollowsChangesBetweenSteps)
         {
             s.world.DestroyJoint(extra);
         }
-        const float32 most = s.world.GetSubStepCount() > 1 ? 0.01f : 0.03f; // one step is coarser
-        ASSERT_LT(Gap(hinge), most) << i;
-        ASSERT_LT(Gap(second), most) << i;
+        const float32 maximum =
+            s.world.GetSubStepCount() > 1 ? 0.01f : 0.03f; // one step is coarser
+        ASSERT_LT(Gap(hinge), maximum) << i;
+        ASSERT_LT(Gap(second), maximum) << i;
         ASSERT_LT(b->GetLinearVelocity().Length(), 30.0f);
     }
 }

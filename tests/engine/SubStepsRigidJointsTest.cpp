@@ -285,20 +285,20 @@ TEST_P(HeldMachine, StaysTogetherAndKeepsItsEnergy)
     const Error error = GetParam().make(scene);
     scene.Step(); // what the joints do not allow is gone
     const double before = scene.Energy();
-    double most = scene.Kinetic();
+    double maximum = scene.Kinetic();
     double off = 0.0;
     float32 worst = 0.0f;
     for (int i = 0; i < 600; ++i)
     {
         scene.Step();
-        most = std::max(most, scene.Kinetic());
+        maximum = std::max(maximum, scene.Kinetic());
         off = std::max(off, std::abs(scene.Energy() - before));
         worst = b2Max(worst, error());
     }
     EXPECT_LT(worst, kHeld);
-    EXPECT_LT(off, 0.005 * most);
+    EXPECT_LT(off, 0.005 * maximum);
     RecordProperty("gap", std::to_string(worst * 1e6f) + " um");
-    RecordProperty("energy", std::to_string(100.0 * off / most) + " %");
+    RecordProperty("energy", std::to_string(100.0 * off / maximum) + " %");
 }
 
 INSTANTIATE_TEST_SUITE_P(SubSteps, HeldMachine,

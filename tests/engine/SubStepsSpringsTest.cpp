@@ -211,13 +211,13 @@ TEST(SubStepsSpring, IsStableAtAnyStiffness)
         const double before = s.Kinetic();
         load->SetLinearVelocity(b2Vec2(0.5f, 0.0f));
         const double pushed = s.Kinetic() - before;
-        double most = 0.0;
+        double maximum = 0.0;
         for (int i = 0; i < 600; ++i)
         {
             s.Step();
-            most = std::max(most, s.Kinetic());
+            maximum = std::max(maximum, s.Kinetic());
         }
-        EXPECT_LT(most, 3.0 * pushed) << hz << " Hz";
+        EXPECT_LT(maximum, 3.0 * pushed) << hz << " Hz";
         EXPECT_LT(load->GetPosition().Length(), 0.1f) << hz << " Hz";
     }
 }

@@ -25,7 +25,7 @@ bool IsOfNumber(char c)
 
 /// Puts another number in the place of one of the text's, for bytes changed at random rarely make
 /// one that means something. False when there is no number or no room.
-bool ChangeNumber(std::string& text, std::size_t most, std::mt19937& random)
+bool ChangeNumber(std::string& text, std::size_t maximum, std::mt19937& random)
 {
     const std::size_t from = text.find_first_of("-0123456789", random() % (text.size() + 1));
     if (from == std::string::npos)
@@ -38,24 +38,24 @@ bool ChangeNumber(std::string& text, std::size_t most, std::mt19937& random)
         ++end;
     }
     text.replace(from, end - from, kNumbers[random() % std::size(kNumbers)]);
-    return text.size() <= most;
+    return text.size() <= maximum;
 }
 
 } // namespace
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t maximum);
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
-                                               std::size_t most, unsigned seed)
+                                               std::size_t maximum, unsigned seed)
 {
     std::mt19937 random(seed);
     std::string text(reinterpret_cast<const char*>(data), size);
-    if (random() % 2 == 0 && ChangeNumber(text, most, random))
+    if (random() % 2 == 0 && ChangeNumber(text, maximum, random))
     {
         std::copy(text.begin(), text.end(), data);
         return text.size();
     }
-    return LLVMFuzzerMutate(data, size, most);
+    return LLVMFuzzerMutate(data, size, maximum);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

@@ -162,14 +162,14 @@ TEST_P(RenderedChange, FillOffByFourIsFoundByAll)
         }
     }
     inFills.erase(word(1, 1)); // the ground
-    const auto most =
+    const auto maximum =
         std::max_element(inFills.begin(), inFills.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
-    ASSERT_GT(most->second, 16);
+    ASSERT_GT(maximum->second, 16);
     Frame actual = m_expected;
     for (std::size_t i = 0; i < actual.rgba.size(); i += 4)
     {
-        if (std::memcmp(&most->first, m_expected.rgba.data() + i, 4) == 0)
+        if (std::memcmp(&maximum->first, m_expected.rgba.data() + i, 4) == 0)
         {
             for (std::size_t channel = 0; channel < 3; ++channel)
             {

@@ -26,7 +26,7 @@ bool Holds(const std::vector<PixelBounds>& rectangles, int x, int y)
 TEST(DirtyTiles, RectanglesHoldAllThatWasAddedOnceAndStayInThePicture)
 {
     std::mt19937 random(5);
-    const auto below = [&](int most) { return int(random() % unsigned(most)); };
+    const auto below = [&](int maximum) { return int(random() % unsigned(maximum)); };
     for (int round = 0; round < 200; ++round)
     {
         const int width = 1 + below(150);

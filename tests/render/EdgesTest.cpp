@@ -57,7 +57,7 @@ EdgeError ErrorOf(const DrawList& list, const char* what, int grid = 16,
         Compare(frame, Supersample(list, PixelCamera(kWidth, kHeight), theme, grid));
     EXPECT_GT(error.edgePixels, 500u) << what;
     std::printf("%-32s rms %.2f, most %.1f of 255, on %zu edge pixels\n", what, error.rms,
-                error.most, error.edgePixels);
+                error.maximum, error.edgePixels);
     return error;
 }
 
@@ -73,7 +73,7 @@ TEST(Edges, OfBoxesAreExact)
 {
     const EdgeError error = ErrorOf(OnGrid(40, AddRandomBox), "boxes");
     EXPECT_LE(error.rms, 1.1);
-    EXPECT_LE(error.most, 10.0);
+    EXPECT_LE(error.maximum, 10.0);
 }
 
 TEST(Edges, OfPolygonsAreExact)
@@ -84,7 +84,7 @@ TEST(Edges, OfPolygonsAreExact)
     };
     const EdgeError error = ErrorOf(OnGrid(40, add), "polygons");
     EXPECT_LE(error.rms, 1.0);
-    EXPECT_LE(error.most, 8.0);
+    EXPECT_LE(error.maximum, 8.0);
 }
 
 TEST(Edges, OfSliversAreExact)
@@ -95,7 +95,7 @@ TEST(Edges, OfSliversAreExact)
     };
     const EdgeError error = ErrorOf(OnGrid(40, add), "slivers");
     EXPECT_LE(error.rms, 1.0);
-    EXPECT_LE(error.most, 9.0);
+    EXPECT_LE(error.maximum, 9.0);
 }
 
 TEST(Edges, OfShapesSmallerThanAPixelAreExact)
@@ -106,7 +106,7 @@ TEST(Edges, OfShapesSmallerThanAPixelAreExact)
     };
     const EdgeError error = ErrorOf(OnGrid(8, add), "tiny boxes");
     EXPECT_LE(error.rms, 1.1);
-    EXPECT_LE(error.most, 10.0);
+    EXPECT_LE(error.maximum, 10.0);
 }
 
 TEST(Edges, OfCirclesAreExact)
@@ -117,7 +117,7 @@ TEST(Edges, OfCirclesAreExact)
     };
     const EdgeError error = ErrorOf(OnGrid(40, add), "circles with axis");
     EXPECT_LE(error.rms, 1.1);
-    EXPECT_LE(error.most, 16.0);
+    EXPECT_LE(error.maximum, 16.0);
 }
 
 TEST(Edges, OfRingsAreExact)
@@ -127,7 +127,7 @@ TEST(Edges, OfRingsAreExact)
     };
     const EdgeError error = ErrorOf(OnGrid(40, add), "rings");
     EXPECT_LE(error.rms, 1.1);
-    EXPECT_LE(error.most, 6.0);
+    EXPECT_LE(error.maximum, 6.0);
 }
 
 TEST(Edges, OfSmallDiscsAreNearlyExact)
@@ -163,7 +163,7 @@ TEST(Edges, OfThickLinesHaveRoundEnds)
     };
     const EdgeError error = ErrorOf(OnGrid(50, add), "thick lines", 16, theme);
     EXPECT_LE(error.rms, 1.2);
-    EXPECT_LE(error.most, 8.0);
+    EXPECT_LE(error.maximum, 8.0);
 }
 
 TEST(Edges, ComeCloserToAFinerTruth)

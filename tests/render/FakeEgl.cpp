@@ -22,10 +22,10 @@ void* GetPlatformDisplay(unsigned platform, void* device, const int*)
     return platform == kSurfaceless ? &g_egl.surfaceless : device;
 }
 
-unsigned QueryDevices(int most, void** devices, int* count)
+unsigned QueryDevices(int maximum, void** devices, int* count)
 {
     *count = 0;
-    while (*count < most && *count < g_egl.deviceCount)
+    while (*count < maximum && *count < g_egl.deviceCount)
     {
         devices[*count] = &g_egl.devices[*count];
         ++*count;

@@ -146,7 +146,7 @@ DrawList ManyShapes()
 struct Difference
 {
     double rms = 0.0; ///< over red, green, blue of the pixels on edges, of 255
-    double most = 0.0;
+    double maximum = 0.0;
 };
 
 Difference Between(const Frame& frame, const Frame& other, const std::vector<bool>& edge,
@@ -162,13 +162,13 @@ Difference Between(const Frame& frame, const Frame& other, const std::vector<boo
         for (std::size_t c = 0; c < 3; ++c)
         {
             const double d = std::abs(frame.rgba[4 * i + c] - double(other.rgba[4 * i + c]));
-            difference.most = std::max(difference.most, d);
+            difference.maximum = std::max(difference.maximum, d);
             squares += edge[i] ? d * d : 0.0;
         }
     }
     difference.rms = std::sqrt(squares / double(3 * pixels));
     std::printf("%-32s rms %.2f, most %.1f of 255, on %zu edge pixels\n", what, difference.rms,
-                difference.most, pixels);
+                difference.maximum, pixels);
     return difference;
 }
 
@@ -500,7 +500,7 @@ TEST(Figure, ShowsWhatTheRendererShows)
             Supersample(list, PixelCamera(kWidth, kHeight), Theme::Classic()).edge;
         const Difference difference = Between(*figure, frame, edge, std::string(name).c_str());
         EXPECT_LE(difference.rms, 2.5) << name;
-        EXPECT_LE(difference.most, 45.0) << name << ", where axes end";
+        EXPECT_LE(difference.maximum, 45.0) << name << ", where axes end";
     }
 }
 

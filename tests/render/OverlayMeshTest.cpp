@@ -117,16 +117,16 @@ TEST(OverlayMesh, BlendsColoursAsAPlaneDoes)
             const int x = int(from.x + below(unsigned(extent)));
             const int y = int(from.y + below(unsigned(extent)));
             double alpha = 0.0;
-            double least = 1.0;
+            double minimum = 1.0;
             for (std::size_t i = 0; i < 3; ++i)
             {
                 const double share =
                     cross(v[(i + 1) % 3].position, v[(i + 2) % 3].position, x + 0.5, y + 0.5) /
                     area;
                 alpha += share * v[i].color.a;
-                least = std::min(least, share);
+                minimum = std::min(minimum, share);
             }
-            if (least >= 0.0) // inside
+            if (minimum >= 0.0) // inside
             {
                 ASSERT_NEAR(Ink(mesh.corners.at(0), 3, x, y), alpha, 0.51) << round;
                 ASSERT_NEAR(Ink(mesh.corners.at(0), 0, x, y), alpha, 0.51) << "premultiplied";

@@ -279,10 +279,10 @@ TEST(Renderer, SurvivesDegenerateAndEndlessShapes)
         list.AddPoint({20, bad}, 3, kWhite);
         list.AddText({bad, bad}, "x", kWhite);
     }
-    const float most = std::numeric_limits<float>::max();
-    list.AddSegment({-most, -most}, {most, most}, kWhite);
-    AddRectangle(list, -most, -most, most, most, kWhite);
-    list.AddCircle({most, most}, most, kWhite);
+    const float maximum = std::numeric_limits<float>::max();
+    list.AddSegment({-maximum, -maximum}, {maximum, maximum}, kWhite);
+    AddRectangle(list, -maximum, -maximum, maximum, maximum, kWhite);
+    list.AddCircle({maximum, maximum}, maximum, kWhite);
     const Frame frame = Picture(list, 40, 40);
     // The diagonal through (20, 20) is drawn, and no pixel is what no blending of grey and white
     // can be.
@@ -358,9 +358,9 @@ TEST(Renderer, RefusesAViewWhosePixelsOverflowAndDrawsThoseBeforeIt)
     list.AddSegment({0, 0}, {5, 1}, kWhite);
     list.AddTransform({0, 0}, {1, 0}, 1);
     list.AddText({0, 0}, "here", kWhite);
-    const float most = std::numeric_limits<float>::max();
-    list.AddSolidCircle({most, -most}, most, {1, 0}, kWhite);
-    list.AddSegment({-most, 0}, {most, most}, kWhite);
+    const float maximum = std::numeric_limits<float>::max();
+    list.AddSolidCircle({maximum, -maximum}, maximum, {1, 0}, kWhite);
+    list.AddSegment({-maximum, 0}, {maximum, maximum}, kWhite);
     Renderer renderer = MakeRenderer(40, 30);
     Camera camera = PixelCamera(40, 30);
     camera.centerY = 0.0;

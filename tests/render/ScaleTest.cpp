@@ -30,7 +30,7 @@ Frame DrawScaled(const DrawList& list, double scale, const Theme& theme = Theme:
 struct ScaleError
 {
     double rms = 0.0; ///< over red, green and blue of the pixels whose 64 are not all alike, of 255
-    double most = 0.0;
+    double maximum = 0.0;
     std::size_t edgePixels = 0;
 };
 
@@ -61,7 +61,7 @@ ScaleError CompareScales(const DrawList& list, const char* what)
             for (std::size_t c = 0; c < 3; ++c)
             {
                 const double difference = std::abs(small.Pixel(x, y)[c] - mean[c]);
-                error.most = std::max(error.most, difference);
+                error.maximum = std::max(error.maximum, difference);
                 squares += edge ? difference * difference : 0.0;
             }
         }
@@ -69,7 +69,7 @@ ScaleError CompareScales(const DrawList& list, const char* what)
     error.rms = std::sqrt(squares / double(3 * error.edgePixels));
     EXPECT_GT(error.edgePixels, 500u) << what;
     std::printf("%-24s rms %.2f, most %.1f of 255, on %zu edge pixels\n", what, error.rms,
-                error.most, error.edgePixels);
+                error.maximum, error.edgePixels);
     return error;
 }
 
@@ -128,7 +128,7 @@ TEST(Scale, OfEightAveragedDownIsTheTruthForOne)
 {
     const ScaleError shapes = CompareScales(Shapes(false), "shapes");
     EXPECT_LE(shapes.rms, 1.1);
-    EXPECT_LE(shapes.most, 20.0);
+    EXPECT_LE(shapes.maximum, 20.0);
     const ScaleError axes = CompareScales(Shapes(true), "shapes and axes");
     EXPECT_LE(axes.rms, 1.3) << "lines end squarely at scale 1, and round when they are thick";
 }
@@ -146,7 +146,7 @@ TEST(Scale, SeesAbuttingOutlinesALittleHeavier)
     }
     const ScaleError error = CompareScales(list, "abutting boxes");
     EXPECT_LE(error.rms, 20.0);
-    EXPECT_LE(error.most, 60.0);
+    EXPECT_LE(error.maximum, 60.0);
 }
 
 // At scale 1 letters are drawn for whole pixels and stand on them, at scale 8 eight times finer.

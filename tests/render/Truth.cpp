@@ -91,12 +91,12 @@ std::vector<P> NormalsOf(const std::vector<P>& corners)
 /// much.
 Place OfPolygon(P p, const Shape& s)
 {
-    double most = -1e300;
+    double maximum = -1e300;
     for (std::size_t i = 0; i < s.points.size(); ++i)
     {
-        most = std::max(most, Dot(s.normals[i], p - s.points[i]));
+        maximum = std::max(maximum, Dot(s.normals[i], p - s.points[i]));
     }
-    Place place = WithinBand(most, s.half, Part::Fill);
+    Place place = WithinBand(maximum, s.half, Part::Fill);
     for (std::size_t i = 0; i < s.points.size(); ++i)
     {
         const P before = s.normals[(i + s.points.size() - 1) % s.points.size()];
@@ -304,7 +304,7 @@ EdgeError Compare(const Frame& frame, const TruthPicture& truth)
         for (std::size_t c = 0; c < 3; ++c)
         {
             const double difference = std::abs(frame.rgba[i * 4 + c] - truth.rgba[i * 4 + c]);
-            error.most = std::max(error.most, difference);
+            error.maximum = std::max(error.maximum, difference);
             squares += truth.edge[i] ? difference * difference : 0.0;
         }
     }

@@ -28,8 +28,8 @@ TruthPicture Supersample(const DrawList& list, const Camera& camera, const Theme
 
 struct EdgeError
 {
-    double rms = 0.0;  ///< over the red, green and blue of the pixels on edges, of 255
-    double most = 0.0; ///< over all pixels
+    double rms = 0.0;     ///< over the red, green and blue of the pixels on edges, of 255
+    double maximum = 0.0; ///< over all pixels
     std::size_t edgePixels = 0;
 };
 

@@ -76,19 +76,19 @@ void TryChains(int32 n, const std::string& against, const Add& add)
         Chain chain(n, ratio);
         add(chain);
         const double before = chain.trial.EnergyOfAll();
-        double widest = 0.0, left = 0.0, won = 0.0, most = 0.0;
+        double widest = 0.0, left = 0.0, won = 0.0, maximum = 0.0;
         chain.trial.Run(10.0, [&](double time) {
             left = time > 9.9 ? Worst(chain.WidestGap(), left) : 0.0;
             widest = Worst(chain.WidestGap(), widest);
             won = Worst(chain.trial.EnergyOfAll() - before, won);
-            most = Worst(chain.trial.KineticOfAll(), most);
+            maximum = Worst(chain.trial.KineticOfAll(), maximum);
         });
         const std::string name = "chain against " + against + ", " + std::to_string(int(ratio));
         const bool torn = ratio > 100.0f;
         Judge(name + ":1, gap", n, widest, "m", Bound(n, torn ? kTornOpen : kHardlyOpen));
         Judge(name + ":1, gap after 10 s", n, left, "m",
               Bound(n, torn ? kTornOpenAfterwards : kOpenAfterwards));
-        Judge(name + ":1, energy won", n, 100.0 * won / most, "%", Bound(n, 1.0));
+        Judge(name + ":1, energy won", n, 100.0 * won / maximum, "%", Bound(n, 1.0));
     }
 }
 
@@ -135,15 +135,15 @@ TEST_P(ChainImpact, DrawsBackWhatHangsOnWhatIsStopped)
         first->SetLinearVelocity(b2Vec2(40.0f, 0.0f));
         second->SetLinearVelocity(b2Vec2(40.0f, 0.0f));
         const double before = trial.KineticOfAll();
-        double widest = 0.0, most = before, through = 0.0;
+        double widest = 0.0, maximum = before, through = 0.0;
         trial.Run(2.0, [&](double) {
             widest = Worst(double(Gap(joint)), widest);
-            most = Worst(trial.KineticOfAll(), most);
+            maximum = Worst(trial.KineticOfAll(), maximum);
             through = Worst(double(first->GetPosition().x) - 5.0, through);
         });
         const std::string name = "pair thrown at a wall, " + std::to_string(int(ratio)) + ":1";
         Judge(name + ", gap", GetParam(), widest, "m", Bound(GetParam(), kHardlyOpen));
-        Judge(name + ", energy won", GetParam(), 100.0 * (most / before - 1.0), "%",
+        Judge(name + ", energy won", GetParam(), 100.0 * (maximum / before - 1.0), "%",
               Bound(GetParam(), 0.5));
         Judge(name + ", centre beyond the wall", GetParam(), through, "m", 0.0);
     }

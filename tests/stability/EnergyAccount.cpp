@@ -49,9 +49,9 @@ double Stiffness(double mass, float32 hz)
 }
 
 /// Of a spring k that pulls with at most F: k x^2 / 2, and beyond F / k a straight line.
-double Bounded(double k, double x, double most)
+double Bounded(double k, double x, double maximum)
 {
-    return k * x < most ? 0.5 * k * x * x : most * x - 0.5 * most * most / k;
+    return k * x < maximum ? 0.5 * k * x * x : maximum * x - 0.5 * maximum * maximum / k;
 }
 
 } // namespace

@@ -73,16 +73,16 @@ void JudgeGas(Trial& trial, int32 subSteps, const std::string& name, const b2Sha
     AddRoom(trial);
     AddGas(trial, shape, 200, speed);
     const double start = trial.KineticOfAll();
-    double most = 0.0;
+    double maximum = 0.0;
     int escaped = 0;
     trial.Run(5.0, [&](double) {
-        most = Worst(trial.KineticOfAll() / start, most);
+        maximum = Worst(trial.KineticOfAll() / start, maximum);
         escaped = std::max(escaped, Escaped(trial));
     });
     const std::string at = name + " at " + std::to_string(int(speed)) + " m/s, ";
     Judge(at + "lost", subSteps, 100.0 * (1.0 - trial.KineticOfAll() / start), "%",
           Bound(subSteps, 0.5));
-    Judge(at + "won", subSteps, 100.0 * (most - 1.0), "%", 0.01);
+    Judge(at + "won", subSteps, 100.0 * (maximum - 1.0), "%", 0.01);
     Judge(at + "escaped", subSteps, double(escaped), "", 0.0);
 }
 

@@ -189,8 +189,8 @@ inline void RunFortyTwo(int32 subSteps, double seconds)
     double first = 0.0, later = 0.0, error = 0.0, beyond = 0.0;
     trial.Run(seconds, [&](double time) {
         machine.Lead(time);
-        double& most = time < 0.1 * seconds ? first : later;
-        most = Worst(trial.KineticOfAll(), most);
+        double& maximum = time < 0.1 * seconds ? first : later;
+        maximum = Worst(trial.KineticOfAll(), maximum);
         error = time > 1.0 ? Worst(machine.Error(), error) : error;
         beyond = time > 1.0 ? Worst(machine.Beyond(), beyond) : beyond;
     });

@@ -33,16 +33,16 @@ void TryStack(int32 subSteps, const std::string& name, const Density& densityOf,
     }
     const Places places(boxes);
     const double before = trial.EnergyOfAll();
-    double overlap = 0.0, most = before;
+    double overlap = 0.0, maximum = before;
     trial.Run(20.0, [&](double time) {
         overlap = time > 10.0 ? Worst(trial.DeepestOverlap(), overlap) : 0.0;
-        most = Worst(trial.EnergyOfAll(), most);
+        maximum = Worst(trial.EnergyOfAll(), maximum);
     });
     Judge(name + ", overlap", subSteps, 1000.0 * overlap, "mm",
           bound ? 1000.0 * Bound(subSteps, kOverlap, double(b2_polygonRadius)) : kNoBound);
     Judge(name + ", way", subSteps, places.Farthest(), "m", bound ? 0.05 : kNoBound);
     // Standing upright is as high as they can be: a boost would be seen.
-    Judge(name + ", energy won", subSteps, 100.0 * (most / before - 1.0), "%", 0.5);
+    Judge(name + ", energy won", subSteps, 100.0 * (maximum / before - 1.0), "%", 0.5);
 }
 
 TEST_P(MassRatios, StackBearsAHeavyTop)
@@ -129,16 +129,16 @@ TEST_P(MassRatios, ChainHangs)
 /// What has happened to a chain so far.
 struct Swing
 {
-    double widest = 0.0, stretch = 0.0, won = 0.0, most = 0.0;
+    double widest = 0.0, stretch = 0.0, won = 0.0, maximum = 0.0;
 
     void Look(const Chain& chain, double before)
     {
         widest = Worst(chain.WidestGap(), widest);
         stretch = Worst(chain.Stretch(), stretch);
         won = Worst(chain.trial.EnergyOfAll() - before, won);
-        most = Worst(chain.trial.KineticOfAll(), most);
+        maximum = Worst(chain.trial.KineticOfAll(), maximum);
     }
-    double Won() const { return 100.0 * won / most; } // [%]
+    double Won() const { return 100.0 * won / maximum; } // [%]
 };
 
 /// For 10 s, as in the benchmark, and 20 s, when the ball has gone to and fro twice and the links
@@ -198,17 +198,17 @@ void TryTied(int32 subSteps, const std::string& name, int32 blocks, float32 rati
     }
     Trial::SetDensity(last, ratio);
     const double before = trial.EnergyOfAll();
-    double farthest = 0.0, won = 0.0, most = 0.0;
+    double farthest = 0.0, won = 0.0, maximum = 0.0;
     trial.Run(10.0, [&](double) {
         farthest = Worst(double(last->GetPosition().Length()), farthest);
         won = Worst(trial.EnergyOfAll() - before, won);
-        most = Worst(trial.KineticOfAll(), most);
+        maximum = Worst(trial.KineticOfAll(), maximum);
     });
     const std::string all = Named((std::to_string(blocks + 1) + " " + name).c_str(), ratio);
     const double length = double(blocks + 1);
     Judge(all + ", stretch", subSteps, 100.0 * (farthest / length - 1.0), "%",
           Bound(subSteps, 2.0));
-    Judge(all + ", energy won", subSteps, 100.0 * won / most, "%", 2.0);
+    Judge(all + ", energy won", subSteps, 100.0 * won / maximum, "%", 2.0);
 }
 
 TEST_P(MassRatios, RopesAndRodsHoldAHeavyBall)

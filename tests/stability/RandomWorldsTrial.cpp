@@ -26,15 +26,15 @@ double Beyond(const b2Vec2& point, const b2Vec2& half, double radius)
 /// How far shapes of a body are beyond the walls at most, without the skins around polygons.
 double Beyond(const PlannedBody& plan, const b2Body& body, const b2Vec2& half)
 {
-    double most = -1e9;
+    double maximum = -1e9;
     for (const PlannedShape& shape : plan.shapes)
     {
         for (const b2Vec2& point : shape.points)
         {
-            most = b2Max(most, Beyond(body.GetWorldPoint(point), half, double(shape.radius)));
+            maximum = b2Max(maximum, Beyond(body.GetWorldPoint(point), half, double(shape.radius)));
         }
     }
-    return most;
+    return maximum;
 }
 
 /// Watches a world from step to step.

@@ -62,14 +62,14 @@ TEST_P(TimeSteps, KeepAChain)
             last = link;
         }
         const double before = trial.EnergyOfAll();
-        double widest = 0.0, won = 0.0, most = 0.0;
+        double widest = 0.0, won = 0.0, maximum = 0.0;
         trial.Run(20.0, rhythm.lengthOf, [&](double) {
             for (const b2Joint* joint : joints)
             {
                 widest = Worst(double(Gap(joint)), widest);
             }
             won = Worst(trial.EnergyOfAll() - before, won);
-            most = Worst(trial.KineticOfAll(), most);
+            maximum = Worst(trial.KineticOfAll(), maximum);
         });
         const std::string name = std::string("chain of 10, steps of ") + rhythm.name;
         // Four small steps of 1/15 s are what one step of 1/60 s is: links that whip turn by half a
@@ -78,7 +78,7 @@ TEST_P(TimeSteps, KeepAChain)
             GetParam() > kRecommended || (GetParam() == kRecommended && !rhythm.isLong);
         Judge(name + ", gap", GetParam(), 1000.0 * widest, "mm",
               fine ? 1000.0 * double(b2_linearSlop) : kNoBound);
-        Judge(name + ", energy won", GetParam(), 100.0 * won / most, "%", 1.0);
+        Judge(name + ", energy won", GetParam(), 100.0 * won / maximum, "%", 1.0);
     }
 }
 

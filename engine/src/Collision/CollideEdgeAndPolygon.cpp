@@ -214,13 +214,13 @@ void ClipPolygonToEdge(b2Manifold* manifold, const Oriented& o, const b2Vec2& no
                        float32 radius)
 {
     int32 side = 0;
-    float32 least = b2_maxFloat;
+    float32 minimum = b2_maxFloat;
     for (int32 i = 0; i < polygon.m_count; ++i)
     {
         const float32 facing = b2Dot(normalInPolygon, polygon.m_normals[i]);
-        if (facing < least)
+        if (facing < minimum)
         {
-            least = facing;
+            minimum = facing;
             side = i;
         }
     }

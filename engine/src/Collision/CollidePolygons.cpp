@@ -61,14 +61,14 @@ int32 FindFace(const b2PolygonShape& polygon, const Seen& other, float32* separa
         Float4 normalY;
         LoadVectors(polygon.m_vertices + i, x, y);
         LoadVectors(polygon.m_normals + i, normalX, normalY);
-        Float4 least = Float4::Set(b2_maxFloat);
+        Float4 minimum = Float4::Set(b2_maxFloat);
         for (int32 j = 0; j < other.count; ++j)
         {
             const Float4 wayX = Float4::Set(other.x[j]) - x;
             const Float4 wayY = Float4::Set(other.y[j]) - y;
-            least = Min(least, normalX * wayX + normalY * wayY);
+            minimum = Min(minimum, normalX * wayX + normalY * wayY);
         }
-        least.Store(deepest + i);
+        minimum.Store(deepest + i);
     }
     int32 face = 0;
     *separation = -b2_maxFloat;
@@ -90,13 +90,13 @@ void ClipPolygon(b2Manifold* manifold, const b2PolygonShape& reference, int32 fa
     // The incident side is the one whose normal is most opposed to the face.
     const b2Vec2 normal = b2MulT(incidentInReference.q, reference.m_normals[face]);
     int32 side = 0;
-    float32 least = b2_maxFloat;
+    float32 minimum = b2_maxFloat;
     for (int32 i = 0; i < incident.m_count; ++i)
     {
         const float32 facing = b2Dot(normal, incident.m_normals[i]);
-        if (facing < least)
+        if (facing < minimum)
         {
-            least = facing;
+            minimum = facing;
             side = i;
         }
     }

@@ -39,9 +39,9 @@ void AddTo(float32& total, float32 value)
 }
 
 template <class T>
-void RaiseTo(T& most, T value)
+void RaiseTo(T& maximum, T value)
 {
-    const std::atomic_ref<T> number(most);
+    const std::atomic_ref<T> number(maximum);
     if (number.load(std::memory_order_relaxed) < value)
     {
         number.store(value, std::memory_order_relaxed);

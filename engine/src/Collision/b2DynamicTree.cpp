@@ -362,16 +362,16 @@ int32 b2DynamicTree::GetHeight() const
 
 int32 b2DynamicTree::GetMaxBalance() const
 {
-    int32 most = 0;
+    int32 maximum = 0;
     for (int32 i = 0; i < m_nodeCapacity; ++i)
     {
         if (m_nodes[i].height > 0)
         {
             const int32* child = m_nodes[i].link.child;
-            most = b2Max(most, b2Abs(m_nodes[child[0]].height - m_nodes[child[1]].height));
+            maximum = b2Max(maximum, b2Abs(m_nodes[child[0]].height - m_nodes[child[1]].height));
         }
     }
-    return most;
+    return maximum;
 }
 
 float32 b2DynamicTree::GetAreaRatio() const

@@ -239,10 +239,10 @@ struct Marks
 // Returns the time for which the bound stays above the target; at most `most`. Negative if the
 // shapes are closer than the target already. The root of the pair that is closest at h is not
 // before that of the whole bound, so h decreases monotonically to it.
-double SafeStep(const Marks& a, const Marks& b, double curvature, double target, double most,
+double SafeStep(const Marks& a, const Marks& b, double curvature, double target, double maximum,
                 int32& iterations)
 {
-    double h = most;
+    double h = maximum;
     int32 lastA = -1;
     int32 lastB = -1;
     while (true)

@@ -165,9 +165,9 @@ TEST(RubeBuilder, NamesPolygonsThatHaveTooManyOrTooFewVertices)
         EXPECT_THAT(built.leftOut[0].reason, HasSubstr(count));
         EXPECT_EQ(built.world.GetBodyList()->GetFixtureList(), nullptr);
     }
-    Built most(OneFixture(Polygon(b2_maxPolygonVertices)));
-    EXPECT_THAT(most.leftOut, IsEmpty());
-    EXPECT_NE(most.world.GetBodyList()->GetFixtureList(), nullptr);
+    Built maximum(OneFixture(Polygon(b2_maxPolygonVertices)));
+    EXPECT_THAT(maximum.leftOut, IsEmpty());
+    EXPECT_NE(maximum.world.GetBodyList()->GetFixtureList(), nullptr);
 }
 
 TEST(RubeBuilder, NamesShapesWithoutExtent)

@@ -97,9 +97,9 @@ TEST(AddPairStressTestScene, TheBlockPloughsThroughTheField)
     const auto scene = Make("Add Pair Stress Test");
     const std::vector<b2Body*> movers = Movers(*scene);
     ASSERT_EQ(movers.size(), 401u);
-    int32 most = 0;
-    Play(*scene, 3.0f, [&] { most = std::max(most, scene->World().GetContactCount()); });
-    EXPECT_GT(most, 400);
+    int32 maximum = 0;
+    Play(*scene, 3.0f, [&] { maximum = std::max(maximum, scene->World().GetContactCount()); });
+    EXPECT_GT(maximum, 400);
     EXPECT_GT(movers.back()->GetPosition().x, 8.0f);
     EXPECT_LT(movers.back()->GetLinearVelocity().x, 30.0f);
     for (const b2Body* body : movers)

@@ -162,19 +162,19 @@ TEST(ConvexHullScene, EveryHullHoldsItsPointsAndFallsWhenTheNextComes)
 TEST(DynamicTreeScene, FindsWhatIsInTheBoxAndNotTheRest)
 {
     const auto scene = Make("Dynamic Tree");
-    float32 most = 0.0f;
-    float32 least = 100.0f;
+    float32 maximum = 0.0f;
+    float32 minimum = 100.0f;
     Play(*scene, 10.0f, [&] {
         const float32 found = std::stof(Said(*scene, "in the box"));
-        most = std::max(most, found);
-        least = std::min(least, found);
+        maximum = std::max(maximum, found);
+        minimum = std::min(minimum, found);
         EXPECT_EQ(Drawn(*scene).polygons,
                   48 + 1 + static_cast<int>(found) + (Said(*scene, "on the ray") == "one" ? 1 : 0));
     });
     // The box is a twentieth of the field: about five of 48, with their margins.
-    EXPECT_LT(least, 6.0f);
-    EXPECT_GT(most, 6.0f);
-    EXPECT_LT(most, 24.0f);
+    EXPECT_LT(minimum, 6.0f);
+    EXPECT_GT(maximum, 6.0f);
+    EXPECT_LT(maximum, 24.0f);
     EXPECT_LE(std::stoi(Said(*scene, "height")), 12);
 }
 

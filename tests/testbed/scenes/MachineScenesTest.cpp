@@ -105,15 +105,15 @@ TEST(PrismaticScene, CarriesItsBoxesUpAndDownBetweenTheLimits)
 {
     const auto scene = Make("Prismatic");
     const b2PrismaticJoint* slide = JointsOf<b2PrismaticJoint>(*scene)[0];
-    float32 least = 100.0f;
-    float32 most = 0.0f;
+    float32 minimum = 100.0f;
+    float32 maximum = 0.0f;
     Play(*scene, 10.0f, [&] {
-        most = std::max(most, slide->GetJointTranslation());
-        least = std::min(least, slide->GetJointTranslation());
+        maximum = std::max(maximum, slide->GetJointTranslation());
+        minimum = std::min(minimum, slide->GetJointTranslation());
         EXPECT_NEAR(slide->GetBodyB()->GetAngle(), 0.0f, 0.02f);
     });
-    EXPECT_NEAR(most, 17.0f, 0.7f);
-    EXPECT_NEAR(least, 0.0f, 0.3f);
+    EXPECT_NEAR(maximum, 17.0f, 0.7f);
+    EXPECT_NEAR(minimum, 0.0f, 0.3f);
     for (const b2Body* body : Movers(*scene))
     {
         EXPECT_GT(body->GetPosition().y, 4.0f) << "a box fell off";

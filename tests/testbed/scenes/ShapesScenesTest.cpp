@@ -105,10 +105,10 @@ TEST(ShapeEditingScene, TheLoadTipsItAndItRightsItselfWithout)
     const float32 mass = toy->GetMass();
     Play(*scene, 0.9f);
     EXPECT_NEAR(toy->GetAngle(), 0.0f, 0.02f);
-    float32 most = 0.0f;
-    Play(*scene, 2.5f, [&] { most = std::max(most, b2Abs(toy->GetAngle())); });
+    float32 maximum = 0.0f;
+    Play(*scene, 2.5f, [&] { maximum = std::max(maximum, b2Abs(toy->GetAngle())); });
     EXPECT_GT(toy->GetMass(), mass + 3.0f);
-    EXPECT_GT(most, 0.5f);
+    EXPECT_GT(maximum, 0.5f);
     scene->KeyDown('d');
     Play(*scene, 8.0f);
     EXPECT_EQ(toy->GetMass(), mass);

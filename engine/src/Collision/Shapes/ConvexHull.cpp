@@ -80,16 +80,16 @@ void RemoveFlatCorners(ConvexHull* hull)
     while (hull->count >= 3)
     {
         int32 flattest = -1;
-        double least = kFlat;
+        double minimum = kFlat;
         for (int32 i = 0; i < hull->count; ++i)
         {
             const b2Vec2& before = hull->points[(i + hull->count - 1) % hull->count];
             const b2Vec2& after = hull->points[(i + 1) % hull->count];
             const double base = std::sqrt(DistanceSquared(before, after));
             const double height = Turn(before, hull->points[i], after) / base;
-            if (height < least)
+            if (height < minimum)
             {
-                least = height;
+                minimum = height;
                 flattest = i;
             }
         }

@@ -50,12 +50,12 @@ void b2ChainShape::Clear()
     m_oneSided = false;
 }
 
-void b2ChainShape::TakeVertices(const b2Vec2* vertices, int32 count, int32 least, bool isLoop)
+void b2ChainShape::TakeVertices(const b2Vec2* vertices, int32 count, int32 minimum, bool isLoop)
 {
     B2_REQUIRE(m_vertices == nullptr,
                "The chain already has vertices; call Clear before it is made anew.");
     Clear();
-    if (!B2_REQUIRE(vertices != nullptr && count >= least,
+    if (!B2_REQUIRE(vertices != nullptr && count >= minimum,
                     "A chain needs at least 2 vertices, a loop at least 3.") ||
         count == INT32_MAX)
     {
@@ -85,7 +85,7 @@ void b2ChainShape::TakeVertices(const b2Vec2* vertices, int32 count, int32 least
     {
         --m_count;
     }
-    if (m_count < least)
+    if (m_count < minimum)
     {
         Clear();
     }

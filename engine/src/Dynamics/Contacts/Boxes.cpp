@@ -92,8 +92,8 @@ float32 RoomIn(const b2AABB& outer, const b2AABB& inner)
 {
     const b2Vec2 below = inner.lowerBound - outer.lowerBound;
     const b2Vec2 above = outer.upperBound - inner.upperBound;
-    const b2Vec2 least = b2Min(below, above);
-    return b2Min(least.x, least.y);
+    const b2Vec2 minimum = b2Min(below, above);
+    return b2Min(minimum.x, minimum.y);
 }
 
 /// At most this much may boxes in single precision differ from those of the exact pose, then and

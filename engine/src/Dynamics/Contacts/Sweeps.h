@@ -196,26 +196,26 @@ inline float32 InFrontOfEdge(const b2Vec2& v1, const b2Vec2& v2, const b2Vec2& p
 /// all faces, at most the distance from the core. Circles have no faces.
 inline float32 InFront(const b2Shape& shape, int32 child, const b2Vec2& point)
 {
-    float32 most = -b2_maxFloat;
+    float32 maximum = -b2_maxFloat;
     if (shape.GetType() == b2Shape::e_polygon)
     {
         const auto& polygon = static_cast<const b2PolygonShape&>(shape);
         for (int32 i = 0; i < polygon.m_count; ++i)
         {
-            most = b2Max(most, b2Dot(polygon.m_normals[i], point - polygon.m_vertices[i]));
+            maximum = b2Max(maximum, b2Dot(polygon.m_normals[i], point - polygon.m_vertices[i]));
         }
     }
     else if (shape.GetType() == b2Shape::e_edge)
     {
         const auto& edge = static_cast<const b2EdgeShape&>(shape);
-        most = InFrontOfEdge(edge.m_vertex1, edge.m_vertex2, point);
+        maximum = InFrontOfEdge(edge.m_vertex1, edge.m_vertex2, point);
     }
     else if (shape.GetType() == b2Shape::e_chain)
     {
         const b2Vec2* vertices = static_cast<const b2ChainShape&>(shape).m_vertices + child;
-        most = InFrontOfEdge(vertices[0], vertices[1], point);
+        maximum = InFrontOfEdge(vertices[0], vertices[1], point);
     }
-    return most;
+    return maximum;
 }
 
 /// True if the other body's circle stays in front of one face of the shape for its whole path, out

@@ -216,11 +216,11 @@ void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLe
 /// impacts of the step push the body as well.
 void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
 {
-    const float32 most = kFarthestPush * m_timeStep;
+    const float32 maximum = kFarthestPush * m_timeStep;
     const float32 path = PushOf(SolverBody(), pushed, maxExtent);
-    if (m_world.subStepCount > 1 && path > most)
+    if (m_world.subStepCount > 1 && path > maximum)
     {
-        ShortenPush(SolverBody(), pushed, most / path);
+        ShortenPush(SolverBody(), pushed, maximum / path);
     }
 }
 
@@ -344,7 +344,7 @@ bool Impact::KeepsEnergy() const
 ///   T0 + s (T1 - T0 - D) + s^2 D,
 /// where D is that of the difference of the velocities. The largest fraction that adds no energy is
 /// used.
-void Impact::BounceLess(double most)
+void Impact::BounceLess(double maximum)
 {
     const double bouncedEnergy = KineticEnergyOfAll();
     m_bounced.resize(m_bodies.size());
@@ -370,7 +370,7 @@ void Impact::BounceLess(double most)
         return;
     }
     const double half = 0.5 * (bouncedEnergy - energy - difference);
-    const double square = half * half - difference * b2Min(energy - most, 0.0);
+    const double square = half * half - difference * b2Min(energy - maximum, 0.0);
     const auto share = float32((std::sqrt(square) - half) / difference);
     ForMoved([&](const BodyData&, SolverBody& state, std::size_t i) {
         state.v += share * (m_bounced[i].v - state.v);
@@ -439,11 +439,11 @@ void Impact::SolveVelocities(float32 time)
 {
     Prepare();
     const double before = KineticEnergyOfAll();
-    const double most = (1.0 + kRounding) * (before + CorrectBounces());
+    const double maximum = (1.0 + kRounding) * (before + CorrectBounces());
     Sweep();
-    if (KineticEnergyOfAll() > most && KeepsEnergy())
+    if (KineticEnergyOfAll() > maximum && KeepsEnergy())
     {
-        BounceLess(most);
+        BounceLess(maximum);
     }
     const bool accounts = m_world.energyGuard->HasAccounts() && KeepsEnergy();
     for (std::size_t i = 0; i < m_bodies.size(); ++i)

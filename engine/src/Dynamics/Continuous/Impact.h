@@ -51,7 +51,7 @@ private:
     void Sweep();
     bool KeepsEnergy() const;
     double KineticEnergyOfAll() const;
-    void BounceLess(double most);
+    void BounceLess(double maximum);
     EnergyGuard::Path PathOf(std::size_t index, float32 time) const;
     void MoveOn(std::size_t index, float32 time);
     void MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const;

@@ -22,9 +22,9 @@ constexpr double kBurst = 30.0;
 /// Limits with a smaller relative difference are equal.
 constexpr double kSameLimit = 0.01;
 
-double Limited(double value, double least, double most)
+double Limited(double value, double minimum, double maximum)
 {
-    return value < least ? least : (value > most ? most : value);
+    return value < minimum ? minimum : (value > maximum ? maximum : value);
 }
 
 double SpeedFrom(const JointRows::Column& c, int32 row, const SolverBody& s)
@@ -90,8 +90,8 @@ bool BoundedSystem::Release(const SolverContext& context, double tolerance)
         {
             const double soft = double(rows.laws[row].softness) * item.impulse.at[row];
             const double off = speed.at[row] + soft - item.speeds.at[row];
-            const bool wantsMore = off < -tolerance && item.impulse.at[row] < item.most.at[row];
-            const bool wantsLess = off > tolerance && item.impulse.at[row] > item.least.at[row];
+            const bool wantsMore = off < -tolerance && item.impulse.at[row] < item.maximum.at[row];
+            const bool wantsLess = off > tolerance && item.impulse.at[row] > item.minimum.at[row];
             if ((item.active >> row & 1) == 0 && (wantsMore || wantsLess))
             {
                 item.active = uint8(item.active | 1 << row);
@@ -102,16 +102,18 @@ bool BoundedSystem::Release(const SolverContext& context, double tolerance)
     return any;
 }
 
-bool BoundedSystem::Limit(const SolverContext& context, std::size_t index, int32 row, double most)
+bool BoundedSystem::Limit(const SolverContext& context, std::size_t index, int32 row,
+                          double maximum)
 {
     Item& item = m_items[index];
-    const double before = item.most.at[row];
-    item.least.at[row] = -most;
-    item.most.at[row] = most;
+    const double before = item.maximum.at[row];
+    item.minimum.at[row] = -maximum;
+    item.maximum.at[row] = maximum;
     double& impulse = item.impulse.at[row];
     const bool held = (item.active >> row & 1) != 0;
     // A component at its bound follows the change.
-    const double inside = held ? Limited(impulse, -most, most) : (impulse < 0.0 ? -most : most);
+    const double inside =
+        held ? Limited(impulse, -maximum, maximum) : (impulse < 0.0 ? -maximum : maximum);
     if (inside == impulse)
     {
         return false;
@@ -121,7 +123,7 @@ bool BoundedSystem::Limit(const SolverContext& context, std::size_t index, int32
     impulse = inside;
     item.active = uint8(item.active & ~(1u << row));
     Push(context, m_system.Rows(index), change);
-    return held || std::abs(most - before) > kSameLimit * before;
+    return held || std::abs(maximum - before) > kSameLimit * before;
 }
 
 void BoundedSystem::Mark(const SolverContext& context)
@@ -252,14 +254,14 @@ bool BoundedSystem::MoveItem(std::size_t index, double share, Vector3& change)
         {
             continue;
         }
-        const double least = item.least.at[row];
-        const double most = item.most.at[row];
+        const double minimum = item.minimum.at[row];
+        const double maximum = item.maximum.at[row];
         const double total = item.impulse.at[row] + share * found.at[row];
-        const double inside = Limited(total, least, most);
+        const double inside = Limited(total, minimum, maximum);
         change.at[row] = inside - item.impulse.at[row];
         item.impulse.at[row] = inside;
         const double step = found.at[row];
-        const bool meets = (step < 0.0 && inside <= least) || (step > 0.0 && inside >= most);
+        const bool meets = (step < 0.0 && inside <= minimum) || (step > 0.0 && inside >= maximum);
         if (inside != total || (share < 1.0 && meets))
         {
             item.active = uint8(item.active & ~(1u << row));
@@ -280,7 +282,8 @@ double BoundedSystem::ShareWithin() const
         {
             const double step = m_system.Found(i).at[row];
             const double impulse = item.impulse.at[row];
-            const double inside = Limited(impulse + step, item.least.at[row], item.most.at[row]);
+            const double inside =
+                Limited(impulse + step, item.minimum.at[row], item.maximum.at[row]);
             if ((item.active >> row & 1) != 0 && inside != impulse + step)
             {
                 share = std::min(share, (inside - impulse) / step);

@@ -22,7 +22,7 @@ public:
     {
         Vector3 speeds{};  ///< target speed of each row
         Vector3 impulse{}; ///< applied impulse
-        Vector3 least{}, most{};
+        Vector3 minimum{}, maximum{};
         uint8 active = 0; ///< rows that are not at a bound
     };
 
@@ -39,7 +39,7 @@ public:
     void Minimize(const SolverContext& context, double tolerance);
     /// Sets the bounds of a row to -most and most, and clamps its impulse. Returns true if the
     /// change requires another solution.
-    bool Limit(const SolverContext& context, std::size_t item, int32 row, double most);
+    bool Limit(const SolverContext& context, std::size_t item, int32 row, double maximum);
     /// Mark stores velocities and impulses; Restore returns to them if the energy is higher or has
     /// no minimum.
     void Mark(const SolverContext& context);

@@ -104,13 +104,13 @@ struct DistanceLanes
         const Vector<F> turnedB = pair.b.Turn(armB);
         Vector<F> along = pair.Offset(offset) + turnedB - turnedA;
         const F now = Normalize(along);
-        const F most = F::Set(b2_maxLinearCorrection);
+        const F maximum = F::Set(b2_maxLinearCorrection);
         F wanted = length;
         if ((features & kLimits) != 0)
         {
             wanted = Select(HasLimits(), Clamp(now, limits.lower, limits.upper), wanted);
         }
-        const F error = Clamp(now - wanted, -most, most);
+        const F error = Clamp(now - wanted, -maximum, maximum);
         const F k = pair.AxisMatrix(along, turnedA, turnedB);
         auto held = Not(Or(AtLeast(zero, now), AtLeast(zero, k)));
         auto joined = AtLeast(F::Set(b2_linearSlop), Abs(error));

@@ -21,7 +21,7 @@ struct FrictionLanes
 
     Vector<F> impulse;                      ///< [N s]
     F angularImpulse;                       ///< [N m s]
-    F most, mostAngular;                    ///< their maximum
+    F maximum, mostAngular;                 ///< their maximum
     Vector<F> armA, armB;                   ///< at the start of the step [m]
     typename PairMasses<F>::Matrix inverse; ///< of the matrix of the point
     F angularMass;
@@ -47,7 +47,7 @@ struct FrictionLanes
     void SolveLinear(MovingPair<F>& pair, const Vector<F>& speed)
     {
         const Vector<F> wanted = impulse + inverse * -speed;
-        const Vector<F> total = ClampLength(wanted, most);
+        const Vector<F> total = ClampLength(wanted, maximum);
         pair.Apply(total - impulse, armA, armB);
         impulse = total;
     }

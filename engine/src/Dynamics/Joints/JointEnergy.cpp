@@ -25,8 +25,8 @@ bool IsFarOut(const b2Body& body, const b2Vec2& point, float32 radii)
 double SpringState::EnergyAt(double x) const
 {
     const double pull = stiffness * std::abs(x);
-    return pull <= most ? 0.5 * pull * std::abs(x)
-                        : most * std::abs(x) - 0.5 * most * most / stiffness;
+    return pull <= maximum ? 0.5 * pull * std::abs(x)
+                           : maximum * std::abs(x) - 0.5 * maximum * maximum / stiffness;
 }
 
 double StoredBetween(const SpringState& before, const SpringState& after)
@@ -49,8 +49,8 @@ bool IsAtRisk(const b2Joint& joint)
     {
         return true;
     }
-    const float32 most = HoldOf(joint) == JointHold::kLine ? kLongLeverOfLine : kLongLever;
-    return HasLeverOnB(joint, most) || HasLeverOnA(joint, most);
+    const float32 maximum = HoldOf(joint) == JointHold::kLine ? kLongLeverOfLine : kLongLever;
+    return HasLeverOnB(joint, maximum) || HasLeverOnA(joint, maximum);
 }
 
 bool HasLeverOnA(const b2Joint& joint, float32 radii)

@@ -19,7 +19,7 @@ struct SpringState
 {
     double stiffness = 0.0; ///< k [N/m] or [N m], of the present pose
     double error = 0.0;     ///< x [m] or [rad]
-    double most = std::numeric_limits<double>::infinity(); ///< [N] or [N m]
+    double maximum = std::numeric_limits<double>::infinity(); ///< [N] or [N m]
 
     double Energy() const { return EnergyAt(error); }
     /// Returns k x^2 / 2, and a linear function beyond `most` / k [J].

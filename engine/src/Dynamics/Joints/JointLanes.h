@@ -233,9 +233,9 @@ F LimitImpulse(F impulse, F mass, F speed, F lowerSpeed, F upperSpeed)
 /// Returns the correction of a violated limit. Not complete, because within the slop contacts would
 /// push back, and the body would tremble.
 template <class F>
-F BackTowards(F lower, F upper, F value, F slop, F most)
+F BackTowards(F lower, F upper, F value, F slop, F maximum)
 {
-    return Clamp(Clamp(value, lower - slop, upper + slop) - value, -most, most);
+    return Clamp(Clamp(value, lower - slop, upper + slop) - value, -maximum, maximum);
 }
 
 /// Limits a vector to the maximum impulse of a force in a step.

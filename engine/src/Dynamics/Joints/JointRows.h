@@ -57,7 +57,7 @@ struct JointRows
     {
         float32 wanted = 0.0f;   ///< [m/s] or [rad/s]
         float32 softness = 0.0f; ///< [1/kg] or [1/(kg m^2)]
-        float32 most = b2_maxFloat;
+        float32 maximum = b2_maxFloat;
         float32 slowest = -b2_maxFloat, fastest = b2_maxFloat;
         float32 place = 0.0f; ///< position of a row with a slowest or fastest speed [m] or [rad]
 
@@ -67,7 +67,9 @@ struct JointRows
         /// Returns the motor's part of an impulse, which also contains the limit's.
         float32 Within(float32 all) const
         {
-            return DrivesBelow() ? -most : DrivesAbove() ? most : b2Clamp(all, -most, most);
+            return DrivesBelow()   ? -maximum
+                   : DrivesAbove() ? maximum
+                                   : b2Clamp(all, -maximum, maximum);
         }
     };
     /// Tolerance of speeds [m/s], [rad/s]: rounding must not release a limit.
@@ -78,7 +80,7 @@ struct JointRows
     bool IsDriven() const
     {
         return std::any_of(laws + Rigid(), laws + rows,
-                           [](const Law& law) { return law.most > 0.0f; });
+                           [](const Law& law) { return law.maximum > 0.0f; });
     }
 
     /// Resets the rows at low cost: columns are cleared when they are added.
@@ -213,7 +215,7 @@ struct RowFiller
     {
         JointRows::Law& law = Give();
         law.wanted = speed;
-        law.most = context.timeStep * mostForce;
+        law.maximum = context.timeStep * mostForce;
     }
     /// Call after a motor, which may have no force. The largest number means no limit on that side.
     void GiveToLimit(float32 place, float32 lower, float32 upper)
@@ -229,8 +231,8 @@ struct RowFiller
         AddAngle(0.0f);
         rows.boundedRows = rows.rows;
         rows.disc = true;
-        rows.laws[0].most = rows.laws[1].most = context.timeStep * mostForce;
-        rows.laws[2].most = context.timeStep * mostTorque;
+        rows.laws[0].maximum = rows.laws[1].maximum = context.timeStep * mostForce;
+        rows.laws[2].maximum = context.timeStep * mostTorque;
     }
     /// Uses the oscillator with the mass 1 / `inverseMass`, or with the effective mass of the row.
     void GiveToSpring(float32 error, float32 frequencyHz, float32 dampingRatio)
@@ -292,7 +294,7 @@ inline void RowFiller::GiveToSpring(float32 error, float32 frequencyHz, float32 
     JointRows::Law& law = Give();
     if (inverseMass <= 0.0f || frequencyHz <= 0.0f)
     {
-        law.most = 0.0f;
+        law.maximum = 0.0f;
         return;
     }
     const float32 t = context.timeStep;

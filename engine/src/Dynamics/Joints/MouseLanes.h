@@ -22,7 +22,7 @@ struct MouseLanes
     static constexpr float32 kKeptSpin = 0.98f;
 
     Vector<F> impulse;                      ///< [N s]
-    F most;                                 ///< its maximum
+    F maximum;                              ///< its maximum
     Vector<F> arm;                          ///< at the start of the step [m]
     typename PairMasses<F>::Matrix inverse; ///< of the matrix of the point
     Vector<F> bias;
@@ -36,7 +36,7 @@ struct MouseLanes
     void SolveVelocity(MovingPair<F>& pair, uint8)
     {
         const Vector<F> speed = pair.vB + Cross(pair.wB, arm) + bias + gamma * impulse;
-        const Vector<F> total = ClampLength(impulse + inverse * -speed, most);
+        const Vector<F> total = ClampLength(impulse + inverse * -speed, maximum);
         Apply(pair, total - impulse);
         impulse = total;
     }

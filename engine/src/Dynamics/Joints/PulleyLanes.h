@@ -76,8 +76,8 @@ struct PulleyLanes
         const F error = RopeLength(nowA) - lengthA + ratio * (RopeLength(nowB) - lengthB);
         // At most what velocities may move: each iteration would move a light body between a pulley
         // and a limit further out. With 0.2 m, as for rods, ropes stretch.
-        const F most = F::Set(b2_maxTranslation);
-        const F push = -Clamp(error, -most, most) * InverseOrZero(k);
+        const F maximum = F::Set(b2_maxTranslation);
+        const F push = -Clamp(error, -maximum, maximum) * InverseOrZero(k);
         pair.a.d = pair.a.d + pair.mA * (push * alongA);
         pair.b.d = pair.b.d + pair.mB * ((ratio * push) * alongB);
         pair.Rotate(-Cross(turnedA, push * alongA), Cross(turnedB, (ratio * push) * alongB));

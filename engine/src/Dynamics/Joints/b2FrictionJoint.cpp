@@ -33,7 +33,7 @@ void b2FrictionJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     const b2Mat22 matrix = box2d::PointMatrix(f, armA, armB);
     lane.Write(box2d::FrictionLanes<float32>{.impulse = box2d::InLanes(m_impulse),
                                              .angularImpulse = m_angularImpulse,
-                                             .most = context.timeStep * m_maxForce,
+                                             .maximum = context.timeStep * m_maxForce,
                                              .mostAngular = context.timeStep * m_maxTorque,
                                              .armA = box2d::InLanes(armA),
                                              .armB = box2d::InLanes(armB),

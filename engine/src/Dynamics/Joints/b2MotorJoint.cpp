@@ -39,7 +39,7 @@ void b2MotorJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
     lane.Write(
         box2d::MotorLanes<float32>{.friction = {.impulse = box2d::InLanes(m_impulse),
                                                 .angularImpulse = m_angularImpulse,
-                                                .most = context.timeStep * m_maxForce,
+                                                .maximum = context.timeStep * m_maxForce,
                                                 .mostAngular = context.timeStep * m_maxTorque,
                                                 .armA = box2d::InLanes(armA),
                                                 .armB = box2d::InLanes(armB),

@@ -46,7 +46,7 @@ void b2MouseJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
     const float32 k22 = f.mB + f.iB * arm.x * arm.x + soft.gamma;
     const b2Mat22 matrix(k11, k12, k12, k22);
     lane.Write(box2d::MouseLanes<float32>{.impulse = box2d::InLanes(m_impulse),
-                                          .most = context.timeStep * m_maxForce,
+                                          .maximum = context.timeStep * m_maxForce,
                                           .arm = box2d::InLanes(arm),
                                           .inverse = box2d::InverseInLanes(matrix),
                                           .bias = box2d::InLanes(soft.biasRate * error),
@@ -70,7 +70,7 @@ void b2MouseJoint::FillRows(const box2d::SolverContext& context, box2d::JointRow
         const b2Vec2 direction(isX ? 1.0f : 0.0f, isX ? 0.0f : 1.0f);
         row.b.AddTo(rows.rows++, direction, b2Cross(armB, direction));
         row.GiveToSpring(isX ? error.x : error.y, m_frequencyHz, m_dampingRatio, row.f.mB);
-        rows.laws[rows.rows - 1].most = context.timeStep * m_maxForce;
+        rows.laws[rows.rows - 1].maximum = context.timeStep * m_maxForce;
     }
     rows.disc = true;
     // Damps the rotation, so that a dragged body does not spin for long.
@@ -99,7 +99,7 @@ box2d::SpringState box2d::JointAccess::Kind<b2MouseJoint>::SpringOf(const b2Mous
     SpringState spring;
     spring.error = double((apart + pair.b.d + arm).Length());
     spring.stiffness = StiffnessOf(double(pair.dataB.SolverInvMass()), joint.GetFrequency());
-    spring.most = double(joint.GetMaxForce());
+    spring.maximum = double(joint.GetMaxForce());
     return spring;
 }
 

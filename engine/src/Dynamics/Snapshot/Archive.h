@@ -77,9 +77,9 @@ public:
         PutNumber(count);
     }
     template <class Value>
-    void Within(Value& value, Value least, Value most)
+    void Within(Value& value, Value minimum, Value maximum)
     {
-        (void)least, (void)most;
+        (void)minimum, (void)maximum;
         PutNumber(int32(value));
     }
     void Require(bool) {}
@@ -141,11 +141,11 @@ public:
     }
     /// Reads a number or enumerator and checks its range.
     template <class Value>
-    void Within(Value& value, Value least, Value most)
+    void Within(Value& value, Value minimum, Value maximum)
     {
         const auto number = TakeNumber<int32>();
-        Require(number >= int32(least) && number <= int32(most));
-        value = m_sound ? static_cast<Value>(number) : least;
+        Require(number >= int32(minimum) && number <= int32(maximum));
+        value = m_sound ? static_cast<Value>(number) : minimum;
     }
     /// After the first false condition everything is rejected.
     void Require(bool condition)

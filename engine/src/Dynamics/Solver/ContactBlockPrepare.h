@@ -119,11 +119,13 @@ struct BlockPreparer
     void CopyImpulses(PointLanes& p, int i, float32 share) const
     {
         const F zero = F::Set(0.0f);
-        const F most = F::Set(b2_maxFloat);
+        const F maximum = F::Set(b2_maxFloat);
         const F normal = At(from.normalImpulse[i]);
         const F tangent = At(from.tangentImpulse[i]);
-        Select(AtLeast(most, normal), F::Set(share) * normal, zero).Store(p.normalImpulse + lane);
-        Select(And(AtLeast(most, tangent), AtLeast(tangent, -most)), F::Set(share) * tangent, zero)
+        Select(AtLeast(maximum, normal), F::Set(share) * normal, zero)
+            .Store(p.normalImpulse + lane);
+        Select(And(AtLeast(maximum, tangent), AtLeast(tangent, -maximum)), F::Set(share) * tangent,
+               zero)
             .Store(p.tangentImpulse + lane);
     }
 

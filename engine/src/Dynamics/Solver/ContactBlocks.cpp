@@ -49,14 +49,14 @@ OverlapKind KindOf(const b2Manifold& manifold)
 void ContactBlocks::Reserve(std::size_t contactCount, bool sharesBodies)
 {
     constexpr std::size_t forms = 5; // for each form the last block may be partly empty
-    const std::size_t most =
+    const std::size_t maximum =
         sharesBodies ? contactCount : b2Min(contactCount, contactCount / kBlockLanes + forms);
-    if (most > m_contacts.size())
+    if (maximum > m_contacts.size())
     {
         // Reserve, because a growing colour grows step by step.
-        const std::size_t reserve = b2Max<std::size_t>(most / 8, 2);
-        m_contacts.resize(most + reserve);
-        m_overlaps.resize(most + reserve);
+        const std::size_t reserve = b2Max<std::size_t>(maximum / 8, 2);
+        m_contacts.resize(maximum + reserve);
+        m_overlaps.resize(maximum + reserve);
         const std::size_t room = contactCount + (reserve + 1) * kBlockLanes;
         m_sorted.reserve(room);
         m_buckets.reserve(room);
@@ -95,9 +95,9 @@ void ContactBlocks::Sort(const Array<b2Contact*>& contacts, bool sharesBodies,
         std::copy(contacts.begin(), contacts.end(), m_sorted.begin());
         return;
     }
-    constexpr std::size_t most = 64;
-    const std::size_t buckets = b2Min(most, contacts.size() / kBlockLanes + 1);
-    std::size_t ends[most] = {};
+    constexpr std::size_t maximum = 64;
+    const std::size_t buckets = b2Min(maximum, contacts.size() / kBlockLanes + 1);
+    std::size_t ends[maximum] = {};
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {
         const ContactData& c = Data(*contacts[i]);

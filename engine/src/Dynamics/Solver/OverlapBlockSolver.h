@@ -134,9 +134,9 @@ struct OverlapSolver
 
     static F PushOut(const OverlapLanes<F>& overlap, PushPace pace)
     {
-        const F most = F::Set(pace.most);
+        const F maximum = F::Set(pace.maximum);
         const F out = F::Set(-pace.rate) * (overlap.separation + F::Set(b2_linearSlop));
-        return Max(-most, Min(out, most));
+        return Max(-maximum, Min(out, maximum));
     }
 
     F Mass(const OverlapLanes<F>& p, const OverlapLanes<F>& q) const

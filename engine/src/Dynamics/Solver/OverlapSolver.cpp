@@ -50,7 +50,7 @@ namespace
 /// the contact lasts.
 float32 PushOut(const Overlap& overlap, PushPace pace)
 {
-    return b2Clamp(-pace.rate * (overlap.separation + b2_linearSlop), -pace.most, pace.most);
+    return b2Clamp(-pace.rate * (overlap.separation + b2_linearSlop), -pace.maximum, pace.maximum);
 }
 
 /// The bodies of one contact: load, push, store.

@@ -318,13 +318,13 @@ void StepSolver::FindDeep()
         {
             const OverlapConstraint o = OverlapOf(block, lane);
             const bool skins = o.radius <= 1.01f * 2.0f * b2_polygonRadius;
-            const float32 most = skins ? kUnseenOverlap : kLeftOverlap;
+            const float32 maximum = skins ? kUnseenOverlap : kLeftOverlap;
             for (int32 point = 0; point < o.pointCount; ++point)
             {
                 const float32 separation =
                     MeasureOverlap(o, point, m_context.bodies[o.bodyA], m_context.bodies[o.bodyB])
                         .separation;
-                if (separation < -most)
+                if (separation < -maximum)
                 {
                     deep[std::size_t(o.bodyA)] = deep[std::size_t(o.bodyB)] = 1;
                 }
@@ -449,17 +449,17 @@ void StepSolver::LetRest()
     }
 }
 
-void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& most)
+void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& maximum)
 {
     const b2Vec2 path = timeStep * body.v;
-    if (path.LengthSquared() > most.distance * most.distance)
+    if (path.LengthSquared() > maximum.distance * maximum.distance)
     {
-        body.v *= most.distance / path.Length();
+        body.v *= maximum.distance / path.Length();
     }
     const float32 turn = timeStep * body.w;
-    if (turn * turn > most.turn * most.turn)
+    if (turn * turn > maximum.turn * maximum.turn)
     {
-        body.w *= most.turn / b2Abs(turn);
+        body.w *= maximum.turn / b2Abs(turn);
     }
     body.d += timeStep * body.v;
     const float32 delta = timeStep * body.w;

@@ -200,7 +200,7 @@ inline constexpr MaxMove kMaxMove = {b2_maxTranslation, b2_maxRotation};
 inline constexpr MaxMove kMaxSmallMove = {10.0f * b2_maxTranslation, 40.0f * b2_maxRotation};
 
 /// Moves and rotates a body for `timeStep`, limiting its velocity.
-void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& most);
+void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& maximum);
 
 // ContactSolver.cpp
 
@@ -250,7 +250,7 @@ Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody
 struct PushPace
 {
     float32 rate;
-    float32 most = b2_maxLinearCorrection;
+    float32 maximum = b2_maxLinearCorrection;
 };
 
 /// Maximum speed of position correction with sub-steps, by all contacts of a body and its island

@@ -73,15 +73,15 @@ public:
         for (int32 i = 0; i < m_block.pointCount; ++i)
         {
             item.impulse.at[i] = double(Normal(i));
-            item.most.at[i] = kEndless;
+            item.maximum.at[i] = kEndless;
             const bool pushes = Normal(i) > 0.0f || speed.at[i] < -tolerance;
             item.active = uint8(item.active | int(pushes) << i);
             item.impulse.at[2] += double(Tangent(i));
         }
         item.speeds.at[2] = double(m_block.tangentSpeed[m_lane]);
         const double limit = Holds(item);
-        item.least.at[2] = -limit;
-        item.most.at[2] = limit;
+        item.minimum.at[2] = -limit;
+        item.maximum.at[2] = limit;
         if (b2Abs(item.impulse.at[2]) < kSticks * limit)
         {
             item.active |= 4;
@@ -138,20 +138,20 @@ public:
         const b2Vec2 apart = b.v - a.v;
         const float32 along = b2Dot(apart, normal);
         const float32 across = b2Dot(apart, b2Cross(normal, 1.0f)) - m_block.tangentSpeed[m_lane];
-        float32 most = 0.0f;
+        float32 maximum = 0.0f;
         for (int32 i = 0; i < m_block.pointCount; ++i)
         {
             const PointLanes& p = m_block.points[i];
             const float32 speed =
                 along + b.w * p.normalLeverB[m_lane] - a.w * p.normalLeverA[m_lane];
-            most = b2Max(most, Normal(i) > 0.0f ? b2Abs(speed) : -speed);
+            maximum = b2Max(maximum, Normal(i) > 0.0f ? b2Abs(speed) : -speed);
             if (b2Abs(Tangent(i)) < float32(kSticks) * m_block.friction[m_lane] * Normal(i))
             {
-                most = b2Max(most, b2Abs(across + b.w * p.tangentLeverB[m_lane] -
-                                         a.w * p.tangentLeverA[m_lane]));
+                maximum = b2Max(maximum, b2Abs(across + b.w * p.tangentLeverB[m_lane] -
+                                               a.w * p.tangentLeverA[m_lane]));
             }
         }
-        return most;
+        return maximum;
     }
 
 private:
@@ -205,13 +205,13 @@ bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& 
     {
         mass += 1.0 / double(body->SolverInvMass());
     }
-    const double most = kMaxLoad * mass * (driven + kTolerancesOfWeight * tolerance);
+    const double maximum = kMaxLoad * mass * (driven + kTolerancesOfWeight * tolerance);
     for (std::size_t i = 0; i < contacts; ++i)
     {
         const Vector3 speed = SpeedOf(context, system.Rows(i));
         const Vector3& impulse = system.At(i).impulse;
         if (b2Min(speed.at[0], speed.at[1]) < -(tolerance + kHeld * driven) ||
-            b2Max(impulse.at[0], impulse.at[1]) > most)
+            b2Max(impulse.at[0], impulse.at[1]) > maximum)
         {
             return true;
         }
@@ -239,8 +239,8 @@ void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverB
         a.AddTo(2, -tangent, -b2Cross(overlap.armA, tangent));
         b.AddTo(2, tangent, b2Cross(overlap.armB, tangent));
         const float32 out = -pace.rate * (overlap.separation + kOverlap);
-        item.speeds.at[i] = double(b2Min(out, pace.most));
-        item.most.at[i] = kEndless;
+        item.speeds.at[i] = double(b2Min(out, pace.maximum));
+        item.maximum.at[i] = kEndless;
         item.active = uint8(item.active | int(out > 0.0f) << i);
     }
 }
@@ -551,9 +551,9 @@ void ContactSystem::SolveOverlaps(ContactIsland& island, SolverMemory& solver, J
         const Place& place = island.contacts[i];
         BoundedSystem::Item& item = system.At(i);
         const double load = item.impulse.at[0] + item.impulse.at[1];
-        item.most.at[2] =
+        item.maximum.at[2] =
             double(solver.contacts[place.color].Contacts(place.block).friction[place.lane]) * load;
-        item.least.at[2] = -item.most.at[2];
+        item.minimum.at[2] = -item.maximum.at[2];
         if (load > 0.0)
         {
             item.active |= 4;
@@ -566,7 +566,7 @@ void ContactSystem::SolveOverlaps(ContactIsland& island, SolverMemory& solver, J
         farthest = b2Max(farthest, m_moves[std::size_t(body->SolverIndex())].v.Length());
     }
     // Further than all pushes in a row: there is no solution, and the result is rounding.
-    const bool hasRoom = farthest <= kAllPushes * float32(count + 1) * pace.most;
+    const bool hasRoom = farthest <= kAllPushes * float32(count + 1) * pace.maximum;
     for (const BodyData* body : system.Bodies())
     {
         SolverBody& move = m_moves[std::size_t(body->SolverIndex())];

@@ -37,10 +37,10 @@ constexpr double kWonShare = 2e-3;
 constexpr float32 kHardlyOpen = 5e-3f; ///< overlap that contacts allow [m]
 constexpr float32 kTorn = 0.05f;       ///< a larger gap is hard to close [m]
 
-int32 CountFor(double mostSquared, double squaredFrequency, float32 timeStep, int32 least)
+int32 CountFor(double mostSquared, double squaredFrequency, float32 timeStep, int32 minimum)
 {
     const double square = squaredFrequency * double(timeStep) * double(timeStep) / mostSquared;
-    int32 count = least;
+    int32 count = minimum;
     while (double(count) * double(count) < square && count < kMaxDrifts)
     {
         ++count;

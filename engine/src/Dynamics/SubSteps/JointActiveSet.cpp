@@ -52,12 +52,12 @@ Pair ResponseOf(const JointRows& rows)
 /// method for 1 / |x(s)| = 1 / most, in the axes of K, converges from below (More and Sorensen,
 /// "Computing a Trust Region Step", 1983). If a shorter impulse leaves no residual, returns that;
 /// otherwise the length slightly exceeds `most`.
-b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& residual, float32 most)
+b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& residual, float32 maximum)
 {
     const double half = 0.5 * (k.xx - k.yy);
     const double root = std::sqrt(half * half + k.xy * k.xy);
     const double large = 0.5 * (k.xx + k.yy) + root;
-    if (!(large > 0.0) || most == 0.0f)
+    if (!(large > 0.0) || maximum == 0.0f)
     {
         return now;
     }
@@ -72,7 +72,7 @@ b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& residual,
     const double gy = double(residual.y) + k.xy * double(now.x) + k.yy * double(now.y);
     const double g1 = c * gx + s * gy;
     const double g2 = c * gy - s * gx;
-    const double bound = double(most);
+    const double bound = double(maximum);
     double shift = b2Max(std::sqrt(g1 * g1 + g2 * g2) / bound - large, 0.0);
     double x1 = 0.0, x2 = 0.0;
     for (int32 i = 0; i < kMaxNewtonSteps; ++i)
@@ -126,11 +126,11 @@ void JointSystem::Validate(const JointRows& rows, RowStates& states)
         RowState& state = states.of[i];
         const bool unbounded = (state == RowState::Slowest && law.slowest == -b2_maxFloat) ||
                                (state == RowState::Fastest && law.fastest == b2_maxFloat);
-        if (unbounded || law.most == b2_maxFloat)
+        if (unbounded || law.maximum == b2_maxFloat)
         {
             state = RowState::Holds;
         }
-        if (state == RowState::Holds && (law.most == 0.0f || law.DrivesAbove()))
+        if (state == RowState::Holds && (law.maximum == 0.0f || law.DrivesAbove()))
         {
             state = RowState::AtMax;
         }
@@ -150,11 +150,11 @@ float32 JointSystem::WarmStartImpulse(std::size_t joint, int32 row, float32 shar
     const bool alone = row >= rows.Rigid() && !(rows.disc && row < 2);
     if (alone && states.of[row] == RowState::AtMax)
     {
-        return rows.laws[row].most;
+        return rows.laws[row].maximum;
     }
     if (alone && states.of[row] == RowState::AtMin)
     {
-        return -rows.laws[row].most;
+        return -rows.laws[row].maximum;
     }
     const bool slips = rows.disc && row < 2 && states.of[row] == RowState::AtMax;
     return m_system.IsExact(joint) && !slips ? 0.0f : share * rows.impulse[row];
@@ -275,11 +275,11 @@ bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, in
     const float32 impulse = rows.impulse[row];
     RowState next = After(law, state, impulse, speed);
     // The bounds change with every kick.
-    float32 bound = next == RowState::AtMax ? law.most : -law.most;
+    float32 bound = next == RowState::AtMax ? law.maximum : -law.maximum;
     if (settles && next == RowState::Holds && state != RowState::Holds)
     {
         next = state;
-        bound = b2Clamp(impulse + ResidualImpulse(rows, row, speed), -law.most, law.most);
+        bound = b2Clamp(impulse + ResidualImpulse(rows, row, speed), -law.maximum, law.maximum);
     }
     const bool moves = (next == RowState::AtMax || next == RowState::AtMin) && impulse != bound;
     if (moves)
@@ -306,15 +306,17 @@ JointSystem::RowState JointSystem::After(const JointRows::Law& law, RowState sta
     switch (state)
     {
     case RowState::Holds:
-        return impulse > law.most ? RowState::AtMax : impulse < -law.most ? RowState::AtMin : state;
+        return impulse > law.maximum    ? RowState::AtMax
+               : impulse < -law.maximum ? RowState::AtMin
+                                        : state;
     case RowState::Slowest:
-        return impulse >= law.Within(law.most) ? state
-               : law.DrivesBelow()             ? RowState::AtMin
-                                               : RowState::AtMax;
+        return impulse >= law.Within(law.maximum) ? state
+               : law.DrivesBelow()                ? RowState::AtMin
+                                                  : RowState::AtMax;
     case RowState::Fastest:
-        return impulse <= law.Within(-law.most) ? state
-               : law.DrivesAbove()              ? RowState::AtMax
-                                                : RowState::AtMin;
+        return impulse <= law.Within(-law.maximum) ? state
+               : law.DrivesAbove()                 ? RowState::AtMax
+                                                   : RowState::AtMin;
     case RowState::AtMax:
     case RowState::AtMin:
         break;
@@ -329,7 +331,7 @@ JointSystem::RowState JointSystem::After(const JointRows::Law& law, RowState sta
     }
     const bool tooMuch = state == RowState::AtMax && speed > wanted + same;
     const bool tooLittle = state == RowState::AtMin && speed < wanted - same;
-    if (law.most == 0.0f || !(tooMuch || tooLittle))
+    if (law.maximum == 0.0f || !(tooMuch || tooLittle))
     {
         return state;
     }
@@ -365,7 +367,7 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
 {
     RowStates& states = m_states[joint];
     JointRows& rows = m_system.Rows(joint);
-    const float32 most = rows.laws[0].most;
+    const float32 maximum = rows.laws[0].maximum;
     const b2Vec2 impulse = PairOf(rows.impulse);
     b2Vec2 wanted = impulse;
     if (states.of[0] != RowState::Holds)
@@ -374,9 +376,9 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
         const b2Vec2 residual(
             rows.laws[0].wanted - rows.laws[0].softness * impulse.x - float32(speed.at[0]),
             rows.laws[1].wanted - rows.laws[1].softness * impulse.y - float32(speed.at[1]));
-        wanted = SlippingImpulse(k, impulse, residual, most);
+        wanted = SlippingImpulse(k, impulse, residual, maximum);
     }
-    const bool slips = most == 0.0f || wanted.LengthSquared() > most * most ||
+    const bool slips = maximum == 0.0f || wanted.LengthSquared() > maximum * maximum ||
                        (settles && states.of[0] == RowState::AtMax);
     const RowState next = slips ? RowState::AtMax : RowState::Holds;
     const bool changed = states.of[0] != next;
@@ -385,8 +387,8 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
     {
         return changed;
     }
-    const b2Vec2 difference = ClampLength(wanted, most) - impulse;
-    if (!changed && difference.Length() <= kSameImpulse * most)
+    const b2Vec2 difference = ClampLength(wanted, maximum) - impulse;
+    if (!changed && difference.Length() <= kSameImpulse * maximum)
     {
         return false;
     }

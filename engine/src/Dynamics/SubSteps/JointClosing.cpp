@@ -301,8 +301,8 @@ void JointSystem::ShortenPushes(int32 part, const SolverContext& context)
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
         const float32 turn = b2Abs(context.bodies[body.SolverIndex()].angle - m_poses[place].angle);
         // The chord and the arc differ by t^2 / 2 of the arm.
-        const float32 most = b2Sqrt(2.0f * b2_linearSlop / b2Max(body.maxExtent, b2_linearSlop));
-        share = turn > most ? b2Min(share, most / turn) : share;
+        const float32 maximum = b2Sqrt(2.0f * b2_linearSlop / b2Max(body.maxExtent, b2_linearSlop));
+        share = turn > maximum ? b2Min(share, maximum / turn) : share;
     });
     if (share == 1.0f)
     {

@@ -308,11 +308,12 @@ void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::It
     {
         const RowState state = i < rows.Rigid() ? RowState::Holds : m_states[joint].of[i];
         const JointRows::Law& law = rows.laws[i];
-        const bool bounded = i >= rows.Rigid() && law.most < b2_maxFloat;
+        const bool bounded = i >= rows.Rigid() && law.maximum < b2_maxFloat;
         item.impulse.at[i] = double(rows.impulse[i]);
         item.speeds.at[i] = i < rows.Rigid() ? 0.0 : WantedSpeed(rows, state, i, 0.0);
-        item.least.at[i] = bounded && state != RowState::Fastest ? -double(law.most) : -kEndless;
-        item.most.at[i] = bounded && state != RowState::Slowest ? double(law.most) : kEndless;
+        item.minimum.at[i] =
+            bounded && state != RowState::Fastest ? -double(law.maximum) : -kEndless;
+        item.maximum.at[i] = bounded && state != RowState::Slowest ? double(law.maximum) : kEndless;
         const bool held = state != RowState::AtMax && state != RowState::AtMin;
         item.active = uint8(item.active | int(held) << i);
     }
@@ -327,9 +328,9 @@ void JointSystem::FillDisplacements(std::size_t joint, JointRows& rows,
     {
         const bool rigid = i < rows.Rigid();
         const RowState state = m_states[joint].of[i];
-        item.least.at[i] = rigid || state == RowState::Fastest ? -kEndless : 0.0;
-        item.most.at[i] = rigid || state == RowState::Slowest ? kEndless : 0.0;
-        item.active = uint8(item.active | int(item.least.at[i] < item.most.at[i]) << i);
+        item.minimum.at[i] = rigid || state == RowState::Fastest ? -kEndless : 0.0;
+        item.maximum.at[i] = rigid || state == RowState::Slowest ? kEndless : 0.0;
+        item.active = uint8(item.active | int(item.minimum.at[i] < item.maximum.at[i]) << i);
     }
 }
 

@@ -396,12 +396,12 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
 {
     m_subSteps.beforePushes = m_memory.bodies;
     // The iterations and the solution after them take equal parts of the push.
-    const float32 most =
+    const float32 maximum =
         b2Min(kPushSpeed * timeStep / float32(iterations + 1), b2_maxLinearCorrection);
     float32 deepest = 0.0f;
     for (int32 i = 0; i < iterations; ++i)
     {
-        const float32 found = SolveOverlaps(DirectionOf(i), {rate, most});
+        const float32 found = SolveOverlaps(DirectionOf(i), {rate, maximum});
         deepest = b2Min(deepest, found);
         if (found >= -b2_linearSlop)
         {
@@ -409,7 +409,7 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
         }
     }
     m_subSteps.contacts.SolveOverlaps(m_memory, m_subSteps.joints, m_context,
-                                      {b2_baumgarte / float32(m_world.subStepCount), most});
+                                      {b2_baumgarte / float32(m_world.subStepCount), maximum});
     if (deepest < -b2_linearSlop)
     {
         LimitPushes(kFarthestPush * timeStep);
@@ -418,7 +418,7 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
 
 /// Scales all pushes of an island equally, so that no point of its bodies moves further than `most`
 /// [m]. Directions are kept, and points that separate still do.
-void SubStepSolver::LimitPushes(float32 most)
+void SubStepSolver::LimitPushes(float32 maximum)
 {
     m_subSteps.farthestPushes.assign(std::size_t(m_memory.islands.Count()), 0.0f);
     const auto forPushed = [this](auto&& function) {
@@ -437,16 +437,16 @@ void SubStepSolver::LimitPushes(float32 most)
     forPushed([&](const BodyData& body, float32& far, const SolverBody& before, SolverBody& s) {
         const float32 path = PushOf(before, s, body.maxExtent);
         far = b2Max(far, path);
-        any = any || path > most;
+        any = any || path > maximum;
     });
     if (!any)
     {
         return;
     }
     forPushed([&](const BodyData&, float32 far, const SolverBody& before, SolverBody& s) {
-        if (far > most)
+        if (far > maximum)
         {
-            ShortenPush(before, s, most / far);
+            ShortenPush(before, s, maximum / far);
         }
     });
 }

@@ -28,7 +28,7 @@ private:
     bool AnyHeld() const;
     void Bounce();
     void Iterate(int32 iterations);
-    void LimitPushes(float32 most);
+    void LimitPushes(float32 maximum);
     void FindFlying();
     void Fly(std::size_t index);
 

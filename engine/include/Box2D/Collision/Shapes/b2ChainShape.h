@@ -73,5 +73,5 @@ public:
 private:
     /// Copies the vertices that are finite and far enough apart, with room for one more. Copies
     /// none when fewer than `least` remain.
-    void TakeVertices(const b2Vec2* vertices, int32 count, int32 least, bool isLoop);
+    void TakeVertices(const b2Vec2* vertices, int32 count, int32 minimum, bool isLoop);
 };
