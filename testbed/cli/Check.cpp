@@ -50,16 +50,15 @@ Result<void> Check(CheckOptions& options)
                                 : Result<void>();
 }
 
-CLI::App* Declare(CLI::App& program, CheckOptions& options)
+Command& Declare(Command& program, CheckOptions& options)
 {
-    CLI::App* command =
-        program.add_subcommand("check", "List what of a scene file cannot be built");
-    AddPath(*command, "FILE", "", options.file, "A R.U.B.E. .json file", {".json"});
-    command->footer("Lists what is left out and why, and notes where the format's defaults are not "
+    Command& command = AddCommand(program, "check", "List what of a scene file cannot be built");
+    AddPath(command, "FILE", "", options.file, "A R.U.B.E. .json file", {".json"});
+    command.notes = "Lists what is left out and why, and notes where the format's defaults are not "
                     "the engine's.\nExit code 0: all can be built, 2: something is left out, 1: no "
                     "scene file.\n\n"
                     "Examples:\n"
-                    "  boxreel check machine.json");
+                    "  boxreel check machine.json";
     return command;
 }
 

@@ -15,7 +15,7 @@ struct CheckOptions
 };
 
 /// Declares `boxreel check` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, CheckOptions& options);
+Command& Declare(Command& program, CheckOptions& options);
 
 /// Whether the options fit together; opens nothing.
 Result<void> Check(CheckOptions& options);

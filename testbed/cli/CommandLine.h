@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Check.h"
-#include "CommandTree.h"
 #include "Completion.h"
 #include "Diff.h"
 #include "Doctor.h"
@@ -51,8 +50,5 @@ using Request = RequestFor<Commands>::Type;
 
 /// `arguments`: without the program's name. Opens nothing.
 Result<Request> ParseCommandLine(const std::vector<std::string>& arguments);
-
-/// The commands and options that ParseCommandLine understands.
-CommandText DescribeProgram();
 
 } // namespace boxreel

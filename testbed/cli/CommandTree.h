@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-/// What the program understands, as plain data: read off the parser by DescribeProgram
-/// (CommandLine.h), so that what is made of it, completions and the manual page, knows every
-/// command and option, and none that is gone.
+/// The commands and options of the program as plain data, made from what the commands declare.
+/// Help, completions and the manual page are made of it.
 namespace boxreel
 {
 
@@ -41,7 +40,7 @@ struct OptionText
     std::vector<std::string> names; ///< "-o", "--output": short ones first
     std::string unit;               ///< of its value, "FILE"; empty: it takes none
     std::string help;               ///< may have line breaks
-    std::string group;              ///< the heading that it stands below
+    std::string group = "Options";  ///< the heading that it stands below
     bool repeats = false;           ///< may be given several times
     Completion completion;
 };
@@ -55,6 +54,9 @@ struct CommandText
     std::vector<OptionText> options;
     std::vector<CommandText> commands;
 };
+
+/// Returns the commands and options that ParseCommandLine (CommandLine.h) understands.
+CommandText DescribeProgram();
 
 /// As a usage line shows it; `name` may be marked up: SCENE, [SCENE] that may be left out,
 /// [SCENE...].

@@ -2,6 +2,8 @@
 #include "CompareChoice.h"
 #include "Declare.h"
 
+#include <base/ErrorMacros.h>
+
 #include <string>
 
 namespace boxreel
@@ -93,7 +95,7 @@ Result<PixelBounds> ParseRectangle(const std::string& option, const std::string&
 }
 
 /// "3,17": numbers of bodies.
-std::vector<int> ReadBodies(const std::string& option, const std::string& text)
+Result<std::vector<int>> ParseBodies(const std::string& option, const std::string& text)
 {
     constexpr int kMostBodies = 1'000'000;
     std::vector<int> bodies;
@@ -102,8 +104,8 @@ std::vector<int> ReadBodies(const std::string& option, const std::string& text)
         const Result<std::int64_t> body = ParseWhole(option, part, 0, kMostBodies);
         if (!body)
         {
-            throw Refusal(BadValue(option, text, "must be numbers of bodies, such as 3,17",
-                                   "--labels shows them"));
+            return BadValue(option, text, "must be numbers of bodies, such as 3,17",
+                            "--labels shows them");
         }
         bodies.push_back(int(*body));
     }
@@ -112,27 +114,25 @@ std::vector<int> ReadBodies(const std::string& option, const std::string& text)
 
 } // namespace
 
-void AddIgnoredBodies(CLI::App& command, CompareChoice& choice)
+void AddIgnoredBodies(Command& command, CompareChoice& choice)
 {
-    const auto read = [&choice](const std::vector<std::string>& texts) {
+    const auto read = [&choice](const std::vector<std::string>& texts) -> Result<void> {
         for (const std::string& text : texts)
         {
-            const std::vector<int> bodies = ReadBodies("--ignore-body", text);
+            ASSIGN_OR_RETURN(const std::vector<int> bodies, ParseBodies("--ignore-body", text));
             choice.ignoredBodies.insert(choice.ignoredBodies.end(), bodies.begin(), bodies.end());
         }
+        return {};
     };
-    AddTexts(command, "--ignore-body", read,
-             "Leave these bodies out of state, draw list and picture,\nby number, such as 3,17")
-        ->type_name("N,...")
-        ->allow_extra_args(false);
+    AddTexts(command, "--ignore-body", "N,...", read,
+             "Leave these bodies out of state, draw list and picture,\nby number, such as 3,17");
 }
 
-void AddCompare(CLI::App& command, CompareChoice& choice, const std::string& usualPreset)
+void AddCompare(Command& command, CompareChoice& choice, const std::string& usualPreset)
 {
-    CLI::Option* preset =
-        AddValue(command, "--preset", "NAME", choice.preset, CompareSettings::Preset,
-                 "Set the limits below: exact, same-machine, cross-machine\n(" + usualPreset + ")");
-    Completes(preset, {Completion::Kind::Words, CompareSettings::PresetNames()});
+    AddValue(command, "--preset", "NAME", choice.preset, CompareSettings::Preset,
+             "Set the limits below: exact, same-machine, cross-machine\n(" + usualPreset + ")")
+        .Completes({Completion::Kind::Words, CompareSettings::PresetNames()});
     AddValue(
         command, "--tolerance", "DISTANCE", choice.tolerance,
         NumberBetween(0.0, 1.0, "must be an OKLab distance from 0 to 1, such as 0.01"),
@@ -148,16 +148,8 @@ void AddCompare(CLI::App& command, CompareChoice& choice, const std::string& usu
              "Allow this many of them in a square window (the preset's)");
     AddValue(command, "--window", "PX", choice.window, WholeBetween(1, kLargestSide),
              "Set the side of that window (16)");
-    const auto readRectangles = [&choice](const std::vector<std::string>& texts) {
-        for (const std::string& text : texts)
-        {
-            choice.ignored.push_back(OrRefuse(ParseRectangle("--ignore", text)));
-        }
-    };
-    AddTexts(command, "--ignore", readRectangles,
-             "Leave this rectangle out, of width W and height H;\nmay be given several times")
-        ->type_name("X,Y,WxH")
-        ->allow_extra_args(false);
+    AddValues(command, "--ignore", "X,Y,WxH", choice.ignored, ParseRectangle,
+              "Leave this rectangle out, of width W and height H;\nmay be given several times");
 }
 
 } // namespace boxreel

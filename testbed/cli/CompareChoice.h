@@ -33,9 +33,9 @@ struct CompareChoice
 CompareSettings Effective(const CompareChoice& choice);
 
 /// Options of diff and golden verify. `defaultPreset`: as the help says it.
-void AddCompare(CLI::App& command, CompareChoice& choice, const std::string& defaultPreset);
+void AddCompare(Command& command, CompareChoice& choice, const std::string& defaultPreset);
 
 /// The option of golden verify that leaves bodies out.
-void AddIgnoredBodies(CLI::App& command, CompareChoice& choice);
+void AddIgnoredBodies(Command& command, CompareChoice& choice);
 
 } // namespace boxreel

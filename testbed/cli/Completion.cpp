@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Completion.h"
-#include "CommandLine.h"
+#include "CommandTree.h"
 #include "Declare.h"
 
 #include <base/ErrorMacros.h>
@@ -9,20 +9,19 @@
 namespace boxreel
 {
 
-CLI::App* Declare(CLI::App& program, CompletionOptions& options)
+Command& Declare(Command& program, CompletionOptions& options)
 {
-    CLI::App* command =
-        program.add_subcommand("completion", "Print a completion script for a shell");
-    AddValue(*command, "SHELL", "", options.shell,
+    Command& command = AddCommand(program, "completion", "Print a completion script for a shell");
+    AddValue(command, "SHELL", "", options.shell,
              OneOf<Shell>({{"bash", Shell::Bash}, {"zsh", Shell::Zsh}}), "bash or zsh");
-    command->footer(
+    command.notes =
         "Commands, options, their values, scenes and files. Scenes are offered by names that need "
         "no\nquotes, such as newtons-cradle; `boxreel list --names` is asked for them each "
         "time.\n\n"
         "Examples:\n"
         "  source <(boxreel completion bash)   # in ~/.bashrc\n"
         "  source <(boxreel completion zsh)    # in ~/.zshrc, after compinit\n"
-        "  boxreel completion bash > ~/.local/share/bash-completion/completions/boxreel");
+        "  boxreel completion bash > ~/.local/share/bash-completion/completions/boxreel";
     return command;
 }
 

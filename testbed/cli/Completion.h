@@ -20,7 +20,7 @@ struct CompletionOptions
 };
 
 /// Declares `boxreel completion` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, CompletionOptions& options);
+Command& Declare(Command& program, CompletionOptions& options);
 
 /// Whether the options fit together; opens nothing.
 Result<void> Check(CompletionOptions& options);

@@ -9,30 +9,65 @@
 #include <render/Backend.h>
 #include <session/SceneSession.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <list>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-/// How commands declare their options to the parser.
+/// How commands declare their options, as data: the parser (Parser.h) writes what was typed to
+/// them, and the help, the completions and the manual page show them.
 namespace boxreel
 {
 
-/// Says what shells offer there.
-CLI::Option* Completes(CLI::Option* option, const Completion& completion);
-Completion CompletionOf(CLI::Option& option);
-/// The group of words that need not be given. (An option of the parser's that expects none takes
-/// none either, when it is a word by itself.)
-inline constexpr const char* kMayBeLeftOut = "May be left out";
-/// Of an option that is a word by itself, without what completes it.
-WordText WordOf(const CLI::Option& option);
+/// Reads the texts that were given to an option, or returns why they are invalid. A flag has none.
+using OptionReader = std::function<Result<void>(const std::vector<std::string>& texts)>;
+
+/// An option, or an argument that has no name before it, such as SCENE.
+struct Option
+{
+    OptionText text;
+    OptionReader read;       ///< null: the parser's own, such as --help
+    bool isOptional = false; ///< of an argument: it may be left out
+    bool wasGiven = false;   ///< set by the parser
+
+    bool IsArgument() const { return !text.names.front().starts_with('-'); }
+    bool IsFlag() const { return !IsArgument() && text.unit.empty(); }
+
+    /// Sets the heading of the help that it stands below.
+    Option& Group(const std::string& heading);
+    /// Sets what shells offer there.
+    Option& Completes(const Completion& completion);
+};
+
+struct Command
+{
+    /// Has --help.
+    Command(std::string itsPath, std::string itsSummary);
+
+    std::string path;                     ///< "boxreel golden verify"
+    std::string summary;                  ///< half a sentence
+    std::string notes;                    ///< what its help ends with, examples among it
+    std::list<Option> options;            ///< and arguments, in the order of the help
+    std::list<Command> commands;          ///< below it, one of which must be given
+    std::function<Result<void>()> finish; ///< called when all options are read; may be empty
+    bool wasGiven = false;                ///< set by the parser
+
+    /// Returns "verify".
+    std::string Name() const { return path.substr(path.rfind(' ') + 1); }
+    /// True if this option was given; `name`: "--size".
+    bool WasGiven(const std::string& name) const;
+};
+
+/// Returns what help, completions and the manual page show of it.
+CommandText Describe(const Command& command);
+
+Command& AddCommand(Command& parent, const std::string& name, const std::string& summary);
+/// Returns the command of this name; only if it was added before.
+Command& Below(Command& parent, const std::string& name);
 
 /// One of a few words.
 template <class Value>
@@ -90,35 +125,25 @@ inline auto NumberBetween(double lowest, double highest, const char* problem)
     };
 }
 
-/// What the parser's own templates do, compiled once: a flag, an option that hands on its text, and
-/// one that may have several.
-CLI::Option* AddFlag(CLI::App& command, const std::string& names, bool& flag,
-                     const std::string& help);
-CLI::Option* AddText(CLI::App& command, const std::string& names,
-                     const std::function<void(const std::string&)>& read, const std::string& help);
-CLI::Option* AddTexts(CLI::App& command, const std::string& names,
-                      const std::function<void(const std::vector<std::string>&)>& read,
-                      const std::string& help);
+/// One of these words, which is itself the value.
+OneOf<std::string> OneWordOf(const std::vector<std::string>& words);
+
+/// `names`: "-o,--output", or that of a word. `unit`: of the value, "FILE"; empty: a flag or a
+/// word.
+Option& AddOption(Command& command, const std::string& names, const std::string& unit,
+                  OptionReader read, const std::string& help);
+Option& AddFlag(Command& command, const std::string& names, bool& flag, const std::string& help);
+Option& AddFlag(Command& command, const std::string& names, const std::function<void()>& set,
+                const std::string& help);
+Option& AddText(Command& command, const std::string& names, const std::string& unit,
+                const std::function<Result<void>(const std::string&)>& read,
+                const std::string& help);
+/// It may be given several times; `read` gets all texts at once.
+Option& AddTexts(Command& command, const std::string& names, const std::string& unit,
+                 const OptionReader& read, const std::string& help);
 /// `start`, then the words with `separator` between them, in lines as long as those of a help.
 std::string Filled(std::string start, const std::vector<std::string>& words,
                    const std::string& separator);
-/// An error of ours on its way through the parser.
-struct Refusal : CLI::ValidationError
-{
-    explicit Refusal(boxreel::Error why) : CLI::ValidationError(""), error(std::move(why)) {}
-    boxreel::Error error;
-};
-
-/// The value, or throws the error as a Refusal: for functions that the parser calls.
-template <class Value>
-Value OrRefuse(Result<Value> value)
-{
-    if (!value)
-    {
-        throw Refusal(std::move(value).TakeError());
-    }
-    return *std::move(value);
-}
 
 /// The command `boxreel SUBJECT` lacks an argument.
 Error Missing(const std::string& subject, const std::string& argument, const std::string& example);
@@ -127,47 +152,70 @@ Error Conflict(const std::string& option, const std::string& other);
 /// `option` has a meaning only together with `other`.
 Error Requires(const std::string& option, const std::string& other);
 
-/// An option whose text `parse` turns into a value for `target`; a refusal becomes the parser's
-/// error.
+/// An option whose text `parse` turns into a value for `target`, or refuses.
 template <class Target, class Parse>
-CLI::Option* AddValue(CLI::App& command, const std::string& names, const std::string& unit,
-                      Target& target, Parse parse, const std::string& help)
+Option& AddValue(Command& command, const std::string& names, const std::string& unit,
+                 Target& target, Parse parse, const std::string& help)
 {
     const std::string name = names.substr(names.rfind(',') + 1);
-    const auto read = [&target, parse, name](const std::string& text) {
-        target = static_cast<Target>(OrRefuse(parse(name, text)));
+    const auto read = [&target, parse, name](const std::string& text) -> Result<void> {
+        auto value = parse(name, text);
+        if (!value)
+        {
+            return std::move(value).TakeError();
+        }
+        target = static_cast<Target>(*std::move(value));
+        return {};
     };
-    CLI::Option* option = AddText(command, names, read, help);
-    option->type_name(unit);
+    Option& option = AddText(command, names, unit, read, help);
     if constexpr (requires { parse.Words(); })
     {
-        Completes(option, {Completion::Kind::Words, parse.Words()});
+        option.Completes({Completion::Kind::Words, parse.Words()});
     }
     return option;
 }
 
-/// The text, or throws a Refusal that names the option, or "" for an argument without one.
-std::string NotEmpty(const std::string& option, const std::string& text,
-                     const std::string& remedy = "give a path");
-/// The texts as paths, or throws a Refusal if one is empty.
-std::vector<std::filesystem::path> PathsOf(const std::vector<std::string>& texts);
+/// An option that may be given several times; `parse` turns each text into one more of `values`.
+template <class Value, class Parse>
+Option& AddValues(Command& command, const std::string& name, const std::string& unit,
+                  std::vector<Value>& values, Parse parse, const std::string& help)
+{
+    const auto read = [&values, parse,
+                       name](const std::vector<std::string>& texts) -> Result<void> {
+        for (const std::string& text : texts)
+        {
+            Result<Value> value = parse(name, text);
+            if (!value)
+            {
+                return std::move(value).TakeError();
+            }
+            values.push_back(*std::move(value));
+        }
+        return {};
+    };
+    return AddTexts(command, name, unit, read, help);
+}
+
 /// An argument that must not be empty.
-CLI::Option* AddName(CLI::App& command, const std::string& argument, std::string& name,
-                     const std::string& help);
+Option& AddName(Command& command, const std::string& argument, std::string& name,
+                const std::string& help);
+/// Any number of paths, none of them empty.
+Option& AddPaths(Command& command, const std::string& argument,
+                 std::vector<std::filesystem::path>& paths, const std::string& help);
 
 /// Options that several commands share.
-CLI::Option* AddScene(CLI::App& command, std::string& scene);
+Option& AddScene(Command& command, std::string& scene);
 /// `unit`: DIR for a folder. `ends`: of the files' names, for shells; none: any.
-void AddPath(CLI::App& command, const std::string& names, const std::string& unit,
+void AddPath(Command& command, const std::string& names, const std::string& unit,
              std::filesystem::path& path, const std::string& help,
              const std::vector<std::string>& ends = {});
-void AddForce(CLI::App& command, bool& force);
-void AddStats(CLI::App& command, bool& stats);
-CLI::Option* AddBackend(CLI::App& command, Backend& backend);
+void AddForce(Command& command, bool& force);
+void AddStats(Command& command, bool& stats);
+Option& AddBackend(Command& command, Backend& backend);
 
 /// Options that decide what a picture of a scene looks like, shared by record and shot.
 /// `bothThemes`: where to say that a light and a dark twin are wanted; null where there are none.
-void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes);
+void AddLook(Command& command, SceneLook& look, bool* bothThemes);
 
 /// Whether the picture is large enough for its panel, and has only one. Sets `hud` where it is
 /// implied.

@@ -54,20 +54,20 @@ Result<int> Run(const DiffOptions& options)
     return comparison.equal ? 0 : static_cast<int>(ErrorKind::Different);
 }
 
-CLI::App* Declare(CLI::App& program, DiffOptions& diff)
+Command& Declare(Command& program, DiffOptions& diff)
 {
-    CLI::App* command = program.add_subcommand("diff", "Compare two pictures");
-    AddPath(*command, "A", "", diff.expected, "The picture that is right, .png", {".png"});
-    AddPath(*command, "B", "", diff.actual, "The picture to judge, .png", {".png"});
-    AddPath(*command, "-o,--output", "FILE", diff.output,
-            "Write a picture of the differences, .png", {".png"});
-    AddForce(*command, diff.force);
-    AddCompare(*command, diff.compare, "same-machine");
-    command->footer("Exit code 0: equal, 2: different, 1: a picture that cannot be read.\n\n"
+    Command& command = AddCommand(program, "diff", "Compare two pictures");
+    AddPath(command, "A", "", diff.expected, "The picture that is right, .png", {".png"});
+    AddPath(command, "B", "", diff.actual, "The picture to judge, .png", {".png"});
+    AddPath(command, "-o,--output", "FILE", diff.output, "Write a picture of the differences, .png",
+            {".png"});
+    AddForce(command, diff.force);
+    AddCompare(command, diff.compare, "same-machine");
+    command.notes = "Exit code 0: equal, 2: different, 1: a picture that cannot be read.\n\n"
                     "Examples:\n"
                     "  boxreel diff before.png after.png\n"
                     "  boxreel diff before.png after.png --preset exact -o diff.png\n"
-                    "  boxreel diff mine.png yours.png --preset cross-machine --ignore 0,0,200x30");
+                    "  boxreel diff mine.png yours.png --preset cross-machine --ignore 0,0,200x30";
     return command;
 }
 

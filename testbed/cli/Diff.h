@@ -20,7 +20,7 @@ struct DiffOptions
 };
 
 /// Declares `boxreel diff` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, DiffOptions& options);
+Command& Declare(Command& program, DiffOptions& options);
 
 /// Whether the options fit together; opens nothing.
 Result<void> Check(DiffOptions& options);

@@ -236,17 +236,17 @@ Result<int> Run(const DoctorOptions&)
     return report.Code();
 }
 
-CLI::App* Declare(CLI::App& program, DoctorOptions&)
+Command& Declare(Command& program, DoctorOptions&)
 {
-    CLI::App* command = program.add_subcommand("doctor", "Test what works on this machine");
-    command->footer(
+    Command& command = AddCommand(program, "doctor", "Test what works on this machine");
+    command.notes =
         "Draws, films and computes a little of each kind. A line that fails says what helps.\n"
         "Exit code 0: all works (one of the back ends is enough), 1: an environment variable is\n"
         "unusable, 2: the engine computes otherwise than elsewhere, 3: something is not "
         "installed,\n"
         "4: no room or no right to write here.\n\n"
         "Examples:\n"
-        "  boxreel doctor");
+        "  boxreel doctor";
     return command;
 }
 

@@ -11,7 +11,7 @@ struct DoctorOptions
 {};
 
 /// Declares `boxreel doctor` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, DoctorOptions& options);
+Command& Declare(Command& program, DoctorOptions& options);
 
 /// Tests what the program needs.
 Result<int> Run(const DoctorOptions& options);

@@ -39,29 +39,29 @@ Result<int> Run(const ExportOptions& options)
     return written ? Result<int>(0) : written.GetError();
 }
 
-CLI::App* Declare(CLI::App& program, ExportOptions& options)
+Command& Declare(Command& program, ExportOptions& options)
 {
-    CLI::App* command = program.add_subcommand("export", "Write a scene as a scene file");
-    AddScene(*command, options.scene);
-    AddPath(*command, "-o,--output", "FILE", options.output,
+    Command& command = AddCommand(program, "export", "Write a scene as a scene file");
+    AddScene(command, options.scene);
+    AddPath(command, "-o,--output", "FILE", options.output,
             "Write the scene file here: .json, or - for the standard output", {".json"});
-    AddForce(*command, options.force);
-    AddValue(*command, "--at", "TIME", options.at, ParseDuration,
+    AddForce(command, options.force);
+    AddValue(command, "--at", "TIME", options.at, ParseDuration,
              "Export after this simulated time: 3s, 500ms, 2.5 (0s)");
-    AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000'000),
+    AddValue(command, "--step", "N", options.step, WholeBetween(0, 1'000'000'000),
              "Export after N steps instead");
-    AddValue(*command, "--hz", "RATE", options.look.stepsPerSecond, RatioBetween(1.0, 100000.0),
+    AddValue(command, "--hz", "RATE", options.look.stepsPerSecond, RatioBetween(1.0, 100000.0),
              "Set simulation steps per second (60)");
-    AddValue(*command, "--seed", "N", options.look.seed, WholeBetween(0, 0xffffffff),
+    AddValue(command, "--seed", "N", options.look.seed, WholeBetween(0, 0xffffffff),
              "Seed the scene's random numbers (1)");
-    command->footer(
+    command.notes =
         "`boxreel record FILE` and the other commands read bodies, shapes, joints and names back "
         "bit by bit.\nA scene file does not hold what a scene does while it runs, such as steering "
         "or "
         "new bodies,\nnor the impulses of touching contacts.\n\n"
         "Examples:\n"
         "  boxreel export pyramid -o pyramid.json\n"
-        "  boxreel export bridge --at 2s -o sagging.json");
+        "  boxreel export bridge --at 2s -o sagging.json";
     return command;
 }
 

@@ -26,7 +26,7 @@ struct ExportOptions
 };
 
 /// Declares `boxreel export` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, ExportOptions& options);
+Command& Declare(Command& program, ExportOptions& options);
 
 /// Whether the options fit together; opens nothing.
 Result<void> Check(ExportOptions& options);

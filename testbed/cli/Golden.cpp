@@ -291,7 +291,7 @@ struct GoldenFilterChoice
     }
 };
 
-void DeclareGoldenFilm(CLI::App& action, GoldenOptions& golden)
+void DeclareGoldenFilm(Command& action, GoldenOptions& golden)
 {
     AddPath(
         action, "--film", "FILE", golden.film,
@@ -310,23 +310,25 @@ void DeclareGoldenFilm(CLI::App& action, GoldenOptions& golden)
 
 } // namespace
 
-CLI::App* Declare(CLI::App& program, GoldenOptions& golden)
+Command& Declare(Command& program, GoldenOptions& golden)
 {
-    CLI::App* command = program.add_subcommand("golden", "Compare scenes with approved references");
-    command->require_subcommand(1);
-    command->footer("Examples:\n"
+    Command& command = AddCommand(program, "golden", "Compare scenes with approved references");
+    command.notes = "Examples:\n"
                     "  boxreel golden verify\n"
                     "  boxreel golden verify pyramid bridge --output /tmp/failures\n"
-                    "  boxreel golden accept pyramid");
-    CLI::App* verify =
-        command->add_subcommand("verify", "Simulate, draw and compare; keep what differs");
-    CLI::App* accept =
-        command->add_subcommand("accept", "Make the current pictures the references");
-    for (CLI::App* action : {verify, accept})
+                    "  boxreel golden accept pyramid";
+    Command& verify =
+        AddCommand(command, "verify", "Simulate, draw and compare; keep what differs");
+    Command& accept = AddCommand(command, "accept", "Make the current pictures the references");
+    for (Command* action : {&verify, &accept})
     {
-        CLI::Option* names = action->add_option(
-            "NAMES", golden.names, "Scenes or moments, such as pyramid or pyramid/2s (all)");
-        Completes(names->type_name(""), {Completion::Kind::Scenes, {}});
+        const auto readNames = [&golden](const std::vector<std::string>& names) {
+            golden.names = names;
+            return Result<void>();
+        };
+        AddTexts(*action, "NAMES", "", readNames,
+                 "Scenes or moments, such as pyramid or pyramid/2s (all)")
+            .Completes({Completion::Kind::Scenes, {}});
         AddPath(*action, "--references", "DIR", golden.references,
                 "Read references from here (golden/references)");
         AddPath(*action, "--output", "DIR", golden.output,
@@ -334,21 +336,22 @@ CLI::App* Declare(CLI::App& program, GoldenOptions& golden)
                 "./golden-output)");
         AddBackend(*action, golden.backend);
         DeclareGoldenFilm(*action, golden);
-        action->callback([action, &golden] {
+        action->finish = [action, &golden]() -> Result<void> {
             for (const char* option : {"--every", "--hz"})
             {
-                if (action->count(option) > 0 && golden.film.empty())
+                if (action->WasGiven(option) && golden.film.empty())
                 {
-                    throw Refusal(Requires(option, "--film"));
+                    return Requires(option, "--film");
                 }
             }
-            golden.accept = action->get_name() == "accept";
-        });
+            golden.accept = action->Name() == "accept";
+            return {};
+        };
     }
-    AddCompare(*verify, golden.compare,
+    AddCompare(verify, golden.compare,
                "cross-machine where another renderer drew the\nreference, else same-machine");
-    AddIgnoredBodies(*verify, golden.compare);
-    verify->footer(
+    AddIgnoredBodies(verify, golden.compare);
+    verify.notes =
         "Exit code 0: all match, 2: something differs or has no reference.\n"
         "For --against, `git worktree add ../before HEAD~1` checks out an older version; its\n"
         "script ../before/boxreel builds it when it is run.\n\n"
@@ -357,22 +360,22 @@ CLI::App* Declare(CLI::App& program, GoldenOptions& golden)
         "  boxreel golden verify pyramid --output /tmp/failures\n"
         "  boxreel golden verify --report report.html\n"
         "  boxreel golden verify pyramid --against ../before/boxreel\n"
-        "  boxreel golden verify menu --film menu.mp4 --preset cross-machine");
-    accept->footer("Look at the pictures before they are committed, and say in the commit why they "
+        "  boxreel golden verify menu --film menu.mp4 --preset cross-machine";
+    accept.notes = "Look at the pictures before they are committed, and say in the commit why they "
                    "changed.\n\n"
                    "Examples:\n"
                    "  boxreel golden accept\n"
                    "  boxreel golden accept pyramid bridge\n"
                    "  boxreel golden accept --only missing\n"
-                   "  boxreel golden accept menu --film menu.mp4");
-    AddPath(*verify, "--against", "FILE", golden.against,
+                   "  boxreel golden accept menu --film menu.mp4";
+    AddPath(verify, "--against", "FILE", golden.against,
             "Compare the state of each step with another build of\n"
             "boxreel instead of with the references");
-    AddValue(*accept, "--only", "WHICH", golden.acceptance.only, GoldenFilterChoice(),
+    AddValue(accept, "--only", "WHICH", golden.acceptance.only, GoldenFilterChoice(),
              "Accept all, changed, missing (all)");
-    AddFlag(*accept, "--for-this-renderer", golden.acceptance.forThisRenderer,
+    AddFlag(accept, "--for-this-renderer", golden.acceptance.forThisRenderer,
             "Keep the references for this renderer only");
-    AddPath(*verify, "--report", "FILE", golden.report, "Write an HTML report of what was verified",
+    AddPath(verify, "--report", "FILE", golden.report, "Write an HTML report of what was verified",
             {".html"});
     return command;
 }

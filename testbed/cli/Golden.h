@@ -34,7 +34,7 @@ struct GoldenOptions
 
 /// Declares `boxreel golden verify` and `golden accept` and its options to the parser, which writes
 /// to `options`.
-CLI::App* Declare(CLI::App& program, GoldenOptions& options);
+Command& Declare(Command& program, GoldenOptions& options);
 
 /// Compares scenes with their references, or makes these.
 Result<int> Run(const GoldenOptions& options);

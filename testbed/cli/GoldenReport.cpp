@@ -94,26 +94,22 @@ Result<int> Run(const GoldenReportOptions& options)
     return written ? Result<int>(0) : Result<int>(written.GetError());
 }
 
-CLI::App* Declare(CLI::App& program, GoldenReportOptions& options)
+Command& Declare(Command& program, GoldenReportOptions& options)
 {
-    CLI::App* command = program.get_subcommand("golden")->add_subcommand(
-        "report", "Write an HTML report of golden tests");
-    const auto read = [&options](const std::vector<std::string>& texts) {
-        options.folders = PathsOf(texts);
-    };
-    CLI::Option* folders =
-        AddTexts(*command, "FOLDERS", read,
-                 "Output folders of tests, one per shard (build/golden-output;\nwithout "
-                 "golden/references around, ./golden-output)");
-    Completes(folders->type_name(""), {Completion::Kind::Folders, {}});
-    AddPath(*command, "-o,--output", "FILE", options.output,
+    Command& command =
+        AddCommand(Below(program, "golden"), "report", "Write an HTML report of golden tests");
+    AddPaths(command, "FOLDERS", options.folders,
+             "Output folders of tests, one per shard (build/golden-output;\nwithout "
+             "golden/references around, ./golden-output)")
+        .Completes({Completion::Kind::Folders, {}});
+    AddPath(command, "-o,--output", "FILE", options.output,
             "Write the page here (report.html in the first folder)", {".html"});
-    AddPath(*command, "--against", "FILE", options.against,
+    AddPath(command, "--against", "FILE", options.against,
             "Also show what another build of boxreel draws around the\n"
             "first step that differs");
-    AddBackend(*command, options.backend);
-    AddForce(*command, options.force);
-    command->footer(
+    AddBackend(command, options.backend);
+    AddForce(command, options.force);
+    command.notes =
         "One file that needs no other: summary, filter, and for each moment that differs "
         "expected,\n"
         "actual, difference, blink, slider, the outlines of both worlds and the first step that\n"
@@ -123,7 +119,7 @@ CLI::App* Declare(CLI::App& program, GoldenReportOptions& options)
         "Examples:\n"
         "  boxreel golden report\n"
         "  boxreel golden report shard-0 shard-1 -o report.html\n"
-        "  boxreel golden report --against ../before/boxreel");
+        "  boxreel golden report --against ../before/boxreel";
     return command;
 }
 

@@ -24,7 +24,7 @@ struct GoldenReportOptions
 };
 
 /// Declares `boxreel golden report` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, GoldenReportOptions& options);
+Command& Declare(Command& program, GoldenReportOptions& options);
 
 /// Writes the page.
 Result<int> Run(const GoldenReportOptions& options);

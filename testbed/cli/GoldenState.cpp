@@ -124,22 +124,22 @@ Result<int> Run(const GoldenStateOptions& options)
     return written ? Result<int>(0) : Result<int>(written.GetError());
 }
 
-CLI::App* Declare(CLI::App& program, GoldenStateOptions& options)
+Command& Declare(Command& program, GoldenStateOptions& options)
 {
-    CLI::App* command = program.get_subcommand("golden")->add_subcommand(
-        "state", "Print a scene's state at a step, body by body");
-    Completes(AddName(*command, "SCENE", options.scene, "A name from `boxreel list`"),
-              {Completion::Kind::Scenes, {}});
-    AddValue(*command, "--step", "N", options.step, WholeBetween(0, 1'000'000),
+    Command& command = AddCommand(Below(program, "golden"), "state",
+                                  "Print a scene's state at a step, body by body");
+    AddName(command, "SCENE", options.scene, "A name from `boxreel list`")
+        .Completes({Completion::Kind::Scenes, {}});
+    AddValue(command, "--step", "N", options.step, WholeBetween(0, 1'000'000),
              "Set the step since the start (300)");
-    AddFlag(*command, "--trace", options.trace, "Print the hash of every step instead");
-    command->footer(
+    AddFlag(command, "--trace", options.trace, "Print the hash of every step instead");
+    command.notes =
         "Prints the hash, then one body per line: number, x, y, angle and, where it moves,\n"
         "velocity x, y, angular. "
         "With --trace a line a step: number, hash, a digit for each\nbody.\n\n"
         "Examples:\n"
         "  boxreel golden state pyramid --step 120\n"
-        "  boxreel golden state car --trace --step 60");
+        "  boxreel golden state car --trace --step 60";
     return command;
 }
 

@@ -21,7 +21,7 @@ struct GoldenStateOptions
 };
 
 /// Declares `boxreel golden state` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, GoldenStateOptions& options);
+Command& Declare(Command& program, GoldenStateOptions& options);
 
 /// Whether a scene was named.
 Result<void> Check(GoldenStateOptions& options);

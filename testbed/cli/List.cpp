@@ -57,13 +57,13 @@ Result<int> Run(const ListOptions& options)
     return 0;
 }
 
-CLI::App* Declare(CLI::App& program, ListOptions& options)
+Command& Declare(Command& program, ListOptions& options)
 {
-    CLI::App* command = program.add_subcommand("list", "List the scenes");
-    AddFlag(*command, "--names", options.namesOnly, "Print names only, one per line");
-    command->footer("Examples:\n"
+    Command& command = AddCommand(program, "list", "List the scenes");
+    AddFlag(command, "--names", options.namesOnly, "Print names only, one per line");
+    command.notes = "Examples:\n"
                     "  boxreel list\n"
-                    "  boxreel list --names | head -3");
+                    "  boxreel list --names | head -3";
     return command;
 }
 

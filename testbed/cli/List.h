@@ -12,7 +12,7 @@ struct ListOptions
 };
 
 /// Declares `boxreel list` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, ListOptions& options);
+Command& Declare(Command& program, ListOptions& options);
 
 /// Prints the scenes.
 Result<int> Run(const ListOptions& options);

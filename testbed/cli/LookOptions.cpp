@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Declare.h"
 
+#include <base/ErrorMacros.h>
+
 namespace boxreel
 {
 namespace
@@ -16,51 +18,53 @@ constexpr int kHudHeight = 130;
 constexpr int kHudMsHeight = 150;
 
 /// A theme's name, or "both" where `bothThemes` may say so.
-void AddTheme(CLI::App& command, SceneLook& look, bool* bothThemes)
+void AddTheme(Command& command, SceneLook& look, bool* bothThemes)
 {
     std::vector<std::string> names(ThemeNames().begin(), ThemeNames().end());
     if (bothThemes != nullptr)
     {
         names.emplace_back("both");
     }
-    const auto read = [&look, bothThemes, names](const std::string& text) {
+    const auto read = [&look, bothThemes, names](const std::string& text) -> Result<void> {
         const std::optional<Theme> theme = FindTheme(text);
         if (!theme && text == "both")
         {
             if (bothThemes == nullptr)
             {
-                throw Refusal(BadValue("--theme", text, "a film has one theme",
-                                       "use one of " + JoinedBy(", ", names)));
+                return BadValue("--theme", text, "a film has one theme",
+                                "use one of " + JoinedBy(", ", names));
             }
             *bothThemes = true;
-            return;
+            return {};
         }
         if (!theme)
         {
-            throw Refusal(NotOneOf("--theme", text, names));
+            return NotOneOf("--theme", text, names);
         }
         look.theme = *theme;
+        return {};
     };
-    CLI::Option* option = AddText(command, "--theme", read,
-                                  "Set the colours: " + JoinedBy(", ", names) + " (classic)");
-    Completes(option->type_name("NAME")->group("Picture"), {Completion::Kind::Words, names});
+    AddText(command, "--theme", "NAME", read,
+            "Set the colours: " + JoinedBy(", ", names) + " (classic)")
+        .Group("Picture")
+        .Completes({Completion::Kind::Words, names});
 }
 
-void AddSize(CLI::App& command, SceneLook& look)
+void AddSize(Command& command, SceneLook& look)
 {
-    const auto read = [&look](const std::string& text) {
-        const PixelSize size = OrRefuse(ParseSize("--size", text));
+    const auto read = [&look](const std::string& text) -> Result<void> {
+        ASSIGN_OR_RETURN(const PixelSize size, ParseSize("--size", text));
         look.width = size.width;
         look.height = size.height;
+        return {};
     };
-    AddText(command, "--size", read, "Set width and height in pixels (1280x720)")
-        ->type_name("WxH")
-        ->group("Picture");
+    AddText(command, "--size", "WxH", read, "Set width and height in pixels (1280x720)")
+        .Group("Picture");
 }
 
 } // namespace
 
-void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
+void AddLook(Command& command, SceneLook& look, bool* bothThemes)
 {
     const auto parseHertz = [](const std::string& option, const std::string& text) {
         return ParseRatio(option, text, 1.0, 100000.0);
@@ -73,44 +77,44 @@ void AddLook(CLI::App& command, SceneLook& look, bool* bothThemes)
              "fit:3,17: these bodies. follow:3,17 or follow:17:HEIGHT: keep these\n"
              "in the middle. X,Y,HEIGHT: fix middle and height, in metres.\n"
              "\"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\": move from key to key")
-        ->group("Picture");
-    CLI::Option* draw = AddValue(
-        command, "--draw", "LAYERS", look.layers, ParseLayers,
-        Filled("Draw these layers (" + TextOf(LayerSet()) + "). All: ", LayerNames(), ","));
-    Completes(draw->group("Picture"), {Completion::Kind::List, LayerNames()});
+        .Group("Picture");
+    AddValue(command, "--draw", "LAYERS", look.layers, ParseLayers,
+             Filled("Draw these layers (" + TextOf(LayerSet()) + "). All: ", LayerNames(), ","))
+        .Group("Picture")
+        .Completes({Completion::Kind::List, LayerNames()});
     AddValue(command, "--velocity-scale", "S", look.arrows.velocitySeconds,
              NumberBetween(1e-6, 1e6, "must be seconds from 1e-6 to 1e6, such as 0.2"),
              "Draw a velocity as the displacement in S seconds (0.2)")
-        ->group("Picture");
+        .Group("Picture");
     AddValue(
         command, "--force-scale", "M", look.arrows.metersPerNewton,
         NumberBetween(1e-12, 1e12, "must be metres per newton from 1e-12 to 1e12, such as 0.01"),
         "Draw M metres per newton for forces, friction and impulses, each\n"
         "averaged over a step (so that the mean weight of a body is 1/8 of\n"
         "the mean size, and 1/3 for contacts)")
-        ->group("Picture");
-    AddFlag(command, "--labels", look.labels, "Show the number of each body")->group("Picture");
+        .Group("Picture");
+    AddFlag(command, "--labels", look.labels, "Show the number of each body").Group("Picture");
     AddFlag(command, "--hud", look.hud, "Show a panel with time, step, bodies, contacts")
-        ->group("Picture");
+        .Group("Picture");
     AddFlag(command, "--hud-ms", look.hudMilliseconds,
             "Show this panel with the milliseconds of a step")
-        ->group("Picture");
+        .Group("Picture");
     AddFlag(command, "--ui", look.panels,
             "Show the panels of `boxreel ui`; with --hud-ms\n"
             "also the times of the solver's parts")
-        ->group("Picture");
+        .Group("Picture");
     AddValue(command, "--hz", "RATE", look.stepsPerSecond, parseHertz,
              "Set simulation steps per second (60)")
-        ->group("Simulation");
+        .Group("Simulation");
     AddValue(command, "--seed", "N", look.seed, WholeBetween(0, kLargestSeed),
              "Seed the scene's random numbers (1)")
-        ->group("Simulation");
+        .Group("Simulation");
     AddValue(command, "--velocity-iterations", "N", look.velocityIterations, WholeBetween(1, 1000),
              "Set the solver's velocity iterations per step (8)")
-        ->group("Simulation");
+        .Group("Simulation");
     AddValue(command, "--position-iterations", "N", look.positionIterations, WholeBetween(1, 1000),
              "Set the solver's position iterations per step (3)")
-        ->group("Simulation");
+        .Group("Simulation");
 }
 
 Result<void> CheckHud(SceneLook& look)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "Man.h"
-#include "CommandLine.h"
 #include "CommandTree.h"
 #include "Declare.h"
 
@@ -226,12 +225,12 @@ std::string ManualPage(const CommandText& program)
     return page + ".SH EXAMPLES\n" + Paragraphs(program.notes.substr(examples, end - examples));
 }
 
-CLI::App* Declare(CLI::App& program, ManOptions&)
+Command& Declare(Command& program, ManOptions&)
 {
-    CLI::App* command = program.add_subcommand("man", "Print the manual page");
-    command->footer("Examples:\n"
+    Command& command = AddCommand(program, "man", "Print the manual page");
+    command.notes = "Examples:\n"
                     "  man <(boxreel man)\n"
-                    "  boxreel man > boxreel.1");
+                    "  boxreel man > boxreel.1";
     return command;
 }
 

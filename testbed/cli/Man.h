@@ -10,7 +10,7 @@ struct ManOptions
 {};
 
 /// Declares `boxreel man` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, ManOptions& options);
+Command& Declare(Command& program, ManOptions& options);
 
 /// Prints the manual page in roff.
 Result<int> Run(const ManOptions& options);

@@ -183,20 +183,18 @@ Result<int> Run(const MergeOptions& options)
     return 0;
 }
 
-CLI::App* Declare(CLI::App& program, MergeOptions& merge)
+Command& Declare(Command& program, MergeOptions& merge)
 {
-    CLI::App* command =
-        program.add_subcommand("merge", "Join parts of a film, without encoding them again");
-    CLI::Option* parts = AddTexts(
-        *command, "PARTS",
-        [&merge](const std::vector<std::string>& names) { merge.parts = PathsOf(names); },
-        "Films made with --frame-range, in any order, each with its .json");
-    Completes(parts->type_name(""), {Completion::Kind::Files, FilmExtensions()});
-    AddPath(*command, "-o,--output", "FILE", merge.output,
+    Command& command =
+        AddCommand(program, "merge", "Join parts of a film, without encoding them again");
+    AddPaths(command, "PARTS", merge.parts,
+             "Films made with --frame-range, in any order, each with its .json")
+        .Completes({Completion::Kind::Files, FilmExtensions()});
+    AddPath(command, "-o,--output", "FILE", merge.output,
             "Write the film here, with the extension of the parts", FilmExtensions());
-    AddForce(*command, merge.force);
-    AddFlag(*command, "--partial", merge.partial, "Accept missing frames at the start or end");
-    command->footer(
+    AddForce(command, merge.force);
+    AddFlag(command, "--partial", merge.partial, "Accept missing frames at the start or end");
+    command.notes =
         "The parts must be of the same command, unaltered since they were made, and follow each "
         "other\nwithout a gap from the film's first frame to its last; the world must be in the "
         "same state where one\nends and the next begins. Stopped by a signal it leaves nothing; "
@@ -204,7 +202,7 @@ CLI::App* Declare(CLI::App& program, MergeOptions& merge)
         "Examples:\n"
         "  boxreel record pyramid -o a.mkv --frames 400 --frame-range 0-199\n"
         "  boxreel record pyramid -o b.mkv --frames 400 --frame-range 200-399\n"
-        "  boxreel merge a.mkv b.mkv -o pyramid.mkv");
+        "  boxreel merge a.mkv b.mkv -o pyramid.mkv";
     return command;
 }
 

@@ -19,7 +19,7 @@ struct MergeOptions
 };
 
 /// Declares `boxreel merge` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, MergeOptions& options);
+Command& Declare(Command& program, MergeOptions& options);
 
 /// Whether the options fit together; opens nothing.
 Result<void> Check(MergeOptions& options);

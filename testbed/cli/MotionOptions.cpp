@@ -10,73 +10,61 @@ namespace
 /// Two beside each other are about as wide as a picture alone.
 constexpr PixelSize kSmallMultiple{640, 360};
 
-void AddDimensions(CLI::App& command, MotionLook& look)
-{
-    const auto read = [&look](const std::vector<std::string>& texts) {
-        for (const std::string& text : texts)
-        {
-            look.dimensions.push_back(OrRefuse(ParseDimension("--dimension", text)));
-        }
-    };
-    AddTexts(command, "--dimension", read,
-             "Show the distance of two bodies (3,17), or of bodies and points\n"
-             "(\"0,0 to 4.5,2\", \"3 to 4.5,2\"), in metres; repeatable")
-        ->type_name("FROM,TO")
-        ->allow_extra_args(false)
-        ->group("Annotations");
-}
-
 } // namespace
 
-void AddMotion(CLI::App& command, ShotOptions& shot)
+void AddMotion(Command& command, ShotOptions& shot)
 {
     MotionLook& look = shot.motion;
     AddValue(command, "--at", "TIME[,...]", shot.at, ParseMoments,
              "Set the simulated time: 3s, 500ms, 2.5. Several, such as 0s,1s,2s,\n"
              "make a grid of pictures with their times")
-        ->group("Time");
+        .Group("Time");
     AddValue(command, "--step", "N[,...]", shot.steps, ParseSteps,
              "Set the moment in simulation steps instead")
-        ->group("Time");
+        .Group("Time");
     AddValue(
         command, "--columns", "N", look.columns,
         [](const std::string& option, const std::string& text) {
             return ParseWhole(option, text, 1, 64);
         },
         "Set the columns of the grid (by the number of moments)")
-        ->group("Time");
+        .Group("Time");
     AddValue(command, "--trail", "BODIES", look.trail, ParseBodyChoice,
              "Draw the path of centres of mass: 3,17, or names that a\n"
              "scene file gives, or moving for all that can move")
-        ->group("Motion");
+        .Group("Motion");
     AddValue(command, "--trail-seconds", "TIME", look.trailTime, ParseDuration,
              "Show only the last part of the trail (all)")
-        ->group("Motion");
+        .Group("Motion");
     AddValue(command, "--strobe", "EVERY[:BODIES]", look.strobe, ParseStrobe,
              "Draw earlier poses fainter: one every 250ms or 15steps from the\n"
              "start, of all moving bodies. 250ms:3,17: only these bodies")
-        ->group("Motion");
+        .Group("Motion");
     AddValue(command, "--onion", "N[:EVERY]", look.onion, ParseOnion,
              "Draw the last N poses, fading. They are 100ms apart; 5:50ms or\n"
              "5:3steps sets the time between them. 5:50ms:3,17: only these bodies")
-        ->group("Motion");
+        .Group("Motion");
     AddFlag(command, "--axes", look.axes, "Draw axes in metres beside the picture; mark the origin")
-        ->group("Annotations");
+        .Group("Annotations");
     AddFlag(command, "--scale-bar", look.scaleBar, "Draw a scale bar in metres below the picture")
-        ->group("Annotations");
-    AddDimensions(command, look);
+        .Group("Annotations");
+    AddValues(command, "--dimension", "FROM,TO", look.dimensions, ParseDimension,
+              "Show the distance of two bodies (3,17), or of bodies and points\n"
+              "(\"0,0 to 4.5,2\", \"3 to 4.5,2\"), in metres; repeatable")
+        .Group("Annotations");
     AddValue(
         command, "--caption", "TEXT", look.caption,
         [](const std::string&, const std::string& text) { return Result<std::string>(text); },
         "Write a text below the picture, wrapped to its width")
-        ->group("Annotations");
-    command.callback([&command, &shot] {
-        if (shot.at.size() + shot.steps.size() > 1 && command.count("--size") == 0)
+        .Group("Annotations");
+    command.finish = [&command, &shot] {
+        if (shot.at.size() + shot.steps.size() > 1 && !command.WasGiven("--size"))
         {
             shot.look.width = kSmallMultiple.width;
             shot.look.height = kSmallMultiple.height;
         }
-    });
+        return Result<void>();
+    };
 }
 
 Result<void> CheckMotion(const ShotOptions& options)

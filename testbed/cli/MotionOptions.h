@@ -7,7 +7,7 @@ namespace boxreel
 {
 
 /// Options of a still: its moments, what shows motion in it, and what is written beside it.
-void AddMotion(CLI::App& command, ShotOptions& shot);
+void AddMotion(Command& command, ShotOptions& shot);
 
 /// Whether they fit together, and with a panel.
 Result<void> CheckMotion(const ShotOptions& options);

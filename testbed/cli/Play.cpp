@@ -517,23 +517,23 @@ Result<int> Run(const PlayOptions& options)
     return *unmet + *different == 0 ? 0 : static_cast<int>(ErrorKind::Different);
 }
 
-CLI::App* Declare(CLI::App& program, PlayOptions& play)
+Command& Declare(Command& program, PlayOptions& play)
 {
-    CLI::App* command =
-        program.add_subcommand("play", "Play a script: check it, make films and pictures");
-    AddPath(*command, "SCRIPT", "", play.script, "A text file, described below", {".play"});
-    AddPath(*command, "--into", "DIR", play.into, "Write files to this folder (the current one)");
-    AddFlag(*command, "--check", play.check,
+    Command& command =
+        AddCommand(program, "play", "Play a script: check it, make films and pictures");
+    AddPath(command, "SCRIPT", "", play.script, "A text file, described below", {".play"});
+    AddPath(command, "--into", "DIR", play.into, "Write files to this folder (the current one)");
+    AddFlag(command, "--check", play.check,
             "Only check that the script can be played; simulate nothing");
-    AddFlag(*command, "--test", play.test,
+    AddFlag(command, "--test", play.test,
             "Only check expectations and compare with references; make no films\nor shots");
-    AddFlag(*command, "--accept", play.accept, "Make the pictures the references");
-    AddFlag(*command, "--for-this-renderer", play.forThisRenderer,
+    AddFlag(command, "--accept", play.accept, "Make the pictures the references");
+    AddFlag(command, "--for-this-renderer", play.forThisRenderer,
             "With --accept: keep the references for this renderer only");
-    AddForce(*command, play.force);
-    AddFlag(*command, "--resume", play.resume, "Continue stopped films");
-    AddBackend(*command, play.backend);
-    command->footer(
+    AddForce(command, play.force);
+    AddFlag(command, "--resume", play.resume, "Continue stopped films");
+    AddBackend(command, play.backend);
+    command.notes =
         "A script:\n"
         "  scene car --seed 3 --hz 120          a scene or a file, and options of `boxreel shot`\n"
         "  at 1s press d                        a key goes down; also release, tap\n"
@@ -556,7 +556,7 @@ CLI::App* Declare(CLI::App& program, PlayOptions& play)
         "is not as approved.\n\n"
         "Examples:\n"
         "  boxreel play testbed/scripts/car.play\n"
-        "  boxreel play walk.play --into films --force");
+        "  boxreel play walk.play --into films --force";
     return command;
 }
 

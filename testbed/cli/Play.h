@@ -25,7 +25,7 @@ struct PlayOptions
 };
 
 /// Declares `boxreel play` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, PlayOptions& options);
+Command& Declare(Command& program, PlayOptions& options);
 
 /// Whether the options fit together; opens nothing.
 Result<void> Check(PlayOptions& options);

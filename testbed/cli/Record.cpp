@@ -124,23 +124,6 @@ namespace
 
 constexpr std::int64_t kMostFrames = 10'000'000; // 46 hours at 60 frames a second
 
-/// An option that may be given several times; `parse` turns each text into one more of `values`.
-template <class Value, class Parse>
-CLI::Option* AddRepeated(CLI::App& command, const std::string& name, const std::string& unit,
-                         std::vector<Value>& values, Parse parse, const std::string& help)
-{
-    const auto read = [&values, parse, name](const std::vector<std::string>& texts) {
-        for (const std::string& text : texts)
-        {
-            values.push_back(OrRefuse(parse(name, text)));
-        }
-    };
-    return AddTexts(command, name, read, help)
-        ->type_name(unit)
-        ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
 using NameAndValue = std::pair<std::string, std::string>;
 
 /// "crf=20": libav's name and value.
@@ -154,22 +137,21 @@ Result<NameAndValue> ParseCodecOption(const std::string& option, const std::stri
     return NameAndValue{text.substr(0, sign), text.substr(sign + 1)};
 }
 
-void AddCodec(CLI::App& command, std::string& codec)
+void AddCodec(Command& command, std::string& codec)
 {
-    std::vector<std::pair<std::string, std::string>> names;
+    std::vector<std::string> names;
     std::vector<std::string> words;
     for (const CodecChoice& choice : CodecChoices())
     {
-        names.emplace_back(choice.name, choice.name);
+        names.push_back(choice.name);
         words.push_back(choice.name + " (" + JoinedBy(", ", choice.ends) + ")");
     }
-    AddValue(command, "--codec", "NAME", codec, OneOf<std::string>(names),
-             Filled("Choose ", words, ", "))
-        ->group("Format");
+    AddValue(command, "--codec", "NAME", codec, OneWordOf(names), Filled("Choose ", words, ", "))
+        .Group("Format");
 }
 
 /// How it is encoded.
-void AddFormat(CLI::App& command, VideoSettings& film)
+void AddFormat(Command& command, VideoSettings& film)
 {
     AddValue(command, "--quality", "LEVEL", film.quality,
              OneOf<Quality>({{"draft", Quality::Draft},
@@ -177,70 +159,68 @@ void AddFormat(CLI::App& command, VideoSettings& film)
                              {"high", Quality::High},
                              {"lossless", Quality::Lossless}}),
              "Choose draft, standard, high, lossless (standard)")
-        ->group("Format");
+        .Group("Format");
     AddCodec(command, film.codec);
     AddValue(command, "--chroma", "KIND", film.chroma,
              OneOf<Chroma>({{"420", Chroma::Half}, {"444", Chroma::Full}}),
              "420: plays everywhere; 444: coloured lines stay sharp (420)")
-        ->group("Format");
-    AddRepeated(command, "--codec-option", "NAME=VALUE", film.codecOptions, ParseCodecOption,
-                "Set an option of the encoder, such as crf=20; may be repeated")
-        ->group("Format");
-    AddValue(command, "--format", "NAME", film.format,
-             OneOf<std::string>({{"y4m", "y4m"}, {"nut", "nut"}, {"mkv", "mkv"}, {"webm", "webm"}}),
+        .Group("Format");
+    AddValues(command, "--codec-option", "NAME=VALUE", film.codecOptions, ParseCodecOption,
+              "Set an option of the encoder, such as crf=20; may be repeated")
+        .Group("Format");
+    AddValue(command, "--format", "NAME", film.format, OneWordOf({"y4m", "nut", "mkv", "webm"}),
              "Write y4m, nut, mkv or webm to standard output (-o -)")
-        ->group("Format");
+        .Group("Format");
     AddValue(command, "--loop", "N", film.plays, WholeBetween(0, 65535),
              "Play a gif, apng or webp N times; 0: forever (0)")
-        ->group("Format");
+        .Group("Format");
     AddValue(command, "--group", "N", film.groupFrames, WholeBetween(1, 100000),
              "Encode N frames together; parts begin at multiples (100)")
-        ->group("Format");
+        .Group("Format");
     AddFlag(command, "--constant-rate", film.constantRate,
             "Store each frame, also one that shows the same, for programs\nthat encode the "
             "film again (not webp)")
-        ->group("Format");
+        .Group("Format");
     AddValue(command, "--threads", "N", film.threads, WholeBetween(1, 64),
              "Set the encoder threads; H.264 bytes depend on them (2)")
-        ->group("Format");
+        .Group("Format");
 }
 
-void AddUntil(CLI::App& command, std::vector<Condition>& until)
+void AddUntil(Command& command, std::vector<Condition>& until)
 {
-    AddRepeated(command, "--until", "CONDITION", until, Condition::Parse,
-                "End when this holds: \"17.y < -10\", \"all.speed < 0.01\",\n\"awake == 0\"; may "
-                "be repeated: whichever comes first")
-        ->group("Time");
-    command
-        .add_flag_callback(
-            "--until-sleep",
-            [&until] { until.push_back(*Condition::Parse("--until-sleep", "awake == 0")); },
-            "End when no body is awake")
-        ->group("Time");
+    AddValues(command, "--until", "CONDITION", until, Condition::Parse,
+              "End when this holds: \"17.y < -10\", \"all.speed < 0.01\",\n\"awake == 0\"; may "
+              "be repeated: whichever comes first")
+        .Group("Time");
+    AddFlag(
+        command, "--until-sleep",
+        [&until] { until.push_back(*Condition::Parse("--until-sleep", "awake == 0")); },
+        "End when no body is awake")
+        .Group("Time");
 }
 
 /// What is filmed, and how fast.
-void AddTime(CLI::App& command, RecordOptions& record)
+void AddTime(Command& command, RecordOptions& record)
 {
     AddValue(command, "--seconds", "TIME", record.length.seconds, ParseDuration,
              "Set the length of the film (10)")
-        ->group("Time");
+        .Group("Time");
     AddValue(command, "--frames", "N", record.length.frames, WholeBetween(1, kMostFrames),
              "Set the length in frames instead")
-        ->group("Time");
+        .Group("Time");
     AddValue(command, "--from", "TIME", record.length.from, ParseDuration,
              "Simulate this much before the first frame (0)")
-        ->group("Time");
+        .Group("Time");
     AddUntil(command, record.length.until);
     AddValue(command, "--fps", "RATE", record.film.framesPerSecond, RatioBetween(0.1, 1000.0),
              "Set the frames per second (60)")
-        ->group("Time");
+        .Group("Time");
     AddValue(command, "--speed", "FACTOR", record.pace.speed, RatioBetween(0.001, 1000.0),
              "Set simulated seconds per second; 0.25 is slow motion (1)")
-        ->group("Time");
+        .Group("Time");
     AddFlag(command, "--interpolate", record.pace.interpolate,
             "Show interpolated states between two steps")
-        ->group("Time");
+        .Group("Time");
 }
 
 Result<FrameRange> ParseRange(const std::string& option, const std::string& text)
@@ -251,20 +231,20 @@ Result<FrameRange> ParseRange(const std::string& option, const std::string& text
 
 } // namespace
 
-CLI::App* Declare(CLI::App& program, RecordOptions& record)
+Command& Declare(Command& program, RecordOptions& record)
 {
-    CLI::App* command = program.add_subcommand("record", "Make a film of a scene");
-    AddScene(*command, record.scene);
-    AddPath(*command, "-o,--output", "FILE", record.output,
+    Command& command = AddCommand(program, "record", "Make a film of a scene");
+    AddScene(command, record.scene);
+    AddPath(command, "-o,--output", "FILE", record.output,
             "Write the film here: .mp4 .mkv .webm .gif .apng .webp,\nframes-####.png, or - with "
             "--format",
             FilmExtensions());
-    AddForce(*command, record.film.overwrite);
-    AddFlag(*command, "--resume", record.film.resume, "Continue a stopped film, or start it");
-    AddFlag(*command, "--skip-done", record.skipDone,
+    AddForce(command, record.film.overwrite);
+    AddFlag(command, "--resume", record.film.resume, "Continue a stopped film, or start it");
+    AddFlag(command, "--skip-done", record.skipDone,
             "Do nothing if this part of --frame-range is complete");
-    AddStats(*command, record.messages.stats);
-    AddValue(*command, "--progress", "KIND", record.messages.progress,
+    AddStats(command, record.messages.stats);
+    AddValue(command, "--progress", "KIND", record.messages.progress,
              OneOf<ProgressMode>({{"auto", ProgressMode::Auto},
                                   {"bar", ProgressMode::Bar},
                                   {"lines", ProgressMode::Lines},
@@ -273,26 +253,26 @@ CLI::App* Declare(CLI::App& program, RecordOptions& record)
                                   {"none", ProgressMode::None}}),
              "Show progress as auto, bar, lines, json, openjd, none (auto)");
     AddValue(
-        *command, "--frame-range", "RANGE", record.length.range, ParseRange,
+        command, "--frame-range", "RANGE", record.length.range, ParseRange,
         "Record only these frames, such as 200-399 or 1-3,5,7-20:2;\n`boxreel merge` joins parts");
     AddPath(
-        *command, "--snapshots", "DIR", record.snapshots.folder,
+        command, "--snapshots", "DIR", record.snapshots.folder,
         "Save states of the simulation in this folder. Start from the last\nstate there that is "
         "not after the first frame");
-    AddValue(*command, "--snapshot-every", "N", record.snapshots.every,
+    AddValue(command, "--snapshot-every", "N", record.snapshots.every,
              WholeBetween(1, 1'000'000'000),
              "Set the steps between snapshots (100, later up to 1/16 of all)");
-    AddPath(*command, "--thumbnail", "FILE", record.thumbnail.file,
+    AddPath(command, "--thumbnail", "FILE", record.thumbnail.file,
             "Write a picture of one frame, .png", {".png"});
     AddValue(
-        *command, "--thumbnail-at", "TIME", record.thumbnail.at, ParseDuration,
+        command, "--thumbnail-at", "TIME", record.thumbnail.at, ParseDuration,
         "Choose the moment of the thumbnail (the middle of the film, or the\nlast frame if --until "
         "ends the film before)");
-    AddTime(*command, record);
-    AddFormat(*command, record.film);
-    AddLook(*command, record.look, nullptr);
-    AddBackend(*command, record.backend)->group("Picture");
-    command->footer(
+    AddTime(command, record);
+    AddFormat(command, record.film);
+    AddLook(command, record.look, nullptr);
+    AddBackend(command, record.backend).Group("Picture");
+    command.notes =
         "Ctrl-C leaves NAME.part.EXT, which can be played; the same command with --resume goes "
         "on.\n"
         "Exit code 75 says so. Frames that show the same are stored once and shown for longer, "
@@ -308,7 +288,7 @@ CLI::App* Declare(CLI::App& program, RecordOptions& record)
         "  boxreel record bridge -o bridge.mp4 --theme okabe-ito\n"
         "  boxreel record double-domino -o d.webp --from 1s --until-sleep --thumbnail d.png\n"
         "  boxreel record tumbler -o part-2.mkv --frame-range 200-399 --snapshots states\n"
-        "  boxreel record bridge -o - --format y4m | ffplay -");
+        "  boxreel record bridge -o - --format y4m | ffplay -";
     return command;
 }
 

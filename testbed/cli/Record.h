@@ -12,7 +12,7 @@ namespace boxreel
 {
 
 /// Declares `boxreel record` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, RecordOptions& options);
+Command& Declare(Command& program, RecordOptions& options);
 
 /// Whether the files could be made; simulates and makes nothing.
 Result<void> Prepare(const RecordOptions& options);

@@ -284,21 +284,21 @@ Result<double> ParseScale(const std::string& option, const std::string& text)
 
 } // namespace
 
-CLI::App* Declare(CLI::App& program, ShotOptions& shot)
+Command& Declare(Command& program, ShotOptions& shot)
 {
-    CLI::App* command = program.add_subcommand("shot", "Make one picture of a scene");
-    AddScene(*command, shot.scene);
-    AddPath(*command, "-o,--output", "FILE", shot.output,
+    Command& command = AddCommand(program, "shot", "Make one picture of a scene");
+    AddScene(command, shot.scene);
+    AddPath(command, "-o,--output", "FILE", shot.output,
             "Write the picture here: .png, .svg or .pdf", FigureExtensions());
-    AddForce(*command, shot.force);
-    AddStats(*command, shot.stats);
-    AddMotion(*command, shot);
-    AddValue(*command, "--scale", "FACTOR", shot.look.scale, ParseScale,
+    AddForce(command, shot.force);
+    AddStats(command, shot.stats);
+    AddMotion(command, shot);
+    AddValue(command, "--scale", "FACTOR", shot.look.scale, ParseScale,
              "Scale all lengths in pixels, also lines and text; 0.1 to 16 (1)")
-        ->group("Picture");
-    AddLook(*command, shot.look, &shot.bothThemes);
-    AddBackend(*command, shot.backend)->group("Picture");
-    command->footer(
+        .Group("Picture");
+    AddLook(command, shot.look, &shot.bothThemes);
+    AddBackend(command, shot.backend).Group("Picture");
+    command.notes =
         "The pixels of a .png are those of a film's frame at the same time. In .svg and .pdf text\n"
         "stays text, and each body is a group with a name. --theme both writes NAME-light.EXT\n"
         "(print) and NAME-dark.EXT. --size is that of a picture, without what is beside it; of\n"
@@ -312,7 +312,7 @@ CLI::App* Declare(CLI::App& program, ShotOptions& shot)
         "  boxreel shot bridge --at 2s -o bridge.svg --theme both\n"
         "  boxreel shot newtons-cradle --at 1s -o cradle.png --trail moving --onion 6:50ms\n"
         "  boxreel shot dominos --at 0s,1s,2s,3s -o dominos.pdf --theme print --scale-bar\n"
-        "  boxreel shot bridge --at 2s -o b.svg --axes --dimension 3,17 --caption \"A bridge.\"");
+        "  boxreel shot bridge --at 2s -o b.svg --axes --dimension 3,17 --caption \"A bridge.\"";
     return command;
 }
 

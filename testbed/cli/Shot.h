@@ -30,7 +30,7 @@ struct ShotOptions
 };
 
 /// Declares `boxreel shot` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, ShotOptions& options);
+Command& Declare(Command& program, ShotOptions& options);
 
 /// Whether the files could be made; simulates and makes nothing.
 Result<void> Prepare(const ShotOptions& options);

@@ -246,38 +246,26 @@ Result<int> Run(const UiOptions& options)
     return said ? Result<int>(0) : said.GetError();
 }
 
-CLI::App* Declare(CLI::App& program, UiOptions& ui)
+Command& Declare(Command& program, UiOptions& ui)
 {
-    CLI::App* command = program.add_subcommand("ui", "Open a scene in a window");
-    AddScene(*command, ui.scene)->group(kMayBeLeftOut);
-    AddText(
-        *command, "--size",
-        [&ui](const std::string& text) { ui.size = OrRefuse(ParseSize("--size", text)); },
-        "Set the size of the window in pixels, up to that of the display\n(last size, else "
-        "1280x720)")
-        ->type_name("WxH");
+    Command& command = AddCommand(program, "ui", "Open a scene in a window");
+    AddScene(command, ui.scene).isOptional = true;
+    AddValue(command, "--size", "WxH", ui.size, ParseSize,
+             "Set the size of the window in pixels, up to that of the display\n(last size, else "
+             "1280x720)");
     const std::vector<std::string> themes(ThemeNames().begin(), ThemeNames().end());
-    const auto readTheme = [&ui, themes](const std::string& text) {
-        if (!FindTheme(text))
-        {
-            throw Refusal(NotOneOf("--theme", text, themes));
-        }
-        ui.theme = text;
-    };
-    CLI::Option* theme =
-        AddText(*command, "--theme", readTheme,
-                "Set the colours: " + JoinedBy(", ", themes) + "\n(last theme, else classic)");
-    Completes(theme->type_name("NAME"), {Completion::Kind::Words, themes});
-    AddValue(*command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
+    AddValue(command, "--theme", "NAME", ui.theme, OneWordOf(themes),
+             "Set the colours: " + JoinedBy(", ", themes) + "\n(last theme, else classic)");
+    AddValue(command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
              "Seed the scene's random numbers (1)");
-    AddValue(*command, "--hz", "RATE", ui.stepsPerSecond, RatioBetween(5.0, 480.0),
+    AddValue(command, "--hz", "RATE", ui.stepsPerSecond, RatioBetween(5.0, 480.0),
              "Set simulation steps per second (what the scene prefers, else 60)");
-    AddPath(*command, "--into", "DIR", ui.into,
+    AddPath(command, "--into", "DIR", ui.into,
             "Write films, figures and scripts to this folder (the current one)");
-    AddFlag(*command, "--paused", ui.isPaused, "Start paused; O makes a step, P continues");
-    AddFlag(*command, "--fresh", ui.fresh, "Ignore and keep no settings");
-    AddBackend(*command, ui.backend);
-    command->footer(
+    AddFlag(command, "--paused", ui.isPaused, "Start paused; O makes a step, P continues");
+    AddFlag(command, "--fresh", ui.fresh, "Ignore and keep no settings");
+    AddBackend(command, ui.backend);
+    command.notes =
         "Keys:\n"
         "  P pause and go on    O a step             R restart           [ ] other scenes\n"
         "  Ctrl+O find a scene  Tab hide panels      Home reset view     Esc quit\n"
@@ -290,7 +278,7 @@ CLI::App* Declare(CLI::App& program, UiOptions& ui)
         "Examples:\n"
         "  boxreel ui\n"
         "  boxreel ui car --paused\n"
-        "  boxreel ui scene.json --size 1600x900 --into films");
+        "  boxreel ui scene.json --size 1600x900 --into films";
     return command;
 }
 

@@ -30,7 +30,7 @@ struct UiOptions
 };
 
 /// Declares `boxreel ui` and its options to the parser, which writes to `options`.
-CLI::App* Declare(CLI::App& program, UiOptions& options);
+Command& Declare(Command& program, UiOptions& options);
 
 /// Opens the window.
 Result<int> Run(const UiOptions& options);

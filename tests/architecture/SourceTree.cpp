@@ -113,7 +113,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"imgui",
          {"render/src/ImGui", "render/src/FontAtlas", "testbed/ui/", "tests/render/ImGui"}},
         {"stb", {"render/src/FontAtlas"}},
-        {"CLI/", {"testbed/cli/"}},
+        {"CLI/", {"testbed/cli/Parser."}},
         {"nlohmann/",
          {"golden/src/VerdictFile.", "golden/src/report/Verdicts.", "testbed/rube/",
           "testbed/film/Manifest", "testbed/ui/UiSettings"}},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ParseLine.h"
 
+#include <cli/CommandTree.h>
+
 #include <gmock/gmock.h>
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 
 #include <base/Quoting.h>
 #include <cli/CommandLine.h>
+#include <cli/CommandTree.h>
 
 #include <gmock/gmock.h>
 

@@ -2,7 +2,7 @@
 // What real shells complete, and what groff says of the manual page.
 #include "Subprocess.h"
 
-#include <cli/CommandLine.h>
+#include <cli/CommandTree.h>
 #include <session/SceneSearch.h>
 
 #include <gmock/gmock.h>
