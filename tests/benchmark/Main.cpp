@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One engine's program. `list` prints the scenes, `run SCENE [THREADS]` the figures of one, and the
-// same for accuracy: `accuracy-list`, `accuracy CASE VELOCITY_ITERATIONS POSITION_ITERATIONS HZ
-// SUBSTEPS [STEPS]`, with the last only to time. Output is JSON, one object per line. The runner
-// (bench.py) runs the programs of all engines in turn.
+// One engine's program. `list` prints the scenes, `run SCENE [THREADS [SUBSTEPS]]` the figures of
+// one, and the same for accuracy: `accuracy-list`, `accuracy CASE VELOCITY_ITERATIONS
+// POSITION_ITERATIONS HZ SUBSTEPS [STEPS]`, with the last only to time. Output is JSON, one object
+// per line. The runner (bench.py) runs the programs of all engines in turn.
 #include "AccuracyRun.h"
 #include "Scenes.h"
 
@@ -257,11 +257,13 @@ Found AllFound(Sim& sim, const Scene& scene, Found found, EndState& end)
     return found;
 }
 
-int Run(const Scene& scene, int threads)
+/// `subSteps`: 0 for those of the scene.
+int Run(const Scene& scene, int threads, int subSteps)
 {
     const long before = ResidentMemory();
     SimSettings settings = scene.settings;
     settings.threads = threads;
+    settings.subSteps = subSteps > 0 ? std::min(subSteps, MostSubSteps()) : settings.subSteps;
     const std::unique_ptr<Sim> sim = CreateSim(settings);
     Prepare(*sim, scene);
     Timing timing = Time(*sim, scene);
@@ -326,7 +328,8 @@ int main(int count, char** words)
         {
             if (scene.name == words[2])
             {
-                return bench::Run(scene, count > 3 ? std::clamp(std::atoi(words[3]), 1, 64) : 1);
+                return bench::Run(scene, count > 3 ? std::clamp(std::atoi(words[3]), 1, 64) : 1,
+                                  count > 4 ? std::clamp(std::atoi(words[4]), 1, 64) : 0);
             }
         }
         std::fprintf(stderr, "No scene is called '%s'; `list` names them all.\n", words[2]);
@@ -341,7 +344,7 @@ int main(int count, char** words)
         return bench::RunAccuracy(words[2], {words + 3, words + count});
     }
     std::fprintf(stderr,
-                 "Usage: %s list | run SCENE [THREADS] | accuracy-list | accuracy CASE "
+                 "Usage: %s list | run SCENE [THREADS [SUBSTEPS]] | accuracy-list | accuracy CASE "
                  "VELOCITY_ITERATIONS POSITION_ITERATIONS HZ SUBSTEPS [STEPS]\n",
                  words[0]);
     return 1;
