@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Cases whose truth is known: error against CPU time, for each engine with many settings."""
-from __future__ import annotations
-
 import itertools
 import math
 from pathlib import Path
-from typing import Any
 
 from . import charts
-from .common import (GOALS, TEXTS, Benchmark, Problem, Result, columns_table, is_met, is_number, note, objects, run,
-                     table, time_text, times_text)
+from .common import (
+    GOALS, TEXTS, Benchmark, Result, attempt, case_table, is_met, is_number, note, objects, run, table, time_text,
+    times_text)
 from .engine import PEERS, is_goal_peer
 
 SETTINGS = ("velocityIterations", "positionIterations", "hz", "subSteps")
@@ -18,13 +16,9 @@ LONG = 0.3  # [s]; what takes longer by itself is timed once, for a sweep takes 
 VARIED = {"subSteps": ("-", " sub-steps"), "hz": ("--", " Hz"), "velocityIterations": (":", "")}  # strokes, and units
 
 
-def first_run(path: Path, case: str, settings: tuple[int, ...]) -> Result:
-    """The figures of one run with everything looked at, or why there are none."""
-    try:
-        return objects(run([path, "accuracy", case, *settings]).output)[-1]
-    except Problem as problem:
-        note(f"{path.name}: {problem}")
-        return {"engine": path.name, **dict(zip(SETTINGS, settings)), "failure": "failed"}
+def goals_of(result: Result) -> dict[str, str]:
+    """Those of a case; without a goal every error is small enough."""
+    return GOALS["accuracy"].get(result["case"], {})
 
 
 def ending(one: Result) -> str:
@@ -34,10 +28,16 @@ def ending(one: Result) -> str:
 
 def verdict(goals: dict[str, str], one: Result) -> str:
     """"goal met", "" where the error is too large, how else it ended, or the remarks that miss their goals."""
+    if ending(one):
+        return ending(one)
     missed = [f"{figure} {one['remarks'].get(figure)} ({goal})" for figure, goal in goals.items()
-              if figure != "error" and not ending(one) and not is_met(goal, one["remarks"].get(figure))]
-    is_small = not ending(one) and is_met(goals.get("error", "<= inf"), one["error"])
-    return ending(one) or ", ".join(missed) or ("goal met" if is_small else "")
+              if figure != "error" and not is_met(goal, one["remarks"].get(figure))]
+    return ", ".join(missed) or ("goal met" if is_met(goals.get("error", "<= inf"), one["error"]) else "")
+
+
+def engines_of(result: Result) -> list[str]:
+    """In the order in which they first come; ours is the first."""
+    return list(dict.fromkeys(one["engine"] for one in result["runs"]))
 
 
 def usual(result: Result, engine: str, steps: int = 4) -> Result | None:
@@ -45,11 +45,6 @@ def usual(result: Result, engine: str, steps: int = 4) -> Result | None:
     own = [one for one in result["runs"] if one["engine"] == engine]
     steps = steps if any(one["subSteps"] > 1 for one in own) else 1
     return next((one for one in own if [one[key] for key in SETTINGS] == [8, 3, 60, steps]), None)
-
-
-def engines_of(result: Result) -> list[str]:
-    """In the order in which they first come; ours is the first."""
-    return list(dict.fromkeys(one["engine"] for one in result["runs"]))
 
 
 def summary(results: list[Result], steps: int) -> str:
@@ -60,27 +55,23 @@ def summary(results: list[Result], steps: int) -> str:
         ours, cells, slower = usual(result, first, steps), [], False
         for engine in (first, *others):
             one = usual(result, engine, steps)
+            cells.append((ending(one) or f"{one['error']:.3g}") if one else "not run")
             timed = one and ours and "failure" not in one and "failure" not in ours
-            ratio = one["cpu"] / ours["cpu"] if timed else 1.0
-            slower = slower or (is_goal_peer(engine) and ratio < 1.0)
-            times = [time_text(one["cpu"]), times_text(ratio)] if timed else ["", ""]
-            error = (ending(one) or f"{one['error']:.3g}") if one else "not run"
-            cells += [error, *(times if engine != first else times[:1])]
-        said, goal = ours["verdict"] if ours else "not run", GOALS["accuracy"].get(result["case"], {}).get("error", "")
-        rows.append([result["case"], goal[3:], result["unit"], *cells,
-                     "goal met" + ", slower" * slower if said == "goal met" else f"goal not met {said}"])
+            cells.append(time_text(one["cpu"]) if timed else "")
+            if engine != first:
+                cells.append(times_text(one["cpu"] / ours["cpu"]) if timed else "")
+                slower = slower or (timed and is_goal_peer(engine) and one["cpu"] < ours["cpu"])
+        said = ours["verdict"] if ours else "not run"
+        rows.append([result["case"], goals_of(result).get("error", "")[3:], result["unit"], *cells,
+                     "goal met" + ", slower" * bool(slower) if said == "goal met" else f"goal not met {said}"])
     return table("<>>>>" + ">>>" * len(others) + "<", rows)
 
 
 class Accuracy(Benchmark):
     """Cases with a sweep of settings each."""
-    name, program, peers, list_words = "accuracy", "boxreel_bench", PEERS, ["accuracy-list"]
+    name, program, peers, list_words, parts, key = "accuracy", "boxreel_bench", PEERS, ["accuracy-list"], ["{case}"], "runs"
 
-    def parts(self, cases: list[Result]) -> list[str]:
-        """A chart a case."""
-        return [case["case"] for case in cases]
-
-    def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
+    def measure(self, build: Path, case: Result, options, work: Path) -> Result:
         """All settings of all engines in turn, `rounds` times; the least CPU time counts.
 
         What makes a run longer is the machine's, which has slow spells that are longer than a run.
@@ -91,7 +82,8 @@ class Accuracy(Benchmark):
             sweeps.append([(path, (*iterations, hz, steps)) for iterations, hz, steps in itertools.product(*SWEEP)
                            if steps <= most])
         turns = [entry for turn in itertools.zip_longest(*sweeps) for entry in turn if entry]
-        runs = {entry: first_run(entry[0], case["case"], entry[1]) for entry in turns}
+        runs = {(path, settings): dict(zip(SETTINGS, settings)) | attempt(path, "accuracy", case["case"], *settings)
+                for path, settings in turns}
         for (path, settings), one in list(runs.items()) * (options.rounds - 1):
             if "failure" not in one and 0.0 < one["cpu"] * one["steps"] < LONG:
                 again = run([path, "accuracy", case["case"], *settings, one["steps"]])
@@ -101,25 +93,25 @@ class Accuracy(Benchmark):
     def judge(self, result: Result) -> None:
         """Adds verdicts, and the CPU time for 1/60 s, however many steps that takes: what settings are compared by."""
         for one in result["runs"]:
-            one["verdict"] = verdict(GOALS["accuracy"].get(result["case"], {}), one)
+            one["verdict"] = verdict(goals_of(result), one)
             one |= {"cpuOfFrame": one["cpu"] * one["hz"] / 60.0} if "failure" not in one else {}
 
     def text(self, results: list[Result]) -> str:
         """A row a run, and the summary."""
-        return "\n".join([columns_table(TEXTS["accuracy"]["columns"], results, "runs"), TEXTS["accuracy"]["summary"],
-                          summary(results, 2), summary(results, 4)])
+        return "\n".join([case_table(self.name, results, self.key), TEXTS["accuracy"]["summary"], summary(results, 2),
+                          summary(results, 4)])
 
-    def drawn(self, results: list[Result]) -> dict[str, Any]:
+    def drawn(self, results: list[Result]) -> dict:
         """A chart for each case that held anywhere."""
         made = {}
         for result in results:
-            goal = float(GOALS["accuracy"].get(result["case"], {}).get("error", "<= 0")[3:])
-            floor = 10.0 ** math.floor(math.log10(goal) - 3.5) if goal > 0.0 else 0.5  # nothing has no logarithm
-            texts = {**TEXTS["accuracy"], "title": result["case"], "subtitle": result["what"],
-                     "y": TEXTS["accuracy"]["y"].format(result["unit"])}
             if all(ending(one) for one in result["runs"]):
                 note(f"no run of '{result['case']}' held, so there is nothing to draw")
                 continue
+            goal = float(goals_of(result).get("error", "<= 0")[3:])
+            floor = 10.0 ** math.floor(math.log10(goal) - 3.5) if goal > 0.0 else 0.5  # nothing has no logarithm
+            texts = {**TEXTS["accuracy"], "title": result["case"], "subtitle": result["what"],
+                     "y": TEXTS["accuracy"]["y"].format(result["unit"])}
             curves = [self.curves(result, engine, color, floor) for color, engine in enumerate(engines_of(result))]
             made[result["case"]] = charts.Lines(texts, sum(curves, []), (floor, f"≤ {floor:g}" if goal > 0.0 else "0"))
         return made

@@ -1,0 +1,284 @@
+# SPDX-License-Identifier: MIT
+"""Drawing beside Cairo, films beside ffmpeg and immediate mode, comparing pictures beside what npm and Debian have."""
+import json
+import os
+import shutil
+from collections import namedtuple
+from pathlib import Path
+
+from . import charts
+from .common import (
+    FAILED, TEXTS, Benchmark, Ended, Problem, Result, columns_table, case_table, digits, median_of, note, objects,
+    program, run, table, time_text, value_at, version_of)
+
+
+class Drawing(Benchmark):
+    """Pictures of several sizes and numbers of shapes: CPU time of a frame against the error at edges."""
+    name, program, parts = "render", "boxreel_render_bench", ["{height}p"]
+    peers = {"boxreel_render_bench_cairo": "libcairo2-dev"}
+    goals = {"full": "full redraw [ms]", "together": "5 % changed together [ms]", "apart": "5 % changed apart [ms]",
+             "none": "unchanged [ms]"}
+    strokes = {"full": "-", "together": "--", "apart": ":"}
+
+    def measure(self, build: Path, case: Result, options, work: Path) -> Result:
+        """Errors once, times `rounds` times in turn. Ours with one raster thread, and with the user's."""
+        ours, *peers = self.programs(build, options)
+        entries = [(ours, "0"), *([] if options.against else [(ours, "own")]), *((peer, "0") for peer in peers)]
+        errors = [objects(run([path, "error", case["case"]]).output) for path, _ in entries]
+        rounds = [[objects(run([path, "time", case["case"], threads]).output) for path, threads in entries]
+                  for _ in range(options.rounds)]
+        methods = []
+        for (path, threads), *said in zip(entries, errors, *rounds):
+            for error, *times in zip(*said):
+                wrong = next((time["wrong"] for time in times if time["wrong"]), "")  # frames unlike one from scratch
+                methods.append({**error, **median_of(times), "wrong": wrong, "ours": path is ours, "threads": threads})
+        return {**case, "methods": methods}
+
+    def judge(self, result: Result) -> None:
+        """Goals are for ours with one raster thread."""
+        for one in result["methods"]:
+            if "floor" in one["works"]:
+                one["overFloor"] = value_at(one, "works.empty.cpu") / value_at(one, "works.floor.cpu")
+        ours = next(one for one in result["methods"] if one["ours"] and one["threads"] == "0")
+        result["reached"] = {figure: ours["works"][work]["cpu"] * 1e3 if not ours["wrong"] else None
+                             for work, figure in self.goals.items() if work in ours["works"]}
+        result["reached"] |= {"empty over clear and read": ours.get("overFloor"), "RMSE at edges": ours["rms"]}
+
+    def drawn(self, results: list[Result]) -> dict:
+        """A chart for each height, of methods with one raster thread, and where these draw the same of the first."""
+        made = {}
+        for height in dict.fromkeys(result["height"] for result in results):
+            sizes = [(result, {one["method"]: one for one in result["methods"] if one["threads"] == "0"})
+                     for result in sorted(results, key=lambda one: one["shapes"]) if result["height"] == height]
+            names, curves = {}, []
+            for name in dict.fromkeys(name for _, methods in sizes for name in methods):
+                names.setdefault(tuple(methods.get(name, {}).get("rms") for _, methods in sizes), name)
+            for color, name in enumerate(names.values()):
+                for work, stroke in self.strokes.items():
+                    points = [charts.Point(methods[name]["works"][work]["cpu"] * 1e3, methods[name]["rms"],
+                                           f"{result['shapes']:,}" if len(sizes) > 1 else work, optional=work != "full")
+                              for result, methods in sizes if work in methods.get(name, {"works": ()})["works"]]
+                    curves += [charts.Curve(name, color, stroke, points)] if points else []
+            title = TEXTS["render"]["title"].format(sizes[0][0]["width"], height)
+            made[f"{height}p"] = charts.Lines({**TEXTS["render"], "title": title}, curves)
+        return made
+
+
+FILM_PEERS = {"encodeOnly": "encoding only", "immediate": "immediate mode"}  # roles of films that others make
+ROOM = 500e6  # for films, beside the raw frames [bytes]
+
+
+def make(film: Result, work: Path, *more: str) -> Ended:
+    """Makes a film once, in an empty folder."""
+    shutil.rmtree(work / film["role"], ignore_errors=True)
+    (work / film["role"]).mkdir()
+    ended = run([*film["words"], *more])
+    if film["role"] != "immediate":
+        return ended
+    return ended._replace(memory=1024.0 * objects(ended.output)[-1]["kilobytes"])  # of two processes
+
+
+class Recording(Benchmark):
+    """Films of a scene by several programs, from a cold start to a closed file."""
+    name, program, parts = "record", "boxreel_record_bench", ["speed", "stages"]
+
+    def measure(self, build: Path, case: Result, options, work: Path) -> Result:
+        """Each film `rounds` times in turn; films and raw frames lie in `work`. Peers may fail, ours may not."""
+        helper = program(build, self.program)
+        take, *films = objects(run([helper, "films", case["case"], options.frames, *options.size, build / "boxreel",
+                                    work]).output)
+        need, free = 4.0 * take["width"] * take["height"] * take["frames"] + ROOM, shutil.disk_usage(work).free
+        if free < need:
+            raise Problem(f"the raw frames of '{case['case']}' need {need / 1e9:.1f} GB in {work.parent}, which has "
+                          f"{free / 1e9:.1f}; name another folder by TMPDIR", FAILED)
+        cached = objects(run([helper, "raw", *take.pop("take"), work / "frames.raw"]).output)[-1]["cached"]
+        version = None if options.against else version_of("version", "ffmpeg", "-version")
+        if not version and not options.against:
+            note("films are compared with nothing, for ffmpeg does not run; install ffmpeg")
+        films = [film | {"ours": film["role"] not in FILM_PEERS, "made": []} for film in films
+                 if version or film["role"] not in FILM_PEERS]
+        for film in films * options.rounds:
+            try:
+                if "failure" not in film:
+                    film["made"].append(make(film, work, *(["--progress", "none"] if film["ours"] else [])))
+            except Problem as problem:
+                if film["role"] == "boxreel":
+                    raise
+                film["failure"] = str(problem)
+                note(film["failure"])
+        methods = []
+        for film in films:
+            one = {key: film[key] for key in ("role", "method", "frames", "ours", "failure") if key in film}
+            one["method"] = one["method"].replace("ffmpeg", f"ffmpeg {version}")
+            if "failure" not in one:
+                one |= {figure: median_of([getattr(ended, figure) for ended in film["made"]])
+                        for figure in ("wall", "cpu", "memory")}
+                one |= {"seen": objects(run(film["check"]).output)[-1]["verdict"],
+                        "bytes": sum(file.stat().st_size for file in (work / film["role"]).iterdir())}
+            methods.append(one)
+        # In a run of its own: looking at clocks takes time.
+        clocks = make(films[0], work, "--progress", "json", "--stats")
+        stages = next(one for one in objects(clocks.errors) if one.get("event") == "stages")
+        return {**case, **take, "resized": bool(options.frames or any(options.size)), "cached": cached,
+                "methods": methods, "stages": [
+                    {"stage": one["stage"], "thread": one["thread"], "cpu": one["cpuSeconds"] / stages["frames"],
+                     "wall": one.get("wallSeconds", 0.0) / stages["frames"]} for one in stages["stages"]]}
+
+    def judge(self, result: Result) -> None:
+        """Goals are for films of the case's own size, and only sound films are compared."""
+        films = {one["role"]: one for one in result["methods"] if "failure" not in one}
+        for one in result["methods"]:
+            one["verdict"] = one.get("failure") or one["seen"]
+            one |= {"rate": one["frames"] / one["wall"]} if "failure" not in one else {}
+
+        def of(role: str, other: str, compare) -> float | None:
+            both = [films.get(name, {}) for name in (role, other)]
+            return compare(*both) if all(film.get("verdict") == "sound" for film in both) else None
+
+        def pace(film: Result, start: Result) -> float:
+            return (film["wall"] - start["wall"]) / max(film["frames"] - 1, 1)
+
+        def megabytes(film: Result, other: Result) -> float:
+            return (film["memory"] - other["memory"]) / 1e6
+
+        resting, moving = of("boxreel", "start", pace), of("moving", "movingStart", pace)
+        reached = {"frames a second": of("boxreel", "boxreel", lambda ours, _: ours["rate"]),
+                   "times faster than moving": moving / resting if resting and moving else None,
+                   "memory of the longer film, more by [MB]": of("long", "boxreel", megabytes)}
+        for role, name in FILM_PEERS.items():
+            if role in films:
+                reached[f"wall time over {name}"] = of("boxreel", role, lambda ours, peer: ours["wall"] / peer["wall"])
+                films[role]["wallTimes"] = of(role, "boxreel", lambda peer, ours: peer["wall"] / ours["wall"])
+                films[role]["cpuTimes"] = of(role, "boxreel", lambda peer, ours: peer["cpu"] / ours["cpu"])
+        if "encodeOnly" in films:
+            reached["memory over the encoder's [MB]"] = of("boxreel", "encodeOnly", megabytes)
+        result["reached"] = {} if result["resized"] else reached
+
+    def text(self, results: list[Result]) -> str:
+        """Also where the time of a frame goes."""
+        cached = min(result["cached"] for result in results)
+        return (case_table("stages", results, "stages") + "\n" + super().text(results)
+                + f"At least {cached * 100:.0f} % of the raw frames were in the page cache.\n")
+
+    def drawn(self, results: list[Result]) -> dict:
+        times = [{(one["stage"], one["thread"]): one["cpu"] * 1e3 for one in result["stages"]} for result in results]
+        stages = dict.fromkeys(key for one in times for key, time in one.items() if time >= 0.02)
+        groups = [(key[0], f"{key[1]} thread", "", [(one.get(key), digits(one.get(key))) for one in times])
+                  for key in stages]
+        return {"speed": charts.ratio_bars(TEXTS["record"], results, "wall", time_text),
+                "stages": charts.Bars(TEXTS["stages"], groups, [result["case"] for result in results], start=0.0)}
+
+
+SCENES = ("pyramid", "bridge", "tumbler")  # fills, lines, crowds
+# The peers' defaults forgive what a person hardly sees in a photograph; the stricter settings are those that their
+# manuals name for exactness and that still let a rounding pass.
+STRICT, FUZZ = "0.01", "1%"
+# A program with its words before and after two files; it ends with `code` where they differ. `timer` prints the time of
+# each comparison of what was read before.
+Method = namedtuple("Method", "name before after code timer", defaults=[[]])
+
+
+def npm_peers(folder: Path) -> list[Method]:
+    """odiff and pixelmatch where npm installed them; the former itself, for its script would start node first."""
+    modules = folder / "node_modules"
+    version = {name: json.loads((modules / name / "package.json").read_text("utf-8"))["version"]
+               for name in ("odiff-bin", "pixelmatch") if (modules / name / "package.json").is_file()}
+    if not version:
+        raise Problem(f"'{folder}' holds no peers; run `npm install odiff-bin pixelmatch` in it or name another folder")
+    odiff = next(modules.glob("@odiff/*/odiff"), "odiff")
+    match = ["node", modules / "pixelmatch" / "bin" / "pixelmatch"]
+    timer = ["node", Path(__file__).with_name("pixelmatch.mjs"), (modules / "pixelmatch").resolve()]
+    found = {"odiff-bin": [("odiff {}", [odiff], [], 22),
+                           (f"odiff {{}}, {STRICT}", [odiff], ["--threshold", STRICT], 22)],
+             "pixelmatch": [("pixelmatch {}", match, [], 66, [*timer, "{}"]),
+                            (f"pixelmatch {{}}, {STRICT}, AA counts", match, ["", STRICT, "true"], 66,
+                             [*timer, json.dumps({"threshold": float(STRICT), "includeAA": True})])]}
+    return [Method(words[0].format(version[name]), *words[1:]) for name in version for words in found[name]]
+
+
+def peers_of(folder: str | None) -> tuple[list[Method], list[str]]:
+    """The peers that run, and sentences about those that are absent."""
+    found, words = npm_peers(Path(folder).expanduser()) if folder else [], ["compare", "-metric", "AE"]
+    if version := version_of("ImageMagick", "compare", "-version"):
+        found += [Method(f"ImageMagick {version}", words, ["null:"], 1),
+                  Method(f"ImageMagick {version}, fuzz {FUZZ}", [*words, "-fuzz", FUZZ], ["null:"], 1)]
+    remedies = {"ImageMagick": "install imagemagick",
+                "odiff": "run `npm install odiff-bin` in a folder and name it by --peers",
+                "pixelmatch": "run `npm install pixelmatch` in a folder and name it by --peers"}
+    return found, [f"{name} is not compared; {remedy}" for name, remedy in remedies.items()
+                   if not any(one.name.startswith(name) for one in found)]
+
+
+def times(method: Result, clock: str) -> list[float]:
+    """Of all pictures that were timed so."""
+    return [one[clock] for one in method.get("pictures", []) if clock in one]
+
+
+def together(results: list[Result]) -> list[Result]:
+    """Each method with its pictures of all scenes."""
+    found: dict[str, Result] = {}
+    for one in (one for result in results for one in result["methods"]):
+        method = found.setdefault(one["method"], {**one, "pictures": []})
+        method["pictures"] = method["pictures"] + one["pictures"]
+    return list(found.values())
+
+
+class Comparing(Benchmark):
+    """Scenes, each drawn and drawn with a change, once for each kind of change."""
+    name, program = "golden", "boxreel_golden_bench"
+
+    def cases(self, build: Path) -> list[Result]:
+        return [{"case": scene, "what": "ten pairs of pictures of this scene"} for scene in SCENES]
+
+    def measure(self, build: Path, case: Result, options, work: Path) -> Result:
+        """Every method on every pair of a scene; times are medians. Peers may fail, ours may not."""
+        helper = program(build, self.program)
+        peers, absent = peers_of(options.peers or os.environ.get("BOXREEL_PEERS")) if not options.against else ([], [])
+        pairs = objects(run([helper, "plant", work, case["case"]]).output)
+        files, methods = [[work / pair["expected"], work / pair["actual"]] for pair in pairs], []
+        ours = [Method(preset, [build / "boxreel", "diff"], ["--preset", preset], 2, [helper, "time", preset])
+                for preset in ("same-machine", "cross-machine")]
+        for method in ours + peers:
+            one = {"method": method.name, "ours": method in ours, "pictures": []}
+            methods.append(one)
+            try:
+                for pair, both in zip(pairs, files):
+                    runs = [run([*method.before, *both, *method.after], method.code) for _ in range(options.rounds)]
+                    one["pictures"].append({"change": pair["change"], "different": runs[0].code != 0,
+                                            "process": median_of([ended.wall for ended in runs])})
+                timer = [*method.timer[:3], options.rounds, *method.timer[3:], *sum(files, [])]
+                for picture, said in zip(one["pictures"], objects(run(timer).output) if method.timer else []):
+                    if said.get("different", picture["different"]) != picture["different"]:
+                        raise Problem(f"`boxreel diff` and library differ about '{picture['change']}'; report it",
+                                      FAILED)
+                    picture["decoded"], one["method"] = said["decodedSeconds"], said.get("method", one["method"])
+            except Problem as problem:
+                if one["ours"]:
+                    raise
+                one["failure"] = str(problem)
+        return {**case, "changes": objects(run([helper, "list"]).output), "absent": absent, "methods": methods}
+
+    def judge(self, result: Result) -> None:
+        for one in result["methods"]:
+            one["verdict"] = "failed" if "failure" in one else "sound"
+            one |= {clock: median_of(times(one, clock)) for clock in ("process", "decoded") if times(one, clock)}
+
+    def text(self, results: list[Result]) -> str:
+        """A row a method: what it calls different of each change, and its times."""
+        changes, rows = [one for one in results[0]["changes"] if one["truth"] != "either"], together(results)
+        for one in rows:
+            for change in changes:
+                calls = [picture["different"] for picture in one["pictures"] if picture["change"] == change["change"]]
+                wrong = not all(calls) if change["truth"] == "different" else any(calls)
+                one[change["change"]] = f"{sum(calls)}/{len(calls)}{'!' if wrong else ' '}"
+            one |= {clock: median_of(times(one, clock) or [None]) for clock in ("decoded", "process")}
+            one["max"] = max(times(one, "decoded"), default=None)
+        (name, *clocks), said = TEXTS["golden"]["columns"], ["", "failure", "text"]
+        legend = [[one["change"], one["what"], "is to pass" if one["truth"] == "equal" else ""]
+                  for one in results[0]["changes"]]
+        return (columns_table([name, *([one["change"]] * 2 + ["calls"] for one in changes), *clocks, said], rows)
+                + TEXTS["golden"]["legend"] + ", ".join(result["case"] for result in results) + ".\n\n"
+                + table("<<<", legend) + "".join(f"\n{sentence}" for sentence in (*results[0]["absent"], "")))
+
+    def drawn(self, results: list[Result]) -> dict:
+        return {"": charts.ratio_bars(TEXTS["golden"], results, "process", time_text)}
