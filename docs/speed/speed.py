@@ -171,7 +171,7 @@ def short_table(figures):
     rows = []
     for name in SHORT_SCENES:
         result = case_of(figures["engine"], name)
-        peer = next((one for one in result["methods"] if engine.is_goal_peer(one["method"])), {})
+        peer = next((one for one in result["methods"] if one["method"].startswith(engine.GOAL_PEER)), {})
         if peer.get("cpuTimes") and result["methods"][0]["verdict"] == "sound":
             rows.append(["a step: " + result["what"], time_text(result["methods"][0]["cpu"]),
                          f"{peer['method']}: {time_text(peer['cpu'])}", times_text(peer["cpuTimes"])])

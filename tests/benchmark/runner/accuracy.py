@@ -6,9 +6,8 @@ from pathlib import Path
 
 from . import charts
 from .common import (
-    GOALS, TEXTS, Benchmark, Result, attempt, case_table, is_met, is_number, note, objects, run, table, time_text,
-    times_text)
-from .engine import PEERS, is_goal_peer
+    GOALS, TEXTS, Benchmark, Result, attempt, is_met, is_number, note, objects, run, table, time_text, times_text)
+from .engine import GOAL_PEER, PEERS
 
 SETTINGS = ("velocityIterations", "positionIterations", "hz", "subSteps")
 SWEEP = (((4, 2), (8, 3), (20, 10), (50, 20)), (60, 120, 240, 480), (1, 2, 4, 8, 16))
@@ -40,11 +39,11 @@ def engines_of(result: Result) -> list[str]:
     return list(dict.fromkeys(one["engine"] for one in result["runs"]))
 
 
-def usual(result: Result, engine: str, steps: int = 4) -> Result | None:
+def usual(result: Result, engine: str, steps: int = 4) -> Result:
     """An engine's run with 8/3 iterations at 60 Hz, with so many sub-steps if it has any."""
     own = [one for one in result["runs"] if one["engine"] == engine]
-    steps = steps if any(one["subSteps"] > 1 for one in own) else 1
-    return next((one for one in own if [one[key] for key in SETTINGS] == [8, 3, 60, steps]), None)
+    wanted = [8, 3, 60, steps if any(one["subSteps"] > 1 for one in own) else 1]
+    return next((one for one in own if [one[key] for key in SETTINGS] == wanted), {"failure": "not run"})
 
 
 def summary(results: list[Result], steps: int) -> str:
@@ -52,24 +51,49 @@ def summary(results: list[Result], steps: int) -> str:
     first, *others = engines_of(results[0])
     rows = [[f"{steps} sub-steps", "goal", "", first, "", *(cell for name in others for cell in (name, "", ""))]]
     for result in results:
-        ours, cells, slower = usual(result, first, steps), [], False
-        for engine in (first, *others):
-            one = usual(result, engine, steps)
-            cells.append((ending(one) or f"{one['error']:.3g}") if one else "not run")
-            timed = one and ours and "failure" not in one and "failure" not in ours
-            cells.append(time_text(one["cpu"]) if timed else "")
-            if engine != first:
-                cells.append(times_text(one["cpu"] / ours["cpu"]) if timed else "")
-                slower = slower or (timed and is_goal_peer(engine) and one["cpu"] < ours["cpu"])
-        said = ours["verdict"] if ours else "not run"
+        ours, *peers = runs = [usual(result, engine, steps) for engine in (first, *others)]
+        cells = []
+        for one in runs:
+            cells.append(ending(one) or f"{one['error']:.3g}")
+            timed = "failure" not in one and "failure" not in ours
+            cells += [time_text(one["cpu"]), times_text(one["cpu"] / ours["cpu"])] if timed else ["", ""]
+        del cells[2]  # ours over ours
+        slower = any(one["engine"].startswith(GOAL_PEER) and one["cpu"] < ours.get("cpu", 0.0)
+                     for one in peers if "failure" not in one)
+        said = ours.get("verdict", "not run")
         rows.append([result["case"], goals_of(result).get("error", "")[3:], result["unit"], *cells,
-                     "goal met" + ", slower" * bool(slower) if said == "goal met" else f"goal not met {said}"])
+                     "goal met" + ", slower" * slower if said == "goal met" else f"goal not met {said}"])
     return table("<>>>>" + ">>>" * len(others) + "<", rows)
+
+
+def curves_of(result: Result, engine: str, color: int, floor: float) -> list[charts.Curve]:
+    """A curve for each setting that varies, and all other settings as specks."""
+    base, curves = usual(result, engine), []
+    own = rest = [one for one in result["runs"] if one["engine"] == engine and "failure" not in one]
+
+    def point(one: Result, label: str = "", optional: bool = True) -> charts.Point:
+        mark = "x" if one["verdict"] not in ("goal met", "") else "o" if one is base else "." if label else "speck"
+        error = max(one["error"], floor) if is_number(one["error"]) else None
+        return charts.Point(one["cpuOfFrame"] * 1e6, error, label, mark, optional)
+
+    for key, (stroke, unit) in VARIED.items():
+        line = sorted((one for one in own if all(one[other] == base.get(other) for other in VARIED if other != key)),
+                      key=lambda one: one[key])
+        if len(line) < 2:
+            continue
+        points = []
+        for one in line:
+            words = str(one[key]) + unit * (one is line[-1]) if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
+            points.append(point(one, words if one is not base or key == "subSteps" else "", not unit or one is not line[-1]))
+        curves.append(charts.Curve(engine, color, stroke, points))
+        rest = [one for one in rest if not any(one is other for other in line)]
+    return curves + ([charts.Curve(engine, color, "", [point(one) for one in rest])] if rest else [])
 
 
 class Accuracy(Benchmark):
     """Cases with a sweep of settings each."""
-    name, program, peers, list_words, parts, key = "accuracy", "boxreel_bench", PEERS, ["accuracy-list"], ["{case}"], "runs"
+    name, program, peers, list_words = "accuracy", "boxreel_bench", PEERS, ["accuracy-list"]
+    parts, key = ["{case}"], "runs"
 
     def measure(self, build: Path, case: Result, options, work: Path) -> Result:
         """All settings of all engines in turn, `rounds` times; the least CPU time counts.
@@ -97,9 +121,8 @@ class Accuracy(Benchmark):
             one |= {"cpuOfFrame": one["cpu"] * one["hz"] / 60.0} if "failure" not in one else {}
 
     def text(self, results: list[Result]) -> str:
-        """A row a run, and the summary."""
-        return "\n".join([case_table(self.name, results, self.key), TEXTS["accuracy"]["summary"], summary(results, 2),
-                          summary(results, 4)])
+        """Also the summary of both usual numbers of sub-steps."""
+        return "\n".join([super().text(results), summary(results, 2), summary(results, 4)])
 
     def drawn(self, results: list[Result]) -> dict:
         """A chart for each case that held anywhere."""
@@ -110,33 +133,9 @@ class Accuracy(Benchmark):
                 continue
             goal = float(goals_of(result).get("error", "<= 0")[3:])
             floor = 10.0 ** math.floor(math.log10(goal) - 3.5) if goal > 0.0 else 0.5  # nothing has no logarithm
-            texts = {**TEXTS["accuracy"], "title": result["case"], "subtitle": result["what"],
-                     "y": TEXTS["accuracy"]["y"].format(result["unit"])}
-            curves = [self.curves(result, engine, color, floor) for color, engine in enumerate(engines_of(result))]
-            made[result["case"]] = charts.Lines(texts, sum(curves, []), (floor, f"≤ {floor:g}" if goal > 0.0 else "0"))
+            texts = TEXTS["accuracy"] | {"title": result["case"], "subtitle": result["what"]}
+            texts["y"] = texts["y"].format(result["unit"])
+            curves = [curve for color, engine in enumerate(engines_of(result))
+                      for curve in curves_of(result, engine, color, floor)]
+            made[result["case"]] = charts.Lines(texts, curves, (floor, f"≤ {floor:g}" if goal > 0.0 else "0"))
         return made
-
-    @staticmethod
-    def curves(result: Result, engine: str, color: int, floor: float) -> list[charts.Curve]:
-        """A curve for each setting that varies, and all other settings as specks."""
-        base, curves = usual(result, engine), []
-        own = [one for one in result["runs"] if one["engine"] == engine and "failure" not in one]
-        left = {id(one): one for one in own}
-
-        def point(one: Result, label: str = "", optional: bool = True) -> charts.Point:
-            mark = "x" if one["verdict"] not in ("goal met", "") else "o" if one is base else "." if label else "speck"
-            error = max(one["error"], floor) if is_number(one["error"]) else None
-            return charts.Point(one["cpuOfFrame"] * 1e6, error, label, mark, optional)
-
-        for key, (stroke, unit) in VARIED.items():
-            same = [other for other in VARIED if other != key]
-            line = sorted((one for one in own if base and all(one[other] == base[other] for other in same)),
-                          key=lambda one: one[key])
-            points = []
-            for one in line if len(line) > 1 else []:
-                words = str(one[key]) + unit * (one is line[-1]) if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
-                words = words if one is not base or key == "subSteps" else ""
-                points.append(point(one, words, not unit or one is not line[-1]))
-                left.pop(id(one), None)
-            curves += [charts.Curve(engine, color, stroke, points)] if points else []
-        return curves + ([charts.Curve(engine, color, "", [point(one) for one in left.values()])] if left else [])

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What all benchmarks share: errors, child processes, goals, files, and numbers as text."""
+import contextlib
+import functools
 import json
 import math
 import os
@@ -17,6 +19,7 @@ UNUSABLE, ABSENT, FAILED = 1, 3, 4  # exit codes, the same as the program's
 Result = dict[str, Any]  # of a case: its name, what it is, and "methods", ours first
 # Bounds of figures by benchmark and case, such as "<= 5"; what is written on charts and in tables.
 GOALS, TEXTS = (json.loads(Path(__file__).with_name(name).read_text("utf-8")) for name in ("goals.json", "texts.json"))
+note = functools.partial(print, "bench:", file=sys.stderr, flush=True)  # prints a line about the progress
 TEXTS["curve"] = TEXTS["engine"] | TEXTS["curve"]  # the same table
 # What a program printed and needed, including the processes that it waited for: times [s], and the max resident
 # memory of one process [bytes].
@@ -38,8 +41,8 @@ class Benchmark:
     name = program = ""
     list_words = ["list"]
     peers: dict[str, str] = {}  # programs, and the packages that they were built with
-    parts = [""]  # what is added to the names of charts, with figures of a case in braces
-    key = "methods"  # the member of a Result with a row of the table each
+    parts = [""]  # what `drawn` adds to names, with figures of a case in braces
+    key = "methods"  # the member of a Result that has a row for each method
 
     def cases(self, build: Path) -> list[Result]:
         """All cases; those with `onlyNamed` are run when they are named."""
@@ -59,11 +62,6 @@ class Benchmark:
         """A row a method, goals, and notes."""
         foot = "".join(f"{line}\n" for line in ["", *TEXTS[self.name].get("foot", [])])
         return case_table(self.name, results, self.key) + goal_table(self.name, results) + foot
-
-
-def note(sentence: str) -> None:
-    """Prints a line about the progress."""
-    print(f"bench: {sentence}", file=sys.stderr, flush=True)
 
 
 def run(words: Sequence[Any], *codes: int) -> Ended:
@@ -95,13 +93,10 @@ def run(words: Sequence[Any], *codes: int) -> Ended:
 
 def objects(output: str) -> list[Result]:
     """The JSON objects among the lines that a program printed; libraries may print others."""
-    try:
-        found = [json.loads(line) for line in output.splitlines() if line.startswith("{")]
-    except ValueError:
-        found = []
-    if not found:
-        raise Problem(f"a benchmark program printed no figures: '{output.strip()[-200:]}'", FAILED)
-    return found
+    with contextlib.suppress(ValueError):
+        if found := [json.loads(line) for line in output.splitlines() if line.startswith("{")]:
+            return found
+    raise Problem(f"a benchmark program printed no figures: '{output.strip()[-200:]}'", FAILED)
 
 
 def attempt(path: Path, *words: Any) -> Result:
@@ -115,10 +110,8 @@ def attempt(path: Path, *words: Any) -> Result:
 
 def version_of(pattern: str, *words: str) -> str | None:
     """The version that a peer prints after the pattern, if it runs."""
-    try:
+    with contextlib.suppress(Problem):
         return re.search(pattern + r" ([^ \n-]+)", run(words).output)[1]
-    except Problem:
-        return None
 
 
 def program(build: Path, name: str) -> Path:
