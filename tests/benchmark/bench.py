@@ -10,7 +10,6 @@ import json
 import os
 import re
 import signal
-import statistics
 import sys
 import tempfile
 from pathlib import Path
@@ -18,7 +17,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 from runner import accuracy, charts, engine, toolkit  # noqa: E402
 from runner.common import (  # noqa: E402
-    FAILED, TEXTS, Benchmark, Problem, Result, cell, check_outputs, columns_table, note, read_results, table, value_at,
+    FAILED, TEXTS, Benchmark, Problem, Result, cell, check_outputs, columns_table, median_of, note, read_results, table, value_at,
     write_whole)
 
 BENCHMARKS: dict[str, Benchmark] = {one.name: one for one in (
@@ -105,8 +104,9 @@ def compared(benchmark: Benchmark, build: Path, case: Result, options: argparse.
                 pairs = [(value_at(ours[index], path), value_at(other[index], path)) for ours, other in zip(*runs)]
                 ratios = [other / ours for ours, other in pairs]
                 results.append({"case": case["case"], "method": name, "figure": head, "seconds": pairs,
-                                "ratio": statistics.median(ratios), "lowest": min(ratios), "highest": max(ratios),
-                                "sameResults": same})
+                                "this": median_of([ours for ours, _ in pairs]),
+                                "other": median_of([other for _, other in pairs]), "ratio": median_of(ratios),
+                                "lowest": min(ratios), "highest": max(ratios), "sameResults": same})
     return results
 
 
@@ -123,15 +123,6 @@ def measure_all(benchmark: Benchmark, build: Path, cases: list[Result], options:
             raise
         note("stopped; the cases before are shown")
     return results
-
-
-def against_text(results: list[Result]) -> str:
-    rows = []
-    for one in results:
-        this, other = map(statistics.median, zip(*one["seconds"]))
-        rows.append({**one, "this": this, "other": other, "spread": (one["lowest"], one["highest"]),
-                     "same": "same" if one["sameResults"] else "DIFFERENT"})
-    return columns_table(TEXTS["against"]["columns"], rows)
 
 
 def perform(benchmark: Benchmark, options: argparse.Namespace) -> None:
@@ -151,7 +142,7 @@ def perform(benchmark: Benchmark, options: argparse.Namespace) -> None:
         print(table("<<", [[one["case"], one["what"]] for one in known]), end="")
         return
     results = cases if options.source else measure_all(benchmark, build, cases, options)
-    shown = against_text(results) if options.against else benchmark.text(results)
+    shown = columns_table(TEXTS["against"]["columns"], results) if options.against else benchmark.text(results)
     drawn = benchmark.drawn(results) if options.chart else {}
     # Times are in seconds, memory of the engine is in kB, that of films in bytes.
     data = json.dumps({"benchmark": "against" if options.against else benchmark.name, "results": results}, indent=1,

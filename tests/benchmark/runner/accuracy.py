@@ -3,6 +3,7 @@
 import itertools
 import math
 from pathlib import Path
+from typing import Iterator
 
 from . import charts
 from .common import (
@@ -66,9 +67,9 @@ def summary(results: list[Result], steps: int) -> str:
     return table("<>>>>" + ">>>" * len(others) + "<", rows)
 
 
-def curves_of(result: Result, engine: str, color: int, floor: float) -> list[charts.Curve]:
-    """A curve for each setting that varies, and all other settings as specks."""
-    base, curves = usual(result, engine), []
+def points_of(result: Result, engine: str, floor: float) -> Iterator[tuple[str, str, charts.Point]]:
+    """Curves of the settings that vary, one of them along each, and all other settings as specks."""
+    base = usual(result, engine)
     own = rest = [one for one in result["runs"] if one["engine"] == engine and "failure" not in one]
 
     def point(one: Result, label: str = "", optional: bool = True) -> charts.Point:
@@ -79,15 +80,12 @@ def curves_of(result: Result, engine: str, color: int, floor: float) -> list[cha
     for key, (stroke, unit) in VARIED.items():
         line = sorted((one for one in own if all(one[other] == base.get(other) for other in VARIED if other != key)),
                       key=lambda one: one[key])
-        if len(line) < 2:
-            continue
-        points = []
-        for one in line:
-            words = str(one[key]) + unit * (one is line[-1]) if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
-            points.append(point(one, words if one is not base or key == "subSteps" else "", not unit or one is not line[-1]))
-        curves.append(charts.Curve(engine, color, stroke, points))
-        rest = [one for one in rest if not any(one is other for other in line)]
-    return curves + ([charts.Curve(engine, color, "", [point(one) for one in rest])] if rest else [])
+        for one in line if len(line) > 1 else []:
+            is_named = unit and one is line[-1]
+            words = f"{one[key]}{unit * is_named}" if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
+            yield engine, stroke, point(one, words if one is not base or key == "subSteps" else "", not is_named)
+            rest = [other for other in rest if other is not one]
+    yield from ((engine, "", point(one)) for one in rest)
 
 
 class Accuracy(Benchmark):
@@ -135,7 +133,6 @@ class Accuracy(Benchmark):
             floor = 10.0 ** math.floor(math.log10(goal) - 3.5) if goal > 0.0 else 0.5  # nothing has no logarithm
             texts = TEXTS["accuracy"] | {"title": result["case"], "subtitle": result["what"]}
             texts["y"] = texts["y"].format(result["unit"])
-            curves = [curve for color, engine in enumerate(engines_of(result))
-                      for curve in curves_of(result, engine, color, floor)]
+            curves = charts.curves_of(one for engine in engines_of(result) for one in points_of(result, engine, floor))
             made[result["case"]] = charts.Lines(texts, curves, (floor, f"≤ {floor:g}" if goal > 0.0 else "0"))
         return made

@@ -5,8 +5,9 @@ import io
 import math
 from collections import namedtuple
 from pathlib import Path
+from typing import Iterable
 
-from .common import ABSENT, Problem, Result, times_text
+from .common import ABSENT, Problem, Result, time_text, times_text
 
 THEMES = ("light", "dark")  # a file of matplotlib's settings each, and chart.mplstyle for both
 MARKS = {".": ("o", 5.0), "o": ("o", 9.0), "x": ("X", 6.5), "speck": ("o", 3.0)}  # of points, and their sizes
@@ -21,7 +22,7 @@ Curve = namedtuple("Curve", "name color stroke points")
 Point = namedtuple("Point", "x y label mark optional", defaults=["", ".", True])
 
 
-def ratio_bars(texts: dict, results: list[Result], figure: str, value) -> Bars:
+def ratio_bars(texts: dict, results: list[Result], figure: str) -> Bars:
     """How many times more each peer takes than the first method, where both runs are sound."""
     peers = list(dict.fromkeys(one["method"] for result in results for one in result["methods"]
                                if not one["ours"] and "failure" not in one))
@@ -35,8 +36,17 @@ def ratio_bars(texts: dict, results: list[Result], figure: str, value) -> Bars:
             wrong = f"boxreel {ours['verdict']}" if ours["verdict"] != "sound" else peer["verdict"]
             ratio = peer[figure] / ours[figure] if wrong == "sound" else None
             bars.append((ratio, times_text(ratio) if ratio else f"not compared: {wrong}"))
-        groups.append((result["case"], result["what"], value(ours.get(figure)), bars))
+        groups.append((result["case"], result["what"], time_text(ours.get(figure)), bars))
     return Bars({"axis": "times faster than the peer", **texts}, groups, [f"than {name}" for name in peers])
+
+
+def curves_of(points: Iterable[tuple[str, str, Point]]) -> list[Curve]:
+    """A curve for each name and stroke, and a colour for each name."""
+    lines: dict[tuple[str, str], list[Point]] = {}
+    for name, stroke, point in points:
+        lines.setdefault((name, stroke), []).append(point)
+    names = list(dict.fromkeys(name for name, _ in lines))
+    return [Curve(name, names.index(name), stroke, line) for (name, stroke), line in lines.items()]
 
 
 def check() -> None:

@@ -201,10 +201,9 @@ def times_text(ratio: float | None) -> str:
 
 FORMATS = {"name": str, "text": str, "calls": str, "digits": digits, "time": time_text, "times": times_text,
            "count": "{:.0f}".format, "error": "{:.4g}".format,
-           "spread": lambda value: f"{value:.2f}{'!' * (value > 2.0)}",
-           "range": lambda ends: " to ".join(map(times_text, ends)),
+           "spread": lambda value: f"{value:.2f}{'!' * (value > 2.0)}", "same": {True: "same", False: "DIFFERENT"}.get,
            "kB": lambda value: f"{value / 1024.0:.1f} MB", "MB": lambda value: digits(value / 1e6)}
-TO_THE_LEFT = ("name", "text")
+TO_THE_LEFT = ("name", "text", "same")
 
 
 def value_at(one: Result, path: str) -> Any:

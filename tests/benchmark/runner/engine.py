@@ -3,21 +3,11 @@
 from pathlib import Path
 
 from . import charts
-from .common import TEXTS, Benchmark, Result, attempt, median_of, table, time_text, times_text
+from .common import GOALS, TEXTS, Benchmark, Result, attempt, median_of, table, times_text
 
 PEERS = {"boxreel_bench_box2d": "libbox2d-dev", "boxreel_bench_chipmunk": "libchipmunk-dev"}
+STROKES = {"static": "-", "asleep": "--", "asleep4": ":"}  # of the kinds of curves
 GOAL_PEER = "Box2D 2.4"  # whose times goals are against, in any of its versions
-# How far our figures may lie outside those of the peers, as a share and at least: scenes are chaotic, and engines keep
-# different gaps. Over runs whose bodies begin up to 1 mm elsewhere the standard deviation of the mean height during
-# the second half is 1 to 1.4 % in the tumbler, 0.7 to 1 % with the ragdolls, 0.2 % in the rain, for Box2D 2.4 as for
-# ours. What calls find depends on rounding only: a ray may just miss a corner.
-LIKENESS = {"bodies": (0.0, 0.0, "bodies"), "found": (1e-4, 0.0, "{found}"), "foundSum": (1e-4, 0.0, "{found}"),
-            "contacts": (0.15, 0.0, "contacts"), "meanHeight": (0.03, 0.005, "heights"),  # [m]
-            "meanSpeed": (0.05, 0.1, "speeds")}  # [m/s]
-CONTACTS_IN_FLIGHT = 10.0  # few of what flies about touch at a time
-# How much deeper our bodies may overlap than those of Box2D 2.4, which keeps the same skins and slop. The most that a
-# sound run of ours has more is 22 %, in the pyramid of base 100, which drifts sideways by 0.4 m in Box2D.
-DEEPER, DEEPER_LEAST = 0.25, 0.001  # share, [m]
 
 
 def judge_alone(figures: Result) -> str:
@@ -28,17 +18,16 @@ def judge_alone(figures: Result) -> str:
 
 
 def judge_beside(result: Result, ours: Result, peers: list[Result]) -> str:
-    """What is wrong with our run beside the sound ones of the peers, or "sound"."""
-    moves = result["comparesSpeeds"]  # where nothing rests, speeds say more than heights and overlaps
-    for figure, (share, least, name) in LIKENESS.items():
-        least = CONTACTS_IN_FLIGHT if figure == "contacts" and moves else least
+    """What is wrong with our run beside the sound ones of the peers, or "sound". docs/notes/engine-speed.md has reasons."""
+    moving = result["comparesSpeeds"]
+    for figure, (share, least, wrong) in GOALS["likeness"]["moving" if moving else "resting"].items():
         low, high = (choose(peer[figure] for peer in peers) for choose in (min, max))
-        is_like = low - max(least, share * abs(low)) <= ours[figure] <= high + max(least, share * abs(high))
-        if not is_like and figure != ("meanHeight" if moves else "meanSpeed"):
-            return f"other {name.format(**result)}"
-    deepest = min((peer["overlap"] + max(DEEPER_LEAST, DEEPER * peer["overlap"])
+        if not low - max(least, share * abs(low)) <= ours[figure] <= high + max(least, share * abs(high)):
+            return wrong.format(**result)
+    share, least = GOALS["likeness"]["overlap"]
+    deepest = min((peer["overlap"] + max(least, share * peer["overlap"])
                    for peer in peers if peer["method"].startswith(GOAL_PEER)), default=float("inf"))
-    return "sound" if moves or ours["overlap"] <= deepest else "deep overlaps"
+    return "sound" if moving or ours["overlap"] <= deepest else "deep overlaps"
 
 
 class Engine(Benchmark):
@@ -86,7 +75,7 @@ class Engine(Benchmark):
         result["reached"] = reached
 
     def drawn(self, results: list[Result]) -> dict:
-        return {"": charts.ratio_bars(TEXTS["engine"], results, "cpu", time_text)}
+        return {"": charts.ratio_bars(TEXTS["engine"], results, "cpu")}
 
 
 class Curve(Engine):
@@ -109,15 +98,11 @@ class Curve(Engine):
 
     def drawn(self, results: list[Result]) -> dict:
         """The time of a step over the number of bodies."""
-        lines = {}
-        for result in sorted((result for result in results if result["curve"]), key=lambda one: one["count"]):
-            for one in result["methods"]:
-                if judge_alone(one) == "sound" and one["threads"] == 1:
-                    point = charts.Point(result["count"], one["cpu"] * 1e6)
-                    lines.setdefault((one["method"], result["curve"]), []).append(point)
-        engines = list(dict.fromkeys(engine for engine, _ in lines))
-        for line in lines.values():
-            line[-1] = line[-1]._replace(label=times_text(line[-1].y / line[0].y), optional=False)
-        strokes = {"static": "-", "asleep": "--", "asleep4": ":"}
-        return {"": charts.Lines(TEXTS["curve"], [charts.Curve(engine, engines.index(engine), strokes[kind], line)
-                                                  for (engine, kind), line in lines.items()])}
+        curves = charts.curves_of(
+            (one["method"], STROKES[result["curve"]], charts.Point(result["count"], one["cpu"] * 1e6))
+            for result in sorted((result for result in results if result["curve"]), key=lambda one: one["count"])
+            for one in result["methods"] if judge_alone(one) == "sound" and one["threads"] == 1)
+        for curve in curves:
+            first, last = curve.points[0], curve.points[-1]
+            curve.points[-1] = last._replace(label=times_text(last.y / first.y), optional=False)
+        return {"": charts.Lines(TEXTS["curve"], curves)}

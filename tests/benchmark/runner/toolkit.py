@@ -3,7 +3,6 @@
 import json
 import os
 import shutil
-from collections import namedtuple
 from pathlib import Path
 
 from . import charts
@@ -16,9 +15,8 @@ class Drawing(Benchmark):
     """Pictures of several sizes and numbers of shapes: CPU time of a frame against the error at edges."""
     name, program, parts = "render", "boxreel_render_bench", ["{height}p"]
     peers = {"boxreel_render_bench_cairo": "libcairo2-dev"}
-    goals = {"full": "full redraw [ms]", "together": "5 % changed together [ms]", "apart": "5 % changed apart [ms]",
-             "none": "unchanged [ms]"}
-    strokes = {"full": "-", "together": "--", "apart": ":"}
+    works = {"full": ("full redraw [ms]", "-"), "together": ("5 % changed together [ms]", "--"),
+             "apart": ("5 % changed apart [ms]", ":"), "none": ("unchanged [ms]", None)}  # goals, and strokes of curves
 
     def measure(self, build: Path, case: Result, options, work: Path) -> Result:
         """Errors once, times `rounds` times in turn. Ours with one raster thread, and with the user's."""
@@ -41,7 +39,7 @@ class Drawing(Benchmark):
                 one["overFloor"] = value_at(one, "works.empty.cpu") / value_at(one, "works.floor.cpu")
         ours = next(one for one in result["methods"] if one["ours"] and one["threads"] == "0")
         result["reached"] = {figure: ours["works"][work]["cpu"] * 1e3 if not ours["wrong"] else None
-                             for work, figure in self.goals.items() if work in ours["works"]}
+                             for work, (figure, _) in self.works.items() if work in ours["works"]}
         result["reached"] |= {"empty over clear and read": ours.get("overFloor"), "RMSE at edges": ours["rms"]}
 
     def drawn(self, results: list[Result]) -> dict:
@@ -50,15 +48,14 @@ class Drawing(Benchmark):
         for height in dict.fromkeys(result["height"] for result in results):
             sizes = [(result, {one["method"]: one for one in result["methods"] if one["threads"] == "0"})
                      for result in sorted(results, key=lambda one: one["shapes"]) if result["height"] == height]
-            names, curves = {}, []
+            names: dict[tuple, str] = {}
             for name in dict.fromkeys(name for _, methods in sizes for name in methods):
                 names.setdefault(tuple(methods.get(name, {}).get("rms") for _, methods in sizes), name)
-            for color, name in enumerate(names.values()):
-                for work, stroke in self.strokes.items():
-                    points = [charts.Point(methods[name]["works"][work]["cpu"] * 1e3, methods[name]["rms"],
-                                           f"{result['shapes']:,}" if len(sizes) > 1 else work, optional=work != "full")
-                              for result, methods in sizes if work in methods.get(name, {"works": ()})["works"]]
-                    curves += [charts.Curve(name, color, stroke, points)] if points else []
+            curves = charts.curves_of(
+                (name, stroke, charts.Point(methods[name]["works"][work]["cpu"] * 1e3, methods[name]["rms"],
+                                            f"{result['shapes']:,}" if len(sizes) > 1 else work, ".", work != "full"))
+                for name in names.values() for work, (_, stroke) in self.works.items() for result, methods in sizes
+                if stroke and work in methods.get(name, {"works": ()})["works"])
             title = TEXTS["render"]["title"].format(sizes[0][0]["width"], height)
             made[f"{height}p"] = charts.Lines({**TEXTS["render"], "title": title}, curves)
         return made
@@ -95,8 +92,9 @@ class Recording(Benchmark):
         version = None if options.against else version_of("version", "ffmpeg", "-version")
         if not version and not options.against:
             note("films are compared with nothing, for ffmpeg does not run; install ffmpeg")
-        films = [film | {"ours": film["role"] not in FILM_PEERS, "made": []} for film in films
-                 if version or film["role"] not in FILM_PEERS]
+        films = [{**film, "ours": film["role"] not in FILM_PEERS, "made": [],
+                  "method": film["method"].replace("ffmpeg", f"ffmpeg {version}")}
+                 for film in films if version or film["role"] not in FILM_PEERS]
         for film in films * options.rounds:
             try:
                 if "failure" not in film:
@@ -106,19 +104,16 @@ class Recording(Benchmark):
                     raise
                 film["failure"] = str(problem)
                 note(film["failure"])
-        methods = []
         for film in films:
-            one = {key: film[key] for key in ("role", "method", "frames", "ours", "failure") if key in film}
-            one["method"] = one["method"].replace("ffmpeg", f"ffmpeg {version}")
-            if "failure" not in one:
-                one |= {figure: median_of([getattr(ended, figure) for ended in film["made"]])
-                        for figure in ("wall", "cpu", "memory")}
-                one |= {"seen": objects(run(film["check"]).output)[-1]["verdict"],
-                        "bytes": sum(file.stat().st_size for file in (work / film["role"]).iterdir())}
-            methods.append(one)
+            if "failure" not in film:
+                film |= {figure: median_of([getattr(ended, figure) for ended in film["made"]])
+                         for figure in ("wall", "cpu", "memory")}
+                film |= {"seen": objects(run(film["check"]).output)[-1]["verdict"],
+                         "bytes": sum(file.stat().st_size for file in (work / film["role"]).iterdir())}
         # In a run of its own: looking at clocks takes time.
         clocks = make(films[0], work, "--progress", "json", "--stats")
         stages = next(one for one in objects(clocks.errors) if one.get("event") == "stages")
+        methods = [{key: film[key] for key in film if key not in ("words", "check", "made")} for film in films]
         return {**case, **take, "resized": bool(options.frames or any(options.size)), "cached": cached,
                 "methods": methods, "stages": [
                     {"stage": one["stage"], "thread": one["thread"], "cpu": one["cpuSeconds"] / stages["frames"],
@@ -165,48 +160,33 @@ class Recording(Benchmark):
         stages = dict.fromkeys(key for one in times for key, time in one.items() if time >= 0.02)
         groups = [(key[0], f"{key[1]} thread", "", [(one.get(key), digits(one.get(key))) for one in times])
                   for key in stages]
-        return {"speed": charts.ratio_bars(TEXTS["record"], results, "wall", time_text),
+        return {"speed": charts.ratio_bars(TEXTS["record"], results, "wall"),
                 "stages": charts.Bars(TEXTS["stages"], groups, [result["case"] for result in results], start=0.0)}
 
 
 SCENES = ("pyramid", "bridge", "tumbler")  # fills, lines, crowds
-# The peers' defaults forgive what a person hardly sees in a photograph; the stricter settings are those that their
-# manuals name for exactness and that still let a rounding pass.
-STRICT, FUZZ = "0.01", "1%"
-# A program with its words before and after two files; it ends with `code` where they differ. `timer` prints the time of
-# each comparison of what was read before.
-Method = namedtuple("Method", "name before after code timer", defaults=[[]])
 
 
-def npm_peers(folder: Path) -> list[Method]:
-    """odiff and pixelmatch where npm installed them; the former itself, for its script would start node first."""
-    modules = folder / "node_modules"
-    version = {name: json.loads((modules / name / "package.json").read_text("utf-8"))["version"]
-               for name in ("odiff-bin", "pixelmatch") if (modules / name / "package.json").is_file()}
-    if not version:
+def comparing_methods(folder: str | None, alone: bool) -> list[Result]:
+    """The programs of texts.json that are there, with the words in braces that are known of them.
+
+    The peers' defaults forgive what a person hardly sees in a photograph; the stricter settings are those that their
+    manuals name for exactness and that still let a rounding pass.
+    """
+    modules, versions = Path(folder or "").expanduser() / "node_modules", {"boxreel": None}
+    for name in ("odiff-bin", "pixelmatch") if folder and not alone else ():
+        if (modules / name / "package.json").is_file():
+            versions[name] = json.loads((modules / name / "package.json").read_text("utf-8"))["version"]
+    if folder and not alone and len(versions) == 1:
         raise Problem(f"'{folder}' holds no peers; run `npm install odiff-bin pixelmatch` in it or name another folder")
-    odiff = next(modules.glob("@odiff/*/odiff"), "odiff")
-    match = ["node", modules / "pixelmatch" / "bin" / "pixelmatch"]
-    timer = ["node", Path(__file__).with_name("pixelmatch.mjs"), (modules / "pixelmatch").resolve()]
-    found = {"odiff-bin": [("odiff {}", [odiff], [], 22),
-                           (f"odiff {{}}, {STRICT}", [odiff], ["--threshold", STRICT], 22)],
-             "pixelmatch": [("pixelmatch {}", match, [], 66, [*timer, "{}"]),
-                            (f"pixelmatch {{}}, {STRICT}, AA counts", match, ["", STRICT, "true"], 66,
-                             [*timer, json.dumps({"threshold": float(STRICT), "includeAA": True})])]}
-    return [Method(words[0].format(version[name]), *words[1:]) for name in version for words in found[name]]
-
-
-def peers_of(folder: str | None) -> tuple[list[Method], list[str]]:
-    """The peers that run, and sentences about those that are absent."""
-    found, words = npm_peers(Path(folder).expanduser()) if folder else [], ["compare", "-metric", "AE"]
-    if version := version_of("ImageMagick", "compare", "-version"):
-        found += [Method(f"ImageMagick {version}", words, ["null:"], 1),
-                  Method(f"ImageMagick {version}, fuzz {FUZZ}", [*words, "-fuzz", FUZZ], ["null:"], 1)]
-    remedies = {"ImageMagick": "install imagemagick",
-                "odiff": "run `npm install odiff-bin` in a folder and name it by --peers",
-                "pixelmatch": "run `npm install pixelmatch` in a folder and name it by --peers"}
-    return found, [f"{name} is not compared; {remedy}" for name, remedy in remedies.items()
-                   if not any(one.name.startswith(name) for one in found)]
+    if not alone and (version := version_of("ImageMagick", "compare", "-version")):
+        versions["imagemagick"] = version
+    places = {"{odiff}": next(modules.glob("@odiff/*/odiff"), "odiff"),  # itself: its script would start node first
+              "{pixelmatch}": (modules / "pixelmatch").resolve(),
+              "{pixelmatch program}": modules / "pixelmatch" / "bin" / "pixelmatch",
+              "{pixelmatch timer}": Path(__file__).with_name("pixelmatch.mjs")}
+    return [{**one, "name": one["name"].replace("{version}", versions[one["of"]] or ""), "places": places}
+            for one in TEXTS["golden"]["methods"] if one["of"] in versions]
 
 
 def times(method: Result, clock: str) -> list[float]:
@@ -232,22 +212,23 @@ class Comparing(Benchmark):
 
     def measure(self, build: Path, case: Result, options, work: Path) -> Result:
         """Every method on every pair of a scene; times are medians. Peers may fail, ours may not."""
-        helper = program(build, self.program)
-        peers, absent = peers_of(options.peers or os.environ.get("BOXREEL_PEERS")) if not options.against else ([], [])
-        pairs = objects(run([helper, "plant", work, case["case"]]).output)
-        files, methods = [[work / pair["expected"], work / pair["actual"]] for pair in pairs], []
-        ours = [Method(preset, [build / "boxreel", "diff"], ["--preset", preset], 2, [helper, "time", preset])
-                for preset in ("same-machine", "cross-machine")]
-        for method in ours + peers:
-            one = {"method": method.name, "ours": method in ours, "pictures": []}
+        helper, folder = program(build, self.program), options.peers or os.environ.get("BOXREEL_PEERS")
+        pairs, methods = objects(run([helper, "plant", work, case["case"]]).output), []
+        files = [work / pair[which] for pair in pairs for which in ("expected", "actual")]
+        programs = comparing_methods(folder, bool(options.against))
+        for method in programs:
+            one = {"method": method["name"], "ours": method["of"] == "boxreel", "pictures": []}
+            places = method["places"] | {"{boxreel}": build / "boxreel", "{helper}": helper, "{rounds}": options.rounds}
             methods.append(one)
             try:
-                for pair, both in zip(pairs, files):
-                    runs = [run([*method.before, *both, *method.after], method.code) for _ in range(options.rounds)]
+                for pair, expected, actual in zip(pairs, files[::2], files[1::2]):
+                    places |= {"{expected}": expected, "{actual}": actual}
+                    runs = [run([places.get(word, word) for word in method["words"]], method["differ"])
+                            for _ in range(options.rounds)]
                     one["pictures"].append({"change": pair["change"], "different": runs[0].code != 0,
                                             "process": median_of([ended.wall for ended in runs])})
-                timer = [*method.timer[:3], options.rounds, *method.timer[3:], *sum(files, [])]
-                for picture, said in zip(one["pictures"], objects(run(timer).output) if method.timer else []):
+                timer = [places.get(word, word) for word in method.get("timer", [])]
+                for picture, said in zip(one["pictures"], objects(run([*timer, *files]).output) if timer else []):
                     if said.get("different", picture["different"]) != picture["different"]:
                         raise Problem(f"`boxreel diff` and library differ about '{picture['change']}'; report it",
                                       FAILED)
@@ -256,6 +237,8 @@ class Comparing(Benchmark):
                 if one["ours"]:
                     raise
                 one["failure"] = str(problem)
+        absent = [sentence for name, sentence in TEXTS["golden"]["absent"].items()
+                  if not options.against and name not in [method["of"] for method in programs]]
         return {**case, "changes": objects(run([helper, "list"]).output), "absent": absent, "methods": methods}
 
     def judge(self, result: Result) -> None:
@@ -281,4 +264,4 @@ class Comparing(Benchmark):
                 + table("<<<", legend) + "".join(f"\n{sentence}" for sentence in (*results[0]["absent"], "")))
 
     def drawn(self, results: list[Result]) -> dict:
-        return {"": charts.ratio_bars(TEXTS["golden"], results, "process", time_text)}
+        return {"": charts.ratio_bars(TEXTS["golden"], results, "process")}
