@@ -1,9 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Runs the benchmark programs of a build: prints tables, writes figures as JSON and draws charts.
-
-`./boxreel bench` builds the programs and starts this with the build folder in BOXREEL_BUILD_DIR.
-"""
+"""Runs benchmark programs: prints tables, writes figures as JSON and draws charts. `./boxreel bench` builds and starts it."""
 import argparse
 import difflib
 import json
@@ -17,13 +14,12 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 from runner import accuracy, charts, engine, toolkit  # noqa: E402
 from runner.common import (  # noqa: E402
-    FAILED, TEXTS, Benchmark, Problem, Result, cell, check_outputs, columns_table, median_of, note, read_results, table, value_at,
-    write_whole)
+    FAILED, TEXTS, UNUSABLE, Benchmark, Problem, Result, cell, check_outputs, columns_table, median_of, note,
+    read_results, table, value_at, write_whole)
 
 BENCHMARKS: dict[str, Benchmark] = {one.name: one for one in (
     engine.Engine(), engine.Curve(), accuracy.Accuracy(), toolkit.Drawing(), toolkit.Recording(), toolkit.Comparing())}
 MEASURING = ("--rounds", "--threads", "--frames", "--size", "--peers", "--against")  # these do not go with --from
-BROKEN = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, StopIteration, RecursionError)
 
 
 class Parser(argparse.ArgumentParser):
@@ -155,27 +151,30 @@ def perform(benchmark: Benchmark, options: argparse.Namespace) -> None:
             write_whole(path, charts.draw(drawn[part], theme, path.suffix[1:]))
 
 
-def main(words: list[str]) -> None:
-    options = parse(words)
+def main(words: list[str]) -> int:
+    """Runs the command; its exit code."""
+    options = argparse.Namespace(source=None)
     try:
+        options = parse(words)
         perform(BENCHMARKS[options.benchmark], options)
-    except BROKEN as error:
+        return 0
+    except Problem as problem:
+        note(f"{problem}.".replace("?.", "?"))
+        return problem.code
+    except KeyboardInterrupt:
+        note("stopped before the first case was done.")
+        return FAILED
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, StopIteration, RecursionError) as error:
         if not options.source:
             raise
-        raise Problem(f"'{options.source}' is not what `./boxreel bench {options.benchmark} --json FILE` writes "
-                      f"({error}); make it again") from error
+        note(f"'{options.source}' is not what `./boxreel bench {options.benchmark} --json` writes ({error}); make it again.")
+        return UNUSABLE
 
 
 if __name__ == "__main__":
     for stopping in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(stopping, signal.default_int_handler)  # ends in order: no frames and films are left behind
-    try:
-        main(sys.argv[1:])
-    except Problem as problem:
-        print(f"bench: {problem}.".replace("?.", "?"), file=sys.stderr)
-        sys.exit(problem.code)
-    except KeyboardInterrupt:
-        print("bench: stopped before the first case was done.", file=sys.stderr)
-        sys.exit(FAILED)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    sys.exit(main(sys.argv[1:]))

@@ -94,10 +94,7 @@ class Accuracy(Benchmark):
     parts, key = ["{case}"], "runs"
 
     def measure(self, build: Path, case: Result, options, work: Path) -> Result:
-        """All settings of all engines in turn, `rounds` times; the least CPU time counts.
-
-        What makes a run longer is the machine's, which has slow spells that are longer than a run.
-        """
+        """All settings of all engines in turn, `rounds` times; the least CPU time counts: the machine has slow spells."""
         sweeps = []
         for path in self.programs(build, options):
             most = 4 if options.against else objects(run([path, *self.list_words]).output)[0]["maxSubSteps"]
@@ -116,14 +113,13 @@ class Accuracy(Benchmark):
         """Adds verdicts, and the CPU time for 1/60 s, however many steps that takes: what settings are compared by."""
         for one in result["runs"]:
             one["verdict"] = verdict(goals_of(result), one)
-            one |= {"cpuOfFrame": one["cpu"] * one["hz"] / 60.0} if "failure" not in one else {}
+            if "failure" not in one:
+                one["cpuOfFrame"] = one["cpu"] * one["hz"] / 60.0
 
     def text(self, results: list[Result]) -> str:
-        """Also the summary of both usual numbers of sub-steps."""
         return "\n".join([super().text(results), summary(results, 2), summary(results, 4)])
 
     def drawn(self, results: list[Result]) -> dict:
-        """A chart for each case that held anywhere."""
         made = {}
         for result in results:
             if all(ending(one) for one in result["runs"]):

@@ -13,7 +13,7 @@ import tempfile
 import time
 from collections import namedtuple
 from pathlib import Path
-from typing import Any, Iterable, Sequence
+from typing import Any
 
 UNUSABLE, ABSENT, FAILED = 1, 3, 4  # exit codes, the same as the program's
 Result = dict[str, Any]  # of a case: its name, what it is, and "methods", ours first
@@ -64,7 +64,7 @@ class Benchmark:
         return case_table(self.name, results, self.key) + goal_table(self.name, results) + foot
 
 
-def run(words: Sequence[Any], *codes: int) -> Ended:
+def run(words: list, *codes: int) -> Ended:
     """Runs a program to its end. A Problem if it ends with another code than 0 or `codes`."""
     text = {"mode": "w+", "encoding": "utf-8", "errors": "replace"}
     with tempfile.TemporaryFile(**text) as output, tempfile.TemporaryFile(**text) as errors:
@@ -127,7 +127,7 @@ def is_number(value: Any) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
 
 
-def median_of(values: Sequence[Any]) -> Any:
+def median_of(values: list) -> Any:
     """The median; of objects that of each member, of what is no number the first."""
     if isinstance(values[0], dict):
         return {key: median_of([value[key] for value in values]) for key in values[0]}
@@ -154,7 +154,7 @@ def read_results(path: str, benchmark: Benchmark) -> list[Result]:
     return data["results"]
 
 
-def check_outputs(paths: Sequence[Path], force: bool) -> None:
+def check_outputs(paths: list[Path], force: bool) -> None:
     """Before minutes of work: whether these files can be written."""
     for path in paths:
         if paths.count(path) > 1:
@@ -218,7 +218,7 @@ def cell(one: Result, path: str, kind: str) -> str:
     return "/".join(FORMATS[kind](value) for value in values if value is not None)
 
 
-def table(align: str, rows: Iterable[Sequence[str]]) -> str:
+def table(align: str, rows: list[list[str]]) -> str:
     """Columns as wide as their widest cell, `<` or `>` each; a row may end early. Control characters become `?`."""
     cells = [["".join(sign if sign.isprintable() else "?" for sign in cell) for cell in row] for row in rows]
     widths = [max((len(row[i]) for row in cells if i < len(row)), default=0) for i in range(len(align))]
@@ -226,7 +226,7 @@ def table(align: str, rows: Iterable[Sequence[str]]) -> str:
                    for row in cells)
 
 
-def columns_table(columns: list[list[str]], rows: Iterable[Result]) -> str:
+def columns_table(columns: list[list[str]], rows: list[Result]) -> str:
     """A row for each method, by columns of (head, path, kind). One that failed has its name and verdict alone."""
     cells = [[head for head, _, _ in columns]]
     for one in rows:

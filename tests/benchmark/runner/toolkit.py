@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Drawing beside Cairo, films beside ffmpeg and immediate mode, comparing pictures beside what npm and Debian have."""
 import json
+import operator
 import os
 import shutil
 from pathlib import Path
 
 from . import charts
 from .common import (
-    FAILED, TEXTS, Benchmark, Ended, Problem, Result, columns_table, case_table, digits, median_of, note, objects,
-    program, run, table, time_text, value_at, version_of)
+    FAILED, TEXTS, Benchmark, Ended, Problem, Result, case_table, columns_table, digits, median_of, note, objects,
+    program, run, table, value_at, version_of)
 
 
 class Drawing(Benchmark):
@@ -124,29 +125,25 @@ class Recording(Benchmark):
         films = {one["role"]: one for one in result["methods"] if "failure" not in one}
         for one in result["methods"]:
             one["verdict"] = one.get("failure") or one["seen"]
-            one |= {"rate": one["frames"] / one["wall"]} if "failure" not in one else {}
+            if "failure" not in one:
+                one |= {"rate": one["frames"] / one["wall"], "megabytes": one["memory"] / 1e6}
 
-        def of(role: str, other: str, compare) -> float | None:
+        def of(role: str, other: str, figure: str, compare=operator.truediv) -> float | None:
             both = [films.get(name, {}) for name in (role, other)]
-            return compare(*both) if all(film.get("verdict") == "sound" for film in both) else None
+            sound = all(film.get("verdict") == "sound" for film in both)
+            return compare(*(film[figure] for film in both)) if sound else None
 
-        def pace(film: Result, start: Result) -> float:
-            return (film["wall"] - start["wall"]) / max(film["frames"] - 1, 1)
-
-        def megabytes(film: Result, other: Result) -> float:
-            return (film["memory"] - other["memory"]) / 1e6
-
-        resting, moving = of("boxreel", "start", pace), of("moving", "movingStart", pace)
-        reached = {"frames a second": of("boxreel", "boxreel", lambda ours, _: ours["rate"]),
-                   "times faster than moving": moving / resting if resting and moving else None,
-                   "memory of the longer film, more by [MB]": of("long", "boxreel", megabytes)}
+        moving, resting = (of(film, start, "wall", lambda a, b, film=film: (a - b) / max(films[film]["frames"] - 1, 1))
+                           for film, start in (("moving", "movingStart"), ("boxreel", "start")))
+        reached = {"frames a second": of("boxreel", "boxreel", "rate", min),
+                   "times faster than moving": moving / resting if moving and resting else None,
+                   "memory of the longer film, more by [MB]": of("long", "boxreel", "megabytes", operator.sub)}
         for role, name in FILM_PEERS.items():
             if role in films:
-                reached[f"wall time over {name}"] = of("boxreel", role, lambda ours, peer: ours["wall"] / peer["wall"])
-                films[role]["wallTimes"] = of(role, "boxreel", lambda peer, ours: peer["wall"] / ours["wall"])
-                films[role]["cpuTimes"] = of(role, "boxreel", lambda peer, ours: peer["cpu"] / ours["cpu"])
+                reached[f"wall time over {name}"] = of("boxreel", role, "wall")
+                films[role] |= {"wallTimes": of(role, "boxreel", "wall"), "cpuTimes": of(role, "boxreel", "cpu")}
         if "encodeOnly" in films:
-            reached["memory over the encoder's [MB]"] = of("boxreel", "encodeOnly", megabytes)
+            reached["memory over the encoder's [MB]"] = of("boxreel", "encodeOnly", "megabytes", operator.sub)
         result["reached"] = {} if result["resized"] else reached
 
     def text(self, results: list[Result]) -> str:
@@ -164,15 +161,13 @@ class Recording(Benchmark):
                 "stages": charts.Bars(TEXTS["stages"], groups, [result["case"] for result in results], start=0.0)}
 
 
+# The peers' defaults forgive what a person hardly sees in a photograph; the stricter settings in texts.json are those
+# that their manuals name for exactness and that still let a rounding pass.
 SCENES = ("pyramid", "bridge", "tumbler")  # fills, lines, crowds
 
 
 def comparing_methods(folder: str | None, alone: bool) -> list[Result]:
-    """The programs of texts.json that are there, with the words in braces that are known of them.
-
-    The peers' defaults forgive what a person hardly sees in a photograph; the stricter settings are those that their
-    manuals name for exactness and that still let a rounding pass.
-    """
+    """The programs of texts.json that are there, with the words in braces that are known of them."""
     modules, versions = Path(folder or "").expanduser() / "node_modules", {"boxreel": None}
     for name in ("odiff-bin", "pixelmatch") if folder and not alone else ():
         if (modules / name / "package.json").is_file():
