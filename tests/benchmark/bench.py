@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Runs benchmark programs: prints tables, writes figures as JSON and draws charts. `./boxreel bench` builds and starts it."""
+"""Runs benchmark programs for `./boxreel bench`: prints tables, writes figures as JSON and draws charts."""
 import argparse
 import difflib
+import importlib.util
 import json
 import os
 import re
@@ -14,8 +15,8 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 from runner import accuracy, charts, engine, toolkit  # noqa: E402
 from runner.common import (  # noqa: E402
-    FAILED, TEXTS, UNUSABLE, Benchmark, Problem, Result, cell, check_outputs, columns_table, median_of, note,
-    read_results, table, value_at, write_whole)
+    ABSENT, FAILED, TEXTS, UNUSABLE, Benchmark, Problem, Result, cell, check_outputs, columns_table, median_of,
+    note, read_results, table, value_at, write_whole)
 
 BENCHMARKS: dict[str, Benchmark] = {one.name: one for one in (
     engine.Engine(), engine.Curve(), accuracy.Accuracy(), toolkit.Drawing(), toolkit.Recording(), toolkit.Comparing())}
@@ -45,10 +46,9 @@ def parse(words: list[str]) -> argparse.Namespace:
     parser = Parser(prog="./boxreel bench", description="Run benchmarks beside peers; `NAME --help` tells more.")
     commands = parser.add_subparsers(dest="benchmark", metavar="NAME", required=True)
     for name in BENCHMARKS:
-        texts = TEXTS[name]
-        command = commands.add_parser(name, help=texts["what"], allow_abbrev=False,
-                                      description=f"{texts['what'][0].upper()}{texts['what'][1:]}.")
-        for flag, how in (TEXTS["options"] | texts.get("options", {})).items():
+        what = TEXTS[name]["what"]
+        command = commands.add_parser(name, help=what, description=f"{what[0].upper()}{what[1:]}.", allow_abbrev=False)
+        for flag, how in (TEXTS["options"] | TEXTS[name].get("options", {})).items():
             command.add_argument(flag, **how | ({"type": numbers(*how["type"])} if "type" in how else {}))
     options = parser.parse_args(words)
     for word in words if options.source else []:
@@ -132,8 +132,8 @@ def perform(benchmark: Benchmark, options: argparse.Namespace) -> None:
     pictures = {path.with_name(f"{path.stem}{'-' * bool(part)}{part}{suffix}{path.suffix}"): (part, theme)
                 for path in map(Path, options.chart) for part in parts for suffix, theme in suffixes.items()}
     check_outputs([*pictures, *([] if options.json in (None, "-") else [Path(options.json)])], options.force)
-    if options.chart:
-        charts.check()
+    if options.chart and importlib.util.find_spec("matplotlib") is None:
+        raise Problem("charts need matplotlib; install python3-matplotlib", ABSENT)
     if options.list:
         print(table("<<", [[one["case"], one["what"]] for one in known]), end="")
         return
@@ -141,8 +141,8 @@ def perform(benchmark: Benchmark, options: argparse.Namespace) -> None:
     shown = columns_table(TEXTS["against"]["columns"], results) if options.against else benchmark.text(results)
     drawn = benchmark.drawn(results) if options.chart else {}
     # Times are in seconds, memory of the engine is in kB, that of films in bytes.
-    data = json.dumps({"benchmark": "against" if options.against else benchmark.name, "results": results}, indent=1,
-                      ensure_ascii=False) + "\n"
+    data = {"benchmark": "against" if options.against else benchmark.name, "results": results}
+    data = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     print(data if options.json == "-" else shown, end="")
     if options.json not in (None, "-"):
         write_whole(Path(options.json), data.encode())
@@ -167,10 +167,12 @@ def main(words: list[str]) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
-    except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, StopIteration, RecursionError) as error:
+    except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, StopIteration,
+            RecursionError) as error:
         if not options.source:
             raise
-        note(f"'{options.source}' is not what `./boxreel bench {options.benchmark} --json` writes ({error}); make it again.")
+        note(f"'{options.source}' is not what `./boxreel bench {options.benchmark} --json FILE` writes ({error}); "
+             "make it again.")
         return UNUSABLE
 
 

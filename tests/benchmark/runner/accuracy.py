@@ -26,15 +26,6 @@ def ending(one: Result) -> str:
     return one.get("failure") or one["ending"] or ("" if one["held"] and is_number(one["error"]) else "not finite")
 
 
-def verdict(goals: dict[str, str], one: Result) -> str:
-    """"goal met", "" where the error is too large, how else it ended, or the remarks that miss their goals."""
-    if ending(one):
-        return ending(one)
-    missed = [f"{figure} {one['remarks'].get(figure)} ({goal})" for figure, goal in goals.items()
-              if figure != "error" and not is_met(goal, one["remarks"].get(figure))]
-    return ", ".join(missed) or ("goal met" if is_met(goals.get("error", "<= inf"), one["error"]) else "")
-
-
 def engines_of(result: Result) -> list[str]:
     """In the order in which they first come; ours is the first."""
     return list(dict.fromkeys(one["engine"] for one in result["runs"]))
@@ -94,7 +85,8 @@ class Accuracy(Benchmark):
     parts, key = ["{case}"], "runs"
 
     def measure(self, build: Path, case: Result, options, work: Path) -> Result:
-        """All settings of all engines in turn, `rounds` times; the least CPU time counts: the machine has slow spells."""
+        """All settings of all engines in turn, `rounds` times; the least CPU time counts."""
+        # What makes a run longer is the machine's, which has slow spells that are longer than a run.
         sweeps = []
         for path in self.programs(build, options):
             most = 4 if options.against else objects(run([path, *self.list_words]).output)[0]["maxSubSteps"]
@@ -110,9 +102,15 @@ class Accuracy(Benchmark):
         return {**case, "runs": [runs[entry] for sweep in sweeps for entry in sweep]}
 
     def judge(self, result: Result) -> None:
-        """Adds verdicts, and the CPU time for 1/60 s, however many steps that takes: what settings are compared by."""
+        """Adds verdicts: "goal met", empty where the error is too large, how else it ended, or remarks that miss goals.
+
+        Settings are compared by the CPU time for 1/60 s, however many steps that takes.
+        """
         for one in result["runs"]:
-            one["verdict"] = verdict(goals_of(result), one)
+            missed = [f"{figure} {one['remarks'].get(figure)} ({goal})" for figure, goal in goals_of(result).items()
+                      if figure != "error" and not ending(one) and not is_met(goal, one["remarks"].get(figure))]
+            is_small = not ending(one) and is_met(goals_of(result).get("error", "<= inf"), one["error"])
+            one["verdict"] = ending(one) or ", ".join(missed) or ("goal met" if is_small else "")
             if "failure" not in one:
                 one["cpuOfFrame"] = one["cpu"] * one["hz"] / 60.0
 

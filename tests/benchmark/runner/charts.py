@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Charts of bars and of lines, in light and dark, as PNG or SVG. Only `draw` loads matplotlib."""
-import importlib.util
+import functools
 import io
 import math
 from collections import namedtuple
@@ -49,15 +49,9 @@ def curves_of(points: Iterable[tuple[str, str, Point]]) -> list[Curve]:
     return [Curve(name, names.index(name), stroke, line) for (name, stroke), line in lines.items()]
 
 
-def check() -> None:
-    """Before minutes of work: whether charts can be drawn. Imports nothing, for children count our memory as theirs."""
-    if importlib.util.find_spec("matplotlib") is None:
-        raise Problem("charts need matplotlib; install python3-matplotlib", ABSENT)
-
-
 def draw(chart: Bars | Lines, theme: str, kind: str) -> bytes:
     """The bytes of a chart. The same chart gives the same bytes with the same matplotlib."""
-    import matplotlib.style
+    import matplotlib.style  # only here: children count our memory as theirs
     from matplotlib.figure import Figure
     notes, is_bars, height, left = chart.texts["notes"], isinstance(chart, Bars), 6.8, 0.09  # [inches], share
     if is_bars:
@@ -79,27 +73,26 @@ def draw(chart: Bars | Lines, theme: str, kind: str) -> bytes:
 
 def draw_bars(axes, chart: Bars, ink: str, soft: str) -> None:
     """Bars from `start` either way, labels beyond their ends, names at the left."""
+    write = functools.partial(axes.annotate, textcoords="offset points")
     colors = [f"C{(row + (chart.start > 0.0)) % 6}" for row in range(len(chart.series))]  # ours is no ratio
     top, names = 0.0, -72 if chart.start else -10
     for name, what, value, bars in chart.groups:
         for row, (length, words) in enumerate(bars):
             end = chart.start if length is None else length
             axes.barh(top + row, end - chart.start, left=chart.start, height=0.78, color=colors[row], zorder=2)
-            axes.annotate(words, (end, top + row), (-5 if end < chart.start else 5, 0), textcoords="offset points",
-                          ha="right" if end < chart.start else "left", va="center", fontsize=8.5,
-                          color=soft if length is None else ink)
+            write(words, (end, top + row), (-5 if end < chart.start else 5, 0), va="center", fontsize=8.5,
+                  ha="right" if end < chart.start else "left", color=soft if length is None else ink)
         for x, y, words, style in ((names, 6, name, {"fontweight": "bold", "fontsize": 9.5}),
                                    (names, -6, what, {"color": soft, "fontsize": 8}), (-10, 0, value, {"fontsize": 9})):
-            axes.annotate(words, (0.0, top + 0.5 * (len(bars) - 1)), (x, y), xycoords=("axes fraction", "data"),
-                          textcoords="offset points", ha="right", va="center", **style)
+            write(words, (0.0, top + 0.5 * (len(bars) - 1)), (x, y), xycoords=("axes fraction", "data"), ha="right",
+                  va="center", **style)
         top += len(bars) + 0.8
     axes.axvline(chart.start, color=ink, linewidth=1.0, zorder=3)
     axes.set(ylim=(top - 0.9, -0.9), yticks=[], xlabel=chart.texts["axis"])
     lengths = [chart.start] + [length for group in chart.groups for length, _ in group[3] if length]
     low, high = min(lengths), max(lengths)
     if chart.start:
-        axes.annotate("boxreel", (0.0, 1.0), (-10, 6), xycoords="axes fraction", textcoords="offset points", ha="right",
-                      fontsize=8, color=soft)
+        write("boxreel", (0.0, 1.0), (-10, 6), xycoords="axes fraction", ha="right", fontsize=8, color=soft)
         high = max(high, 10.0)
         axes.set(xscale="log", xlim=(low / (2.2 if low < chart.start else 1.02), high * (high / low) ** 0.16))
         axes.xaxis.set_major_formatter("{x:,.6g}")

@@ -61,7 +61,7 @@ class Benchmark:
     def text(self, results: list[Result]) -> str:
         """A row a method, goals, and notes."""
         foot = "".join(f"{line}\n" for line in ["", *TEXTS[self.name].get("foot", [])])
-        return case_table(self.name, results, self.key) + goal_table(self.name, results) + foot
+        return columns_table(TEXTS[self.name]["columns"], results, self.key) + goal_table(self.name, results) + foot
 
 
 def run(words: list, *codes: int) -> Ended:
@@ -83,8 +83,8 @@ def run(words: list, *codes: int) -> Ended:
         code = child.returncode = os.waitstatus_to_exitcode(status)
         output.seek(0)
         errors.seek(0)
-        ended = Ended(output.read(), errors.read(), wall, usage.ru_utime + usage.ru_stime, 1024.0 * usage.ru_maxrss,
-                      code)
+        cpu, memory = usage.ru_utime + usage.ru_stime, 1024.0 * usage.ru_maxrss
+        ended = Ended(output.read(), errors.read(), wall, cpu, memory, code)
     if code not in (0, *codes):
         last = (ended.errors.strip() or f"it ended with {code}").splitlines()[-1]
         raise Problem(f"running '{words[0]}' failed: {last}", code if code in (UNUSABLE, ABSENT) else FAILED)
@@ -226,19 +226,18 @@ def table(align: str, rows: list[list[str]]) -> str:
                    for row in cells)
 
 
-def columns_table(columns: list[list[str]], rows: list[Result]) -> str:
-    """A row for each method, by columns of (head, path, kind). One that failed has its name and verdict alone."""
+def columns_table(columns: list[list[str]], results: list[Result], key: str = "methods") -> str:
+    """A row for each method of each case, or for each result without any, by columns of (head, path, kind).
+
+    The name of a case stands where it begins; a method that failed has its name and verdict alone.
+    """
     cells = [[head for head, _, _ in columns]]
-    for one in rows:
-        cells.append([cell(one, path, kind) for _, path, kind in columns
-                      if "failure" not in one or kind in TO_THE_LEFT])
+    for result in results:
+        for number, one in enumerate(result.get(key, [result])):
+            shown = [column for column in columns if "failure" not in one or column[2] in TO_THE_LEFT]
+            one = {**one, "case": result.get("case") if number == 0 else ""}
+            cells.append([cell(one, path, kind) for _, path, kind in shown])
     return table("".join("<" if kind in TO_THE_LEFT else ">" for _, _, kind in columns), cells)
-
-
-def case_table(name: str, results: list[Result], key: str) -> str:
-    """The rows of all cases, with the name of the case where it begins."""
-    return columns_table(TEXTS[name]["columns"], [{**one, "case": result["case"] * (one is result[key][0])}
-                                                  for result in results for one in result[key]])
 
 
 def goal_table(name: str, results: list[Result]) -> str:

@@ -18,7 +18,7 @@ def judge_alone(figures: Result) -> str:
 
 
 def judge_beside(result: Result, ours: Result, peers: list[Result]) -> str:
-    """What is wrong with our run beside the sound ones of the peers, or "sound". docs/notes/engine-speed.md has reasons."""
+    """What is wrong with our run beside the sound ones of peers, or "sound"; docs/notes/engine-speed.md has reasons."""
     moving = result["comparesSpeeds"]
     for figure, (share, least, wrong) in GOALS["likeness"]["moving" if moving else "resting"].items():
         low, high = (choose(peer[figure] for peer in peers) for choose in (min, max))

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from . import charts
 from .common import (
-    FAILED, TEXTS, Benchmark, Ended, Problem, Result, case_table, columns_table, digits, median_of, note, objects,
+    FAILED, TEXTS, Benchmark, Ended, Problem, Result, columns_table, digits, median_of, note, objects,
     program, run, table, value_at, version_of)
 
 
@@ -149,7 +149,7 @@ class Recording(Benchmark):
     def text(self, results: list[Result]) -> str:
         """Also where the time of a frame goes."""
         cached = min(result["cached"] for result in results)
-        return (case_table("stages", results, "stages") + "\n" + super().text(results)
+        return (columns_table(TEXTS["stages"]["columns"], results, "stages") + "\n" + super().text(results)
                 + f"At least {cached * 100:.0f} % of the raw frames were in the page cache.\n")
 
     def drawn(self, results: list[Result]) -> dict:
@@ -168,10 +168,10 @@ SCENES = ("pyramid", "bridge", "tumbler")  # fills, lines, crowds
 
 def comparing_methods(folder: str | None, alone: bool) -> list[Result]:
     """The programs of texts.json that are there, with the words in braces that are known of them."""
-    modules, versions = Path(folder or "").expanduser() / "node_modules", {"boxreel": None}
-    for name in ("odiff-bin", "pixelmatch") if folder and not alone else ():
-        if (modules / name / "package.json").is_file():
-            versions[name] = json.loads((modules / name / "package.json").read_text("utf-8"))["version"]
+    modules, versions = Path(folder or "").expanduser() / "node_modules", {"boxreel": ""}
+    for package in () if alone or not folder else modules.glob("*/package.json"):
+        if package.parent.name in ("odiff-bin", "pixelmatch"):
+            versions[package.parent.name] = json.loads(package.read_text("utf-8"))["version"]
     if folder and not alone and len(versions) == 1:
         raise Problem(f"'{folder}' holds no peers; run `npm install odiff-bin pixelmatch` in it or name another folder")
     if not alone and (version := version_of("ImageMagick", "compare", "-version")):
@@ -180,7 +180,7 @@ def comparing_methods(folder: str | None, alone: bool) -> list[Result]:
               "{pixelmatch}": (modules / "pixelmatch").resolve(),
               "{pixelmatch program}": modules / "pixelmatch" / "bin" / "pixelmatch",
               "{pixelmatch timer}": Path(__file__).with_name("pixelmatch.mjs")}
-    return [{**one, "name": one["name"].replace("{version}", versions[one["of"]] or ""), "places": places}
+    return [{**one, "name": one["name"].replace("{version}", versions[one["of"]]), "places": places}
             for one in TEXTS["golden"]["methods"] if one["of"] in versions]
 
 
@@ -232,8 +232,9 @@ class Comparing(Benchmark):
                 if one["ours"]:
                     raise
                 one["failure"] = str(problem)
+        found = [method["of"] for method in programs]
         absent = [sentence for name, sentence in TEXTS["golden"]["absent"].items()
-                  if not options.against and name not in [method["of"] for method in programs]]
+                  if name not in found and not options.against]
         return {**case, "changes": objects(run([helper, "list"]).output), "absent": absent, "methods": methods}
 
     def judge(self, result: Result) -> None:
