@@ -25,7 +25,7 @@ import time
 CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(CHECKOUT / "tests" / "benchmark"))
-from runner import accuracy, charts, comparing, drawing, engine, recording  # noqa: E402
+from runner import accuracy, charts, engine, toolkit  # noqa: E402
 from runner.common import time_text, times_text  # noqa: E402
 
 PAGES = ["README.md", "docs/speed.md", "docs/golden.md", "docs/accuracy.md"]
@@ -33,9 +33,9 @@ PAGES = ["README.md", "docs/speed.md", "docs/golden.md", "docs/accuracy.md"]
 # of which one round of the engines is two and a half or more.
 BENCHMARKS = {
     "engine": (engine.Engine(), ["--rounds", "2"]),
-    "drawing": (drawing.Drawing(), ["1500-720p"]),
-    "recording": (recording.Recording(), ["pyramid", "tumbler", "asleep", "pictures", "--rounds", "1"]),  # seconds each
-    "comparing": (comparing.Comparing(), ["--rounds", "3"]),  # medians of thirty pairs
+    "drawing": (toolkit.Drawing(), ["1500-720p"]),
+    "recording": (toolkit.Recording(), ["pyramid", "tumbler", "asleep", "pictures", "--rounds", "1"]),  # seconds each
+    "comparing": (toolkit.Comparing(), ["--rounds", "3"]),  # medians of thirty pairs
     "accuracy": (accuracy.Accuracy(), []),
 }
 CHARTED = ["C-double-pendulum", "D-chain-1000", "I-pair", "J-stack-30"]  # of the cases of accuracy
@@ -107,7 +107,7 @@ def recording_rows(results):
                             ("asleep", "film asleep", "{} frames of the pyramid at rest to MP4"),
                             ("pictures", "pictures", "{} frames of the tumbler to PNG files")):
         films = {one["role"]: one for one in case_of(results, case)["methods"] if one["verdict"] == "sound"}
-        for role in recording.PEERS:
+        for role in toolkit.FILM_PEERS:
             if "boxreel" in films and role in films:
                 ours, peer = films["boxreel"], films[role]
                 yield (key if role == "encodeOnly" else "", task.format(ours["frames"]), ours["wall"], peer["method"],
@@ -116,12 +116,12 @@ def recording_rows(results):
 
 def comparing_rows(results):
     """Medians over all pictures, of the peers with their default settings."""
-    methods = comparing.together(results)
+    methods = toolkit.together(results)
     ours = next((one for one in methods if one["ours"]), {})
     for clock, key, task in (("decoded", "frames compared", "two frames of 1280 x 720 compared"),
                              ("process", "files compared", "two PNG files of 1280 x 720 compared, a process each")):
         for one in methods:
-            both = [comparing.times(method, clock) for method in (ours, one)]
+            both = [toolkit.times(method, clock) for method in (ours, one)]
             if not one["ours"] and "," not in one["method"] and all(both):
                 yield key, task, statistics.median(both[0]), one["method"], statistics.median(both[1])
 
@@ -146,9 +146,9 @@ def comparing_table(figures):
     results = figures["comparing"]
     truths = {one["change"]: one["truth"] for one in results[0]["changes"]}
     rows = [["is to be called"] + [truths[change] for change in CHANGES] + [""]]
-    for method in comparing.together(results):
+    for method in toolkit.together(results):
         found = [finding_text(method, change, truths[change]) for change in CHANGES]
-        rows.append([method["method"], *found, time_text(statistics.median(comparing.times(method, "process")))])
+        rows.append([method["method"], *found, time_text(statistics.median(toolkit.times(method, "process")))])
     return rows_text(["", *CHANGES.values(), "a process"], rows) + "\n" + machine_text(figures, "comparing")
 
 
@@ -171,7 +171,7 @@ def short_table(figures):
     rows = []
     for name in SHORT_SCENES:
         result = case_of(figures["engine"], name)
-        peer = next((one for one in result["methods"] if engine.is_goal_peer(one["method"])), {})
+        peer = next((one for one in result["methods"] if one["method"].startswith(engine.GOAL_PEER)), {})
         if peer.get("cpuTimes") and result["methods"][0]["verdict"] == "sound":
             rows.append(["a step: " + result["what"], time_text(result["methods"][0]["cpu"]),
                          f"{peer['method']}: {time_text(peer['cpu'])}", times_text(peer["cpuTimes"])])

@@ -1,89 +1,64 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Runs the benchmark programs of a build: prints tables, writes figures as JSON and draws charts.
-
-`./boxreel bench` builds the programs and starts this with the build folder in BOXREEL_BUILD_DIR.
-"""
-from __future__ import annotations
-
+"""Runs benchmark programs for `./boxreel bench`: prints tables, writes figures as JSON and draws charts."""
 import argparse
 import difflib
+import importlib.util
 import json
 import os
 import re
 import signal
-import statistics
 import sys
 import tempfile
 from pathlib import Path
-from typing import Any, Iterable, NoReturn
 
 sys.dont_write_bytecode = True
-from runner import accuracy, charts, comparing, drawing, engine, recording  # noqa: E402
+from runner import accuracy, charts, engine, toolkit  # noqa: E402
 from runner.common import (  # noqa: E402
-    FAILED, TEXTS, Benchmark, Problem, Result, cell, check_outputs, note, read_results, table, time_text, times_text,
-    unusable, value_at, write_whole)
+    ABSENT, FAILED, TEXTS, UNUSABLE, Benchmark, Problem, Result, cell, check_outputs, columns_table, median_of,
+    note, read_results, table, value_at, write_whole)
 
 BENCHMARKS: dict[str, Benchmark] = {one.name: one for one in (
-    engine.Engine(), engine.Curve(), accuracy.Accuracy(), drawing.Drawing(), recording.Recording(),
-    comparing.Comparing())}
+    engine.Engine(), engine.Curve(), accuracy.Accuracy(), toolkit.Drawing(), toolkit.Recording(), toolkit.Comparing())}
+MEASURING = ("--rounds", "--threads", "--frames", "--size", "--peers", "--against")  # these do not go with --from
 
 
 class Parser(argparse.ArgumentParser):
-    """Says in one sentence what is wrong, and ends with 1."""
+    """Reports a wrong command line in one sentence, with exit code 1."""
 
-    def error(self, message: str) -> NoReturn:
+    def error(self, message: str) -> None:
         raise Problem(f"{message}; `{self.prog} --help` shows what there is")
 
 
-def numbers(pattern: str, example: str, most: int) -> Any:
-    """A reader of whole numbers from 1 to `most`, between what else the pattern has."""
-    def read(text: str) -> list[int]:
+def numbers(pattern: str, example: str, most: int):
+    """A reader of whole numbers, which are different ones in a list with commas."""
+    def read(text: str) -> int | list[int]:
         found = [int(word) for word in re.findall(r"\d+", text)]
-        if not re.fullmatch(pattern, text) or not all(1 <= number <= most for number in found) or (
-                "," in text and len(set(found)) < len(found)):
+        repeated = "," in text and len(set(found)) < len(found)
+        if repeated or not re.fullmatch(pattern, text) or not all(1 <= number <= most for number in found):
             raise argparse.ArgumentTypeError(f"'{text}' is not like {example}, with numbers from 1 to {most}")
-        return found
+        return found if re.search("[,x]", example) else found[0]
     return read
 
 
 def parse(words: list[str]) -> argparse.Namespace:
-    """The options. What goes with --from is only what shows results."""
+    """The options of texts.json, of which none contradicts another."""
     parser = Parser(prog="./boxreel bench", description="Run benchmarks beside peers; `NAME --help` tells more.")
     commands = parser.add_subparsers(dest="benchmark", metavar="NAME", required=True)
     for name in BENCHMARKS:
         what = TEXTS[name]["what"]
         command = commands.add_parser(name, help=what, description=f"{what[0].upper()}{what[1:]}.", allow_abbrev=False)
-        command.set_defaults(threads=None, frames=None, size=None, peers=None)
-        add = command.add_argument
-        add("cases", nargs="*", metavar="CASE", help="cases to run, such as those of --list (all)")
-        add("--list", action="store_true", help="print the cases")
-        add("--rounds", type=numbers(r"\d{1,4}", "3", 1000), metavar="N", help="runs of each method, in turn (3)")
-        if name in ("engine", "curve"):
-            add("--threads", type=numbers(r"\d{1,2}(,\d{1,2})*", "1,2", 64), metavar="N[,N...]", help="of boxreel (1)")
-        if name == "record":
-            add("--frames", type=numbers(r"\d{1,6}", "600", 100_000), metavar="N", help="of films (the case's own)")
-            add("--size", type=numbers(r"\d{0,3}[02468]x\d{0,3}[02468]", "640x360, with even sides", 8192),
-                metavar="WxH", help="of films (the case's own)")
-        if name == "golden":
-            add("--peers", metavar="DIR", help="where `npm install odiff-bin pixelmatch` was run (BOXREEL_PEERS)")
-        source = command.add_mutually_exclusive_group()
-        source.add_argument("--from", dest="source", metavar="FILE", help="show what --json wrote; run nothing")
-        source.add_argument("--against", type=Path, metavar="BUILD", help="time another build folder alternately")
-        add("--json", metavar="FILE", help="write all figures; `-` prints them instead of tables")
-        add("--chart", action="append", type=Path, default=[], metavar="FILE", help="draw .png or .svg; repeatable")
-        add("--theme", choices=["light", "dark", "both"], default="light", help="of charts; `both` adds it to names")
-        add("--force", action="store_true", help="overwrite existing files")
+        for flag, how in (TEXTS["options"] | TEXTS[name].get("options", {})).items():
+            command.add_argument(flag, **how | ({"type": numbers(*how["type"])} if "type" in how else {}))
     options = parser.parse_args(words)
-    given = [name for name in ("rounds", "threads", "frames", "size", "peers") if getattr(options, name)]
-    if options.source and given:
-        raise Problem(f"--from runs nothing; leave --{given[0]} out, or --from")
+    for word in words if options.source else []:
+        if word.startswith(MEASURING):
+            raise Problem(f"--from runs nothing; leave {word} out, or --from")
     if options.against and options.chart:
         raise Problem("--against prints ratios and draws none; leave --chart out, or --against")
-    for chart in (chart for chart in options.chart if chart.suffix not in (".png", ".svg")):
-        raise Problem(f"unsupported extension of '{chart}'; use .png or .svg")
-    options.rounds, options.frames = (options.rounds or [3])[0], (options.frames or [0])[0]
-    options.threads = options.threads or [1]
+    for chart in options.chart:
+        if Path(chart).suffix not in (".png", ".svg"):
+            raise Problem(f"unsupported extension of '{chart}'; use .png or .svg")
     return options
 
 
@@ -101,10 +76,34 @@ def choose(cases: list[Result], options: argparse.Namespace) -> list[Result]:
 
 
 def measured(benchmark: Benchmark, build: Path, case: Result, options: argparse.Namespace) -> Result:
-    """The figures of a case, with a folder that is removed afterwards."""
+    """The judged figures of a case, made with a folder that is removed afterwards."""
     with tempfile.TemporaryDirectory(prefix="boxreel-bench-") as work:
         result = benchmark.measure(build, case, options, Path(work))
+    benchmark.judge(result)
     return result
+
+
+def compared(benchmark: Benchmark, build: Path, case: Result, options: argparse.Namespace) -> list[Result]:
+    """Both builds alternately: the median of the rounds' ratios, their spread, and whether both compute the same."""
+    builds, results = (build, Path(options.against)), []
+    runs: tuple[list, list] = ([], [])  # of both builds: the methods of each round
+    once = argparse.Namespace(**{**vars(options), "rounds": 1})
+    for number in range(options.rounds):
+        for which in (0, 1) if number % 2 == 0 else (1, 0):
+            runs[which].append(measured(benchmark, builds[which], case, once)[benchmark.key])
+    texts = TEXTS[benchmark.name]
+    for index, one in enumerate(runs[0][0]):
+        name = " ".join(cell(one, path, kind) for _, path, kind in texts["columns"] if kind == "name").strip()
+        same = all(value_at(run[index], key) == value_at(one, key) for run in sum(runs, []) for key in texts["same"])
+        for head, path, kind in texts["columns"]:
+            if kind == "time" and value_at(one, path):
+                pairs = [(value_at(ours[index], path), value_at(other[index], path)) for ours, other in zip(*runs)]
+                ratios = [other / ours for ours, other in pairs]
+                results.append({"case": case["case"], "method": name, "figure": head, "seconds": pairs,
+                                "this": median_of([ours for ours, _ in pairs]),
+                                "other": median_of([other for _, other in pairs]), "ratio": median_of(ratios),
+                                "lowest": min(ratios), "highest": max(ratios), "sameResults": same})
+    return results
 
 
 def measure_all(benchmark: Benchmark, build: Path, cases: list[Result], options: argparse.Namespace) -> list[Result]:
@@ -113,7 +112,8 @@ def measure_all(benchmark: Benchmark, build: Path, cases: list[Result], options:
     try:
         for case in cases:
             note(f"{case['case']}: {case['what']}")
-            results.append(measured(benchmark, build, case, options))
+            results += compared(benchmark, build, case, options) if options.against else [
+                measured(benchmark, build, case, options)]
     except KeyboardInterrupt:
         if not results:
             raise
@@ -121,104 +121,62 @@ def measure_all(benchmark: Benchmark, build: Path, cases: list[Result], options:
     return results
 
 
-def against(benchmark: Benchmark, build: Path, cases: list[Result],
-            options: argparse.Namespace) -> tuple[str, list[Result]]:
-    """Both builds alternately: the median of the rounds' ratios, their spread, and whether both compute the same."""
-    rounds, options.rounds = options.rounds, 1
-    texts = TEXTS[benchmark.name] if "columns" in TEXTS[benchmark.name] else TEXTS["engine"]
-    rows, results = [["case", "", "", "this build", "other build", "other/this", "spread", "results"]], []
-    for case in cases:
-        note(f"{case['case']}: {case['what']}")
-        runs: list[list[list[Result]]] = [[], []]
-        for number in range(rounds):
-            for which in (0, 1) if number % 2 == 0 else (1, 0):
-                result = measured(benchmark, (build, options.against)[which], case, options)
-                benchmark.judge(result)
-                runs[which].append(result.get("methods") or result["runs"])
-        for index, one in enumerate(runs[0][0]):
-            name = " ".join(cell(one, path, kind) for _, path, kind in texts["columns"] if kind == "name")
-            same = all(value_at(run[index], key) == value_at(one, key)
-                       for run in sum(runs, []) for key in texts["same"])
-            columns = [(head, path) for head, path, kind in texts["columns"] if kind == "time" and value_at(one, path)]
-            for head, path in columns:
-                pairs = [(value_at(ours[index], path), value_at(other[index], path)) for ours, other in zip(*runs)]
-                ratios = sorted(other / ours for ours, other in pairs)
-                ratio = statistics.median(ratios)
-                results.append({"case": case["case"], "method": name, "figure": head, "seconds": pairs, "ratio": ratio,
-                                "lowest": ratios[0], "highest": ratios[-1], "sameResults": same})
-                rows.append([case["case"], name, head, *(time_text(statistics.median(times)) for times in zip(*pairs)),
-                             times_text(ratio), f"{times_text(ratios[0])} to {times_text(ratios[-1])}",
-                             "same" if same else "DIFFERENT"])
-    return table("<<<>>>><", rows), results
-
-
-def chart_paths(parts: Iterable[str], options: argparse.Namespace) -> dict[Path, tuple[str, str]]:
-    """The charts' parts and themes by their files: error.svg becomes error-A-projectile-dark.svg."""
-    suffixes = {"-light": "light", "-dark": "dark"} if options.theme == "both" else {"": options.theme}
-    return {path.with_name(f"{path.stem}{'-' * bool(part)}{part}{suffix}{path.suffix}"): (part, theme)
-            for path in dict.fromkeys(options.chart) for part in parts for suffix, theme in suffixes.items()}
-
-
-def show(benchmark: Benchmark, results: list[Result], options: argparse.Namespace) -> None:
-    """Judges results, prints, writes and draws them."""
-    try:
-        for result in results:
-            benchmark.judge(result)
-        shown, drawn = benchmark.text(results), benchmark.drawn(results) if options.chart else {}
-    except (KeyError, TypeError, ValueError, IndexError, AttributeError, ArithmeticError, StopIteration) as error:
-        if not options.source:
-            raise
-        raise unusable(options.source, benchmark.name, error) from error
-    output(benchmark.name, results, shown, options)
-    for path, (part, theme) in chart_paths(drawn, options).items():
-        write_whole(path, charts.draw(drawn[part], theme, path.suffix[1:]))
-
-
-def output(name: str, results: list[Result], shown: str, options: argparse.Namespace) -> None:
-    """Prints the tables, or writes all figures: times in seconds, memory of the engine in kB, of films in bytes."""
-    data = json.dumps({"benchmark": name, "results": results}, indent=1, ensure_ascii=False) + "\n"
+def perform(benchmark: Benchmark, options: argparse.Namespace) -> None:
+    """Lists or measures cases, or reads their results; prints, writes and draws them."""
+    build = Path(os.environ.get("BOXREEL_BUILD_DIR") or Path(__file__).resolve().parents[2] / "build" / "release")
+    known = read_results(options.source, benchmark) if options.source else benchmark.cases(build)
+    cases = choose(known, options)
+    # The part and theme of each chart by its file: error.svg becomes error-A-projectile-dark.svg.
+    parts = dict.fromkeys(part.format(**case) for case in cases for part in benchmark.parts)
+    suffixes = {f"-{theme}": theme for theme in charts.THEMES} if options.theme == "both" else {"": options.theme}
+    pictures = {path.with_name(f"{path.stem}{'-' * bool(part)}{part}{suffix}{path.suffix}"): (part, theme)
+                for path in map(Path, options.chart) for part in parts for suffix, theme in suffixes.items()}
+    check_outputs([*pictures, *([] if options.json in (None, "-") else [Path(options.json)])], options.force)
+    if options.chart and importlib.util.find_spec("matplotlib") is None:
+        raise Problem("charts need matplotlib; install python3-matplotlib", ABSENT)
+    if options.list:
+        print(table("<<", [[one["case"], one["what"]] for one in known]), end="")
+        return
+    results = cases if options.source else measure_all(benchmark, build, cases, options)
+    shown = columns_table(TEXTS["against"]["columns"], results) if options.against else benchmark.text(results)
+    drawn = benchmark.drawn(results) if options.chart else {}
+    # Times are in seconds, memory of the engine is in kB, that of films in bytes.
+    data = {"benchmark": "against" if options.against else benchmark.name, "results": results}
+    data = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
     print(data if options.json == "-" else shown, end="")
     if options.json not in (None, "-"):
         write_whole(Path(options.json), data.encode())
+    for path, (part, theme) in pictures.items():
+        if part in drawn:
+            write_whole(path, charts.draw(drawn[part], theme, path.suffix[1:]))
 
 
 def main(words: list[str]) -> int:
     """Runs the command; its exit code."""
-    options = parse(words)
-    benchmark = BENCHMARKS[options.benchmark]
-    build = Path(os.environ.get("BOXREEL_BUILD_DIR") or Path(__file__).resolve().parents[2] / "build" / "release")
-    results = read_results(options.source, benchmark.name) if options.source else []
-    known = results or benchmark.cases(build)
-    cases = choose(known, options)
-    outputs = [] if options.json in (None, "-") else [Path(options.json)]
-    check_outputs(outputs + list(chart_paths(benchmark.parts(cases), options)), options.force)
-    if options.chart:
-        charts.check()
-    if options.list:
-        print(table("<<", [[one["case"], one["what"]] for one in known]), end="")
-    elif options.against:
-        shown, ratios = against(benchmark, build, cases, options)
-        output("against", ratios, shown, options)
-    else:
-        show(benchmark, cases if results else measure_all(benchmark, build, cases, options), options)
-    return 0
-
-
-def stop(number: int, frame: Any) -> NoReturn:
-    """Ends in order, so that no frames and films are left behind."""
-    raise KeyboardInterrupt
+    options = argparse.Namespace(source=None)
+    try:
+        options = parse(words)
+        perform(BENCHMARKS[options.benchmark], options)
+        return 0
+    except Problem as problem:
+        note(f"{problem}.".replace("?.", "?"))
+        return problem.code
+    except KeyboardInterrupt:
+        note("stopped before the first case was done.")
+        return FAILED
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, StopIteration,
+            RecursionError) as error:
+        if not options.source:
+            raise
+        note(f"'{options.source}' is not what `./boxreel bench {options.benchmark} --json FILE` writes ({error}); "
+             "make it again.")
+        return UNUSABLE
 
 
 if __name__ == "__main__":
     for stopping in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(stopping, stop)
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except Problem as problem:
-        print(f"bench: {problem}.".replace("?.", "?"), file=sys.stderr)
-        sys.exit(problem.code)
-    except KeyboardInterrupt:
-        print("bench: stopped before the first case was done.", file=sys.stderr)
-        sys.exit(FAILED)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        signal.signal(stopping, signal.default_int_handler)  # ends in order: no frames and films are left behind
+    sys.exit(main(sys.argv[1:]))

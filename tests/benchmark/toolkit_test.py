@@ -8,10 +8,10 @@ import unittest
 
 from support import BuildCase
 
-from runner import comparing, drawing, recording
+from runner import toolkit
 from runner.common import Problem
 
-OPTIONS = argparse.Namespace(rounds=2, against=None, frames=0, size=None, peers=None)
+OPTIONS = argparse.Namespace(rounds=2, against=None, frames=0, size=[0, 0], peers=None)
 
 
 def painted(name: str = "boxreel 1", ours: bool = True, threads: str = "0", rms: float = 0.8, **cpus: float) -> dict:
@@ -24,7 +24,7 @@ def painted(name: str = "boxreel 1", ours: bool = True, threads: str = "0", rms:
 def picture(*methods: dict, case: str = "1500-720p", shapes: int = 1500) -> dict:
     """The result of a picture."""
     result = {"case": case, "what": "", "shapes": shapes, "width": 1280, "height": 720, "methods": list(methods)}
-    drawing.Drawing().judge(result)
+    toolkit.Drawing().judge(result)
     return result
 
 
@@ -32,24 +32,24 @@ class Drawing(BuildCase):
     """Frames and their errors."""
 
     def test_holds_ours_with_one_thread_against_each_goal(self) -> None:
-        text = drawing.Drawing().text([picture(painted(full=6e-3, empty=3e-3, rms=1.2), painted(threads="own", full=1e-3))])
+        text = toolkit.Drawing().text([picture(painted(full=6e-3, empty=3e-3, rms=1.2), painted(threads="own", full=1e-3))])
         self.assertEqual([line.split()[-1] for line in text.splitlines() if line.endswith(("met", "MISSED"))],
                          ["MISSED", "met", "met", "met", "MISSED", "MISSED"])
 
     def test_lets_no_wrong_frame_meet_a_goal(self) -> None:
         result = picture({**painted(), "wrong": "apart"})
         self.assertIsNone(result["reached"]["full redraw [ms]"])
-        self.assertIn("apart", drawing.Drawing().text([result]))
+        self.assertIn("apart", toolkit.Drawing().text([result]))
 
     def test_shows_what_a_peer_has_not_as_nothing(self) -> None:
         peer = {**painted("Cairo 1", False), "works": {"full": {"cpu": 3e-2, "wall": 3e-2}}}
-        self.assertIn("30.0 ms", drawing.Drawing().text([picture(painted(), peer)]))
+        self.assertIn("30.0 ms", toolkit.Drawing().text([picture(painted(), peer)]))
 
     def test_charts_a_curve_a_renderer_and_kind_of_frame(self) -> None:
         cairo = {**painted("Cairo 1", False, rms=3.0), "works": {"full": {"cpu": 3e-2, "wall": 3e-2}}}
         twin = {**cairo, "method": "Cairo 1, best"}
         results = [picture(painted(), cairo, twin, case=f"{count}-720p", shapes=count) for count in (1500, 50)]
-        chart = drawing.Drawing().drawn(results)["720p"]
+        chart = toolkit.Drawing().drawn(results)["720p"]
         self.assertEqual([(curve.name, curve.stroke) for curve in chart.curves],
                          [("boxreel 1", "-"), ("boxreel 1", "--"), ("boxreel 1", ":"), ("Cairo 1", "-")])
         self.assertEqual([point.label for point in chart.curves[0].points], ["50", "1,500"])
@@ -59,14 +59,14 @@ class Drawing(BuildCase):
         time = {"method": "boxreel 1", "by": "Mesa", "works": {"full": {"cpu": 4e-3, "wall": 4e-3}}, "wrong": ""}
         self.program("boxreel_render_bench", f"log \"$@\"; [ $1 = error ] && echo '{json.dumps(error)}' || echo '{json.dumps(time)}'")
         case = {"case": "50-720p", "what": "", "shapes": 50, "width": 1280, "height": 720}
-        result = drawing.Drawing().measure(self.folder / "build", case, OPTIONS, self.folder)
+        result = toolkit.Drawing().measure(self.folder / "build", case, OPTIONS, self.folder)
         self.assertEqual(self.calls(), ["error 50-720p"] * 2 + ["time 50-720p 0", "time 50-720p own"] * 2)
         self.assertEqual([one["threads"] for one in result["methods"]], ["0", "own"])
 
 
 def film(role: str, frames: int = 600, **figures: object) -> dict:
     """A sound film."""
-    return {"role": role, "method": role, "ours": role not in recording.PEERS, "frames": frames, "wall": 3.0, "cpu": 5.0,
+    return {"role": role, "method": role, "ours": role not in toolkit.FILM_PEERS, "frames": frames, "wall": 3.0, "cpu": 5.0,
             "memory": 200e6, "bytes": 1e6, "seen": "sound", **figures}
 
 
@@ -74,7 +74,7 @@ def filmed(*films: dict, case: str = "pyramid", **more: object) -> dict:
     """The result of a case."""
     result = {"case": case, "what": "", "width": 1280, "height": 720, "from": 0.0, "frames": 600, "resized": False, "cached": 1.0,
               "methods": list(films), "stages": [{"stage": "drawing", "thread": "main", "cpu": 1e-3, "wall": 2e-3}], **more}
-    recording.Recording().judge(result)
+    toolkit.Recording().judge(result)
     return result
 
 
@@ -92,8 +92,8 @@ class Recording(BuildCase):
             films[broken]["seen"] = "599 frames"
             result = filmed(*films)
             self.assertIsNone(result["reached"]["wall time over encoding only"])
-            self.assertIn("MISSED", recording.Recording().text([result]))
-            self.assertIsNone(recording.Recording().drawn([result])["speed"].groups[0][3][0][0])
+            self.assertIn("MISSED", toolkit.Recording().text([result]))
+            self.assertIsNone(toolkit.Recording().drawn([result])["speed"].groups[0][3][0][0])
 
     def test_compares_frames_at_rest_with_moving_ones_without_their_start(self) -> None:
         films = [film("boxreel", 601, wall=1.6), film("start", 1, wall=1.0), film("moving", 421, wall=5.2),
@@ -106,10 +106,10 @@ class Recording(BuildCase):
     def test_keeps_our_film_when_a_peer_fails(self) -> None:
         result = filmed(film("boxreel"), {"role": "immediate", "method": "immediate", "ours": False, "frames": 600, "failure": "no GL"})
         self.assertEqual(result["methods"][1]["verdict"], "no GL")
-        self.assertIn("no GL", recording.Recording().text([result]))
+        self.assertIn("no GL", toolkit.Recording().text([result]))
 
     def test_charts_speed_and_stages(self) -> None:
-        charts = recording.Recording().drawn([filmed(film("boxreel"), film("encodeOnly", wall=6.0))])
+        charts = toolkit.Recording().drawn([filmed(film("boxreel"), film("encodeOnly", wall=6.0))])
         self.assertEqual(charts["speed"].groups[0][3], [(2.0, "2.00×")])
         self.assertEqual(charts["stages"].groups[0][3], [(1.0, "1.00")])
 
@@ -117,7 +117,7 @@ class Recording(BuildCase):
         take = {"frames": 10**9, "width": 1280, "height": 720, "from": 0, "take": []}
         self.program("boxreel_record_bench", f"log \"$1\"; echo '{json.dumps(take)}'")
         with self.assertRaises(Problem) as caught:
-            recording.Recording().measure(self.folder / "build", {"case": "pyramid", "what": ""}, OPTIONS, self.folder)
+            toolkit.Recording().measure(self.folder / "build", {"case": "pyramid", "what": ""}, OPTIONS, self.folder)
         self.assertEqual(caught.exception.code, 4)
         self.assertIn("TMPDIR", str(caught.exception))
         self.assertEqual(self.calls(), ["films"])
@@ -140,9 +140,9 @@ esac""")
 
     def measured(self, **options: object) -> dict:
         """The result of a scene."""
-        result = comparing.Comparing().measure(self.folder / "build", comparing.Comparing().cases(self.folder)[0],
+        result = toolkit.Comparing().measure(self.folder / "build", toolkit.Comparing().cases(self.folder)[0],
                                                argparse.Namespace(**{**vars(OPTIONS), **options}), self.folder)
-        comparing.Comparing().judge(result)
+        toolkit.Comparing().judge(result)
         return result
 
     def test_counts_what_is_found_missed_and_a_false_alarm(self) -> None:
@@ -151,7 +151,7 @@ esac""")
         ours = result["methods"][0]
         self.assertEqual([one["different"] for one in ours["pictures"]], [True, False])
         ours["pictures"][0]["different"], ours["pictures"][1]["different"] = False, True
-        row = next(line for line in comparing.Comparing().text([result]).splitlines() if "same-machine" in line)
+        row = next(line for line in toolkit.Comparing().text([result]).splitlines() if "same-machine" in line)
         self.assertEqual(row.split()[3:5], ["0/1!", "1/1!"])
 
     def test_takes_the_median_of_both_clocks(self) -> None:

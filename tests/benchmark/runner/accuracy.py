@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Cases whose truth is known: error against CPU time, for each engine with many settings."""
-from __future__ import annotations
-
 import itertools
 import math
 from pathlib import Path
-from typing import Any
+from typing import Iterator
 
 from . import charts
-from .common import (GOALS, TEXTS, Benchmark, Problem, Result, columns_table, is_met, is_number, note, objects, run,
-                     table, time_text, times_text)
-from .engine import PEERS, is_goal_peer
+from .common import (
+    GOALS, TEXTS, Benchmark, Result, attempt, is_met, is_number, note, objects, run, table, time_text, times_text)
+from .engine import GOAL_PEER, PEERS
 
 SETTINGS = ("velocityIterations", "positionIterations", "hz", "subSteps")
 SWEEP = (((4, 2), (8, 3), (20, 10), (50, 20)), (60, 120, 240, 480), (1, 2, 4, 8, 16))
@@ -18,13 +16,9 @@ LONG = 0.3  # [s]; what takes longer by itself is timed once, for a sweep takes 
 VARIED = {"subSteps": ("-", " sub-steps"), "hz": ("--", " Hz"), "velocityIterations": (":", "")}  # strokes, and units
 
 
-def first_run(path: Path, case: str, settings: tuple[int, ...]) -> Result:
-    """The figures of one run with everything looked at, or why there are none."""
-    try:
-        return objects(run([path, "accuracy", case, *settings]).output)[-1]
-    except Problem as problem:
-        note(f"{path.name}: {problem}")
-        return {"engine": path.name, **dict(zip(SETTINGS, settings)), "failure": "failed"}
+def goals_of(result: Result) -> dict[str, str]:
+    """Those of a case; without a goal every error is small enough."""
+    return GOALS["accuracy"].get(result["case"], {})
 
 
 def ending(one: Result) -> str:
@@ -32,24 +26,16 @@ def ending(one: Result) -> str:
     return one.get("failure") or one["ending"] or ("" if one["held"] and is_number(one["error"]) else "not finite")
 
 
-def verdict(goals: dict[str, str], one: Result) -> str:
-    """"goal met", "" where the error is too large, how else it ended, or the remarks that miss their goals."""
-    missed = [f"{figure} {one['remarks'].get(figure)} ({goal})" for figure, goal in goals.items()
-              if figure != "error" and not ending(one) and not is_met(goal, one["remarks"].get(figure))]
-    is_small = not ending(one) and is_met(goals.get("error", "<= inf"), one["error"])
-    return ending(one) or ", ".join(missed) or ("goal met" if is_small else "")
-
-
-def usual(result: Result, engine: str, steps: int = 4) -> Result | None:
-    """An engine's run with 8/3 iterations at 60 Hz, with so many sub-steps if it has any."""
-    own = [one for one in result["runs"] if one["engine"] == engine]
-    steps = steps if any(one["subSteps"] > 1 for one in own) else 1
-    return next((one for one in own if [one[key] for key in SETTINGS] == [8, 3, 60, steps]), None)
-
-
 def engines_of(result: Result) -> list[str]:
     """In the order in which they first come; ours is the first."""
     return list(dict.fromkeys(one["engine"] for one in result["runs"]))
+
+
+def usual(result: Result, engine: str, steps: int = 4) -> Result:
+    """An engine's run with 8/3 iterations at 60 Hz, with so many sub-steps if it has any."""
+    own = [one for one in result["runs"] if one["engine"] == engine]
+    wanted = [8, 3, 60, steps if any(one["subSteps"] > 1 for one in own) else 1]
+    return next((one for one in own if [one[key] for key in SETTINGS] == wanted), {"failure": "not run"})
 
 
 def summary(results: list[Result], steps: int) -> str:
@@ -57,41 +43,58 @@ def summary(results: list[Result], steps: int) -> str:
     first, *others = engines_of(results[0])
     rows = [[f"{steps} sub-steps", "goal", "", first, "", *(cell for name in others for cell in (name, "", ""))]]
     for result in results:
-        ours, cells, slower = usual(result, first, steps), [], False
-        for engine in (first, *others):
-            one = usual(result, engine, steps)
-            timed = one and ours and "failure" not in one and "failure" not in ours
-            ratio = one["cpu"] / ours["cpu"] if timed else 1.0
-            slower = slower or (is_goal_peer(engine) and ratio < 1.0)
-            times = [time_text(one["cpu"]), times_text(ratio)] if timed else ["", ""]
-            error = (ending(one) or f"{one['error']:.3g}") if one else "not run"
-            cells += [error, *(times if engine != first else times[:1])]
-        said, goal = ours["verdict"] if ours else "not run", GOALS["accuracy"].get(result["case"], {}).get("error", "")
-        rows.append([result["case"], goal[3:], result["unit"], *cells,
+        ours, *peers = runs = [usual(result, engine, steps) for engine in (first, *others)]
+        cells = []
+        for one in runs:
+            cells.append(ending(one) or f"{one['error']:.3g}")
+            timed = "failure" not in one and "failure" not in ours
+            cells += [time_text(one["cpu"]), times_text(one["cpu"] / ours["cpu"])] if timed else ["", ""]
+        del cells[2]  # ours over ours
+        slower = any(one["engine"].startswith(GOAL_PEER) and one["cpu"] < ours.get("cpu", 0.0)
+                     for one in peers if "failure" not in one)
+        said = ours.get("verdict", "not run")
+        rows.append([result["case"], goals_of(result).get("error", "")[3:], result["unit"], *cells,
                      "goal met" + ", slower" * slower if said == "goal met" else f"goal not met {said}"])
     return table("<>>>>" + ">>>" * len(others) + "<", rows)
+
+
+def points_of(result: Result, engine: str, floor: float) -> Iterator[tuple[str, str, charts.Point]]:
+    """Curves of the settings that vary, one of them along each, and all other settings as specks."""
+    base = usual(result, engine)
+    own = rest = [one for one in result["runs"] if one["engine"] == engine and "failure" not in one]
+
+    def point(one: Result, label: str = "", optional: bool = True) -> charts.Point:
+        mark = "x" if one["verdict"] not in ("goal met", "") else "o" if one is base else "." if label else "speck"
+        error = max(one["error"], floor) if is_number(one["error"]) else None
+        return charts.Point(one["cpuOfFrame"] * 1e6, error, label, mark, optional)
+
+    for key, (stroke, unit) in VARIED.items():
+        line = sorted((one for one in own if all(one[other] == base.get(other) for other in VARIED if other != key)),
+                      key=lambda one: one[key])
+        for one in line if len(line) > 1 else []:
+            is_named = unit and one is line[-1]
+            words = f"{one[key]}{unit * is_named}" if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
+            yield engine, stroke, point(one, words if one is not base or key == "subSteps" else "", not is_named)
+            rest = [other for other in rest if other is not one]
+    yield from ((engine, "", point(one)) for one in rest)
 
 
 class Accuracy(Benchmark):
     """Cases with a sweep of settings each."""
     name, program, peers, list_words = "accuracy", "boxreel_bench", PEERS, ["accuracy-list"]
+    parts, key = ["{case}"], "runs"
 
-    def parts(self, cases: list[Result]) -> list[str]:
-        """A chart a case."""
-        return [case["case"] for case in cases]
-
-    def measure(self, build: Path, case: Result, options: Any, work: Path) -> Result:
-        """All settings of all engines in turn, `rounds` times; the least CPU time counts.
-
-        What makes a run longer is the machine's, which has slow spells that are longer than a run.
-        """
+    def measure(self, build: Path, case: Result, options, work: Path) -> Result:
+        """All settings of all engines in turn, `rounds` times; the least CPU time counts."""
+        # What makes a run longer is the machine's, which has slow spells that are longer than a run.
         sweeps = []
         for path in self.programs(build, options):
             most = 4 if options.against else objects(run([path, *self.list_words]).output)[0]["maxSubSteps"]
             sweeps.append([(path, (*iterations, hz, steps)) for iterations, hz, steps in itertools.product(*SWEEP)
                            if steps <= most])
         turns = [entry for turn in itertools.zip_longest(*sweeps) for entry in turn if entry]
-        runs = {entry: first_run(entry[0], case["case"], entry[1]) for entry in turns}
+        runs = {(path, settings): dict(zip(SETTINGS, settings)) | attempt(path, "accuracy", case["case"], *settings)
+                for path, settings in turns}
         for (path, settings), one in list(runs.items()) * (options.rounds - 1):
             if "failure" not in one and 0.0 < one["cpu"] * one["steps"] < LONG:
                 again = run([path, "accuracy", case["case"], *settings, one["steps"]])
@@ -99,52 +102,31 @@ class Accuracy(Benchmark):
         return {**case, "runs": [runs[entry] for sweep in sweeps for entry in sweep]}
 
     def judge(self, result: Result) -> None:
-        """Adds verdicts, and the CPU time for 1/60 s, however many steps that takes: what settings are compared by."""
+        """Adds verdicts: "goal met", empty where the error is too large, how else it ended, or remarks that miss goals.
+
+        Settings are compared by the CPU time for 1/60 s, however many steps that takes.
+        """
         for one in result["runs"]:
-            one["verdict"] = verdict(GOALS["accuracy"].get(result["case"], {}), one)
-            one |= {"cpuOfFrame": one["cpu"] * one["hz"] / 60.0} if "failure" not in one else {}
+            missed = [f"{figure} {one['remarks'].get(figure)} ({goal})" for figure, goal in goals_of(result).items()
+                      if figure != "error" and not ending(one) and not is_met(goal, one["remarks"].get(figure))]
+            is_small = not ending(one) and is_met(goals_of(result).get("error", "<= inf"), one["error"])
+            one["verdict"] = ending(one) or ", ".join(missed) or ("goal met" if is_small else "")
+            if "failure" not in one:
+                one["cpuOfFrame"] = one["cpu"] * one["hz"] / 60.0
 
     def text(self, results: list[Result]) -> str:
-        """A row a run, and the summary."""
-        return "\n".join([columns_table(TEXTS["accuracy"]["columns"], results, "runs"), TEXTS["accuracy"]["summary"],
-                          summary(results, 2), summary(results, 4)])
+        return "\n".join([super().text(results), summary(results, 2), summary(results, 4)])
 
-    def drawn(self, results: list[Result]) -> dict[str, Any]:
-        """A chart for each case that held anywhere."""
+    def drawn(self, results: list[Result]) -> dict:
         made = {}
         for result in results:
-            goal = float(GOALS["accuracy"].get(result["case"], {}).get("error", "<= 0")[3:])
-            floor = 10.0 ** math.floor(math.log10(goal) - 3.5) if goal > 0.0 else 0.5  # nothing has no logarithm
-            texts = {**TEXTS["accuracy"], "title": result["case"], "subtitle": result["what"],
-                     "y": TEXTS["accuracy"]["y"].format(result["unit"])}
             if all(ending(one) for one in result["runs"]):
                 note(f"no run of '{result['case']}' held, so there is nothing to draw")
                 continue
-            curves = [self.curves(result, engine, color, floor) for color, engine in enumerate(engines_of(result))]
-            made[result["case"]] = charts.Lines(texts, sum(curves, []), (floor, f"≤ {floor:g}" if goal > 0.0 else "0"))
+            goal = float(goals_of(result).get("error", "<= 0")[3:])
+            floor = 10.0 ** math.floor(math.log10(goal) - 3.5) if goal > 0.0 else 0.5  # nothing has no logarithm
+            texts = TEXTS["accuracy"] | {"title": result["case"], "subtitle": result["what"]}
+            texts["y"] = texts["y"].format(result["unit"])
+            curves = charts.curves_of(one for engine in engines_of(result) for one in points_of(result, engine, floor))
+            made[result["case"]] = charts.Lines(texts, curves, (floor, f"≤ {floor:g}" if goal > 0.0 else "0"))
         return made
-
-    @staticmethod
-    def curves(result: Result, engine: str, color: int, floor: float) -> list[charts.Curve]:
-        """A curve for each setting that varies, and all other settings as specks."""
-        base, curves = usual(result, engine), []
-        own = [one for one in result["runs"] if one["engine"] == engine and "failure" not in one]
-        left = {id(one): one for one in own}
-
-        def point(one: Result, label: str = "", optional: bool = True) -> charts.Point:
-            mark = "x" if one["verdict"] not in ("goal met", "") else "o" if one is base else "." if label else "speck"
-            error = max(one["error"], floor) if is_number(one["error"]) else None
-            return charts.Point(one["cpuOfFrame"] * 1e6, error, label, mark, optional)
-
-        for key, (stroke, unit) in VARIED.items():
-            same = [other for other in VARIED if other != key]
-            line = sorted((one for one in own if base and all(one[other] == base[other] for other in same)),
-                          key=lambda one: one[key])
-            points = []
-            for one in line if len(line) > 1 else []:
-                words = str(one[key]) + unit * (one is line[-1]) if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
-                words = words if one is not base or key == "subSteps" else ""
-                points.append(point(one, words, not unit or one is not line[-1]))
-                left.pop(id(one), None)
-            curves += [charts.Curve(engine, color, stroke, points)] if points else []
-        return curves + ([charts.Curve(engine, color, "", [point(one) for one in left.values()])] if left else [])

@@ -1,22 +1,29 @@
 # SPDX-License-Identifier: MIT
 """What all benchmarks share: errors, child processes, goals, files, and numbers as text."""
-from __future__ import annotations
-
+import contextlib
+import functools
 import json
 import math
 import os
+import re
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
+from collections import namedtuple
 from pathlib import Path
-from typing import Any, Iterable, NamedTuple, NoReturn, Sequence
+from typing import Any
 
 UNUSABLE, ABSENT, FAILED = 1, 3, 4  # exit codes, the same as the program's
 Result = dict[str, Any]  # of a case: its name, what it is, and "methods", ours first
-# Bounds of figures by benchmark and case, such as "<= 5"; what is written on charts and below tables.
+# Bounds of figures by benchmark and case, such as "<= 5"; what is written on charts and in tables.
 GOALS, TEXTS = (json.loads(Path(__file__).with_name(name).read_text("utf-8")) for name in ("goals.json", "texts.json"))
+note = functools.partial(print, "bench:", file=sys.stderr, flush=True)  # prints a line about the progress
+TEXTS["curve"] = TEXTS["engine"] | TEXTS["curve"]  # the same table
+# What a program printed and needed, including the processes that it waited for: times [s], and the max resident
+# memory of one process [bytes].
+Ended = namedtuple("Ended", "output errors wall cpu memory code")
 
 
 class Problem(Exception):
@@ -27,16 +34,6 @@ class Problem(Exception):
         self.code = code
 
 
-class Ended(NamedTuple):
-    """What a program printed and needed, including the processes that it waited for."""
-    output: str
-    errors: str
-    wall: float  # [s]
-    cpu: float  # [s]
-    memory: float  # max resident memory of one process [bytes]
-    code: int
-
-
 class Benchmark:
     """A kind of measurement. Subclasses have `measure(build, case, options, work)`, which returns a Result;
     `judge(result)`, which adds verdicts and, in `reached`, what goals are for, None where a run is broken; and
@@ -44,6 +41,8 @@ class Benchmark:
     name = program = ""
     list_words = ["list"]
     peers: dict[str, str] = {}  # programs, and the packages that they were built with
+    parts = [""]  # what `drawn` adds to names, with figures of a case in braces
+    key = "methods"  # the member of a Result that has a row for each method
 
     def cases(self, build: Path) -> list[Result]:
         """All cases; those with `onlyNamed` are run when they are named."""
@@ -59,33 +58,22 @@ class Benchmark:
                 note(f"{name} was not built and is not compared; install {package} and build again")
         return found
 
-    def parts(self, cases: list[Result]) -> list[str]:
-        """What `drawn` adds to the names of the charts of these cases."""
-        return [""]
-
     def text(self, results: list[Result]) -> str:
         """A row a method, goals, and notes."""
         foot = "".join(f"{line}\n" for line in ["", *TEXTS[self.name].get("foot", [])])
-        return columns_table(TEXTS[self.name]["columns"], results) + goal_table(self.name, results) + foot
+        return columns_table(TEXTS[self.name]["columns"], results, self.key) + goal_table(self.name, results) + foot
 
 
-def note(sentence: str) -> None:
-    """Prints a line about the progress."""
-    print(f"bench: {sentence}", file=sys.stderr, flush=True)
-
-
-def run(words: Sequence[Any], *codes: int) -> Ended:
+def run(words: list, *codes: int) -> Ended:
     """Runs a program to its end. A Problem if it ends with another code than 0 or `codes`."""
-    with tempfile.TemporaryFile() as errors:
+    text = {"mode": "w+", "encoding": "utf-8", "errors": "replace"}
+    with tempfile.TemporaryFile(**text) as output, tempfile.TemporaryFile(**text) as errors:
         start = time.perf_counter()
         try:
-            child = subprocess.Popen([str(word) for word in words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                     stderr=errors)
+            child = subprocess.Popen(list(map(str, words)), stdin=subprocess.DEVNULL, stdout=output, stderr=errors)
         except OSError as error:
             raise Problem(f"cannot run '{words[0]}': {error.strerror}", FAILED) from error
         try:
-            with child.stdout:
-                output = child.stdout.read().decode(errors="replace")
             _, status, usage = os.wait4(child.pid, 0)
         except BaseException:  # also a signal to stop: no child is left behind
             child.kill()
@@ -93,23 +81,37 @@ def run(words: Sequence[Any], *codes: int) -> Ended:
             raise
         wall = time.perf_counter() - start
         code = child.returncode = os.waitstatus_to_exitcode(status)
+        output.seek(0)
         errors.seek(0)
-        said = errors.read().decode(errors="replace")
+        cpu, memory = usage.ru_utime + usage.ru_stime, 1024.0 * usage.ru_maxrss
+        ended = Ended(output.read(), errors.read(), wall, cpu, memory, code)
     if code not in (0, *codes):
-        last = (said.strip() or f"it ended with {code}").splitlines()[-1]
+        last = (ended.errors.strip() or f"it ended with {code}").splitlines()[-1]
         raise Problem(f"running '{words[0]}' failed: {last}", code if code in (UNUSABLE, ABSENT) else FAILED)
-    return Ended(output, said, wall, usage.ru_utime + usage.ru_stime, 1024.0 * usage.ru_maxrss, code)
+    return ended
 
 
 def objects(output: str) -> list[Result]:
     """The JSON objects among the lines that a program printed; libraries may print others."""
+    with contextlib.suppress(ValueError):
+        if found := [json.loads(line) for line in output.splitlines() if line.startswith("{")]:
+            return found
+    raise Problem(f"a benchmark program printed no figures: '{output.strip()[-200:]}'", FAILED)
+
+
+def attempt(path: Path, *words: Any) -> Result:
+    """The last figures that the program of an engine prints, or `failure`: the others are measured all the same."""
     try:
-        found = [json.loads(line) for line in output.splitlines() if line.startswith("{")]
-    except ValueError:
-        found = []
-    if not found:
-        raise Problem(f"a benchmark program printed no figures: '{output.strip()[-200:]}'", FAILED)
-    return found
+        return {"engine": path.name, **objects(run([path, *words]).output)[-1]}
+    except Problem as problem:
+        note(f"{path.name}: {problem}")
+        return {"engine": path.name, "failure": "failed"}
+
+
+def version_of(pattern: str, *words: str) -> str | None:
+    """The version that a peer prints after the pattern, if it runs."""
+    with contextlib.suppress(Problem):
+        return re.search(pattern + r" ([^ \n-]+)", run(words).output)[1]
 
 
 def program(build: Path, name: str) -> Path:
@@ -125,7 +127,7 @@ def is_number(value: Any) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
 
 
-def median_of(values: Sequence[Any]) -> Any:
+def median_of(values: list) -> Any:
     """The median; of objects that of each member, of what is no number the first."""
     if isinstance(values[0], dict):
         return {key: median_of([value[key] for value in values]) for key in values[0]}
@@ -139,36 +141,20 @@ def is_met(goal: str, value: float | None) -> bool:
     return is_number(value) and (value >= bound if goal.startswith(">=") else value <= bound)
 
 
-def goal_table(benchmark: str, results: list[Result]) -> str:
-    """A line for each goal whose figure is in the `reached` of its case."""
-    rows = [[result["case"], figure, digits(result["reached"][figure]), goal,
-             "met" if is_met(goal, result["reached"][figure]) else "MISSED"]
-            for result in results for figure, goal in GOALS[benchmark].get(result["case"], {}).items()
-            if figure in result["reached"]]
-    return "\n" + table("<<><<", [["goals", "", "reached", "goal", ""], *rows]) if rows else ""
-
-
-def read_results(path: str, benchmark: str) -> list[Result]:
-    """The results in a file that --json wrote."""
-    def refuse(constant: str) -> NoReturn:
-        raise ValueError(f"{constant} is no number of JSON")
+def read_results(path: str, benchmark: Benchmark) -> list[Result]:
+    """The results in a file that --json wrote, judged again. A ValueError or the like if it wrote another file."""
     try:
-        data = json.loads(Path(path).read_text(encoding="utf-8"), parse_constant=refuse)
-        if data["benchmark"] != benchmark or not data["results"]:
-            raise ValueError(f"it holds no results of '{benchmark}'")
-        return data["results"]
+        data = json.loads(Path(path).read_text("utf-8"), parse_constant=int)  # which refuses NaN and Infinity
     except OSError as error:
         raise Problem(f"cannot read '{path}': {error.strerror}; name another file") from error
-    except (KeyError, TypeError, ValueError, RecursionError) as error:
-        raise unusable(path, benchmark, error) from error
+    if data["benchmark"] != benchmark.name or not data["results"]:
+        raise ValueError(f"it holds no results of '{benchmark.name}'")
+    for result in data["results"]:
+        benchmark.judge(result)
+    return data["results"]
 
 
-def unusable(path: str, benchmark: str, error: Exception) -> Problem:
-    """Of a file that does not hold what was expected."""
-    return Problem(f"'{path}' is not what `./boxreel bench {benchmark} --json FILE` writes ({error}); make it again")
-
-
-def check_outputs(paths: Sequence[Path], force: bool) -> None:
+def check_outputs(paths: list[Path], force: bool) -> None:
     """Before minutes of work: whether these files can be written."""
     for path in paths:
         if paths.count(path) > 1:
@@ -204,7 +190,7 @@ def time_text(seconds: float | None) -> str:
     """7.26 ms, 350 µs."""
     if not is_number(seconds):
         return "–"
-    unit, scale = next(((u, s) for u, s in (("s", 1.0), ("ms", 1e-3)) if seconds >= 0.9995 * s), ("µs", 1e-6))
+    unit, scale = ("s", 1.0) if seconds >= 0.9995 else ("ms", 1e-3) if seconds >= 0.9995e-3 else ("µs", 1e-6)
     return f"{digits(seconds / scale)} {unit}"
 
 
@@ -213,18 +199,11 @@ def times_text(ratio: float | None) -> str:
     return f"{digits(ratio)}×" if ratio else ""
 
 
-def table(align: str, rows: Iterable[Sequence[str]]) -> str:
-    """Columns as wide as their widest cell, `<` or `>` each; a row may end early. Control characters become `?`."""
-    cells = [["".join(sign if sign.isprintable() else "?" for sign in cell) for cell in row] for row in rows]
-    widths = [max((len(row[i]) for row in cells if i < len(row)), default=0) for i in range(len(align))]
-    return "".join("  ".join(f"{cell:{way}{width}}" for cell, way, width in zip(row, align, widths)).rstrip() + "\n"
-                   for row in cells)
-
-
-FORMATS = {"name": str, "text": str, "digits": digits, "time": time_text, "times": times_text,
-           "count": lambda value: f"{value:.0f}", "error": lambda value: f"{value:.4g}",
-           "spread": lambda value: f"{value:.2f}{'!' * (value > 2.0)}",
+FORMATS = {"name": str, "text": str, "calls": str, "digits": digits, "time": time_text, "times": times_text,
+           "count": "{:.0f}".format, "error": "{:.4g}".format,
+           "spread": lambda value: f"{value:.2f}{'!' * (value > 2.0)}", "same": {True: "same", False: "DIFFERENT"}.get,
            "kB": lambda value: f"{value / 1024.0:.1f} MB", "MB": lambda value: digits(value / 1e6)}
+TO_THE_LEFT = ("name", "text", "same")
 
 
 def value_at(one: Result, path: str) -> Any:
@@ -239,11 +218,32 @@ def cell(one: Result, path: str, kind: str) -> str:
     return "/".join(FORMATS[kind](value) for value in values if value is not None)
 
 
+def table(align: str, rows: list[list[str]]) -> str:
+    """Columns as wide as their widest cell, `<` or `>` each; a row may end early. Control characters become `?`."""
+    cells = [["".join(sign if sign.isprintable() else "?" for sign in cell) for cell in row] for row in rows]
+    widths = [max((len(row[i]) for row in cells if i < len(row)), default=0) for i in range(len(align))]
+    return "".join("  ".join(f"{cell:{way}{width}}" for cell, way, width in zip(row, align, widths)).rstrip() + "\n"
+                   for row in cells)
+
+
 def columns_table(columns: list[list[str]], results: list[Result], key: str = "methods") -> str:
-    """A row for each method of each case, with its name and the verdict alone where it failed."""
-    rows = [["case", *(head for head, _, _ in columns)]]
+    """A row for each method of each case, or for each result without any, by columns of (head, path, kind).
+
+    The name of a case stands where it begins; a method that failed has its name and verdict alone.
+    """
+    cells = [[head for head, _, _ in columns]]
     for result in results:
-        for number, one in enumerate(result[key]):
-            shown = [column for column in columns if "failure" not in one or column[2] in ("name", "text")]
-            rows.append([result["case"] if number == 0 else "", *(cell(one, path, kind) for _, path, kind in shown)])
-    return table("<" + "".join("<" if kind in ("name", "text") else ">" for _, _, kind in columns), rows)
+        for number, one in enumerate(result.get(key, [result])):
+            shown = [column for column in columns if "failure" not in one or column[2] in TO_THE_LEFT]
+            one = {**one, "case": result.get("case") if number == 0 else ""}
+            cells.append([cell(one, path, kind) for _, path, kind in shown])
+    return table("".join("<" if kind in TO_THE_LEFT else ">" for _, _, kind in columns), cells)
+
+
+def goal_table(name: str, results: list[Result]) -> str:
+    """A line for each goal whose figure is in the `reached` of its case."""
+    rows = [[result["case"], figure, digits(result["reached"][figure]), goal,
+             "met" if is_met(goal, result["reached"][figure]) else "MISSED"]
+            for result in results for figure, goal in GOALS.get(name, {}).get(result["case"], {}).items()
+            if figure in result.get("reached", {})]
+    return "\n" + table("<<><<", [["goals", "", "reached", "goal", ""], *rows]) if rows else ""
