@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <set>
 #include <string_view>
 
@@ -17,6 +18,10 @@ namespace
 
 /// More than this is more than one idea.
 constexpr std::size_t kMaxLines = 700;
+
+/// ctest and CI print names in one line beside status and time; longer names describe two
+/// behaviours.
+constexpr std::size_t kMaxTestName = 60;
 
 /// The folder of somebody's machine that a line names, or empty. A name inside a longer path
 /// ("build/…", "${…}/…", an address of the web) does not count.
@@ -77,6 +82,36 @@ Findings CheckFiles(const fs::path& root)
             {
                 findings.push_back(At(path, i + 1) + "names a folder of one machine (" + folder +
                                    "…)");
+            }
+        }
+    }
+    return findings;
+}
+
+Findings CheckTestNames(const fs::path& root)
+{
+    static const std::regex test(R"(\bTEST(?:_F|_P)?\s*\(\s*(\w+)\s*,\s*(\w+)\s*\))");
+    Findings findings;
+    for (const std::string& path : FilesBelow(root))
+    {
+        if (!IsCpp(path))
+        {
+            continue;
+        }
+        std::string text;
+        for (const std::string& line : ReadLines(root / path))
+        {
+            text += line + "\n";
+        }
+        for (std::sregex_iterator found(text.begin(), text.end(), test), end; found != end; ++found)
+        {
+            const std::string name = (*found)[1].str() + "." + (*found)[2].str();
+            if (name.size() > kMaxTestName)
+            {
+                const auto lines = std::count(text.cbegin(), (*found)[0].first, '\n');
+                findings.push_back(At(path, std::size_t(lines) + 1) + name + " has " +
+                                   std::to_string(name.size()) + " characters; the limit is " +
+                                   std::to_string(kMaxTestName));
             }
         }
     }

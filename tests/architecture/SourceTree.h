@@ -23,6 +23,9 @@ Findings CheckForeignLibraries(const std::filesystem::path& root);
 /// The licence line on top, at most 700 lines, no absolute path of somebody's machine.
 Findings CheckFiles(const std::filesystem::path& root);
 
+/// Names of tests (`Suite.Name`, without program and parameter) of more than 60 characters.
+Findings CheckTestNames(const std::filesystem::path& root);
+
 /// Commands in `compileCommands` (compile_commands.json) for sources below `root` that would let
 /// the compiler change floating-point results.
 Findings CheckExactArithmetic(const std::filesystem::path& root,

@@ -74,6 +74,12 @@ TEST(Checkout, HasALicenceLineShortFilesAndNoMachinePaths)
     EXPECT_TRUE(findings.empty()) << Lines(findings);
 }
 
+TEST(Checkout, HasNoTestNameOverSixtyCharacters)
+{
+    const Findings findings = CheckTestNames(kCheckout);
+    EXPECT_TRUE(findings.empty()) << Lines(findings);
+}
+
 TEST(Checkout, IsCompiledWithExactArithmetic)
 {
     const Findings findings = CheckExactArithmetic(kCheckout, BOXREEL_COMPILE_COMMANDS);
@@ -187,6 +193,18 @@ TEST_F(PlantedTree, MissingLicencesLongFilesAndMachinePathsAreFound)
                 ElementsAre(StartsWith("render/src/Bare.cpp:1: does not open"),
                             StartsWith("render/src/Long.cpp:701: is longer than"),
                             StartsWith("tests/run.cmake:1: names a folder")));
+}
+
+TEST_F(PlantedTree, TestNamesOverSixtyCharactersAreFound)
+{
+    const std::string kept(54, 'a'); // with "Suite." 60
+    // Put together here so as not to find themselves.
+    Plant("tests/base/NameTest.cpp", "TE" + ("ST(Suite, " + kept + ")\n") + "TE" +
+                                         ("ST_F(Suite, " + kept + "b)\n") + "TE" +
+                                         ("ST_P(\n    Suite,\n    " + kept + "c)\n"));
+    EXPECT_THAT(CheckTestNames(m_root),
+                ElementsAre(StartsWith("tests/base/NameTest.cpp:2: Suite." + kept + "b has 61"),
+                            StartsWith("tests/base/NameTest.cpp:3: Suite." + kept + "c has 61")));
 }
 
 TEST_F(PlantedTree, InexactCompileCommandsAreFound)

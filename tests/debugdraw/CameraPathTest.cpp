@@ -98,7 +98,7 @@ TEST(CameraPath, PansWhereTheHeightsAreTheSameOrNearly)
     }
 }
 
-TEST(CameraPath, NeverLeavesWhatLiesBetweenTwoKeysAndNeverTurnsBack)
+TEST(CameraPath, StaysBetweenKeys)
 {
     std::mt19937 random(3);
     for (int i = 0; i < 200; ++i)

@@ -88,7 +88,7 @@ TEST(Camera, MapsPixelsAndMetresBackAndForth)
     }
 }
 
-TEST(Camera, FindsEveryPixelAgainAtAnySizeWhereFloatsAreFinerThanPixels)
+TEST(Camera, MapsEveryPixelToWorldAndBackAtAnySize)
 {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -125,7 +125,7 @@ TEST(Camera, FindsEveryPixelAgainAtAnySizeWhereFloatsAreFinerThanPixels)
     }
 }
 
-TEST(Camera, HasItsCentreInTheMiddleOfTheMiddlePixelWhenTheSizeIsOdd)
+TEST(Camera, CentersOnMiddlePixelWhenSizeIsOdd)
 {
     const int sizes[][2] = {{1, 1}, {33, 17}, {8191, 4321}};
     for (const auto& [width, height] : sizes)

@@ -108,7 +108,7 @@ TEST_F(Collected, ColoursAreRoundedToTheNearestAndCutToTheirRange)
     }
 }
 
-TEST_F(Collected, SolidPolygonsOfUpToEightCornersAreFilledAndLargerOnesOutlined)
+TEST_F(Collected, FillsSolidPolygonsOfAtMostEightCorners)
 {
     collector.DrawSolidPolygon(kOctagonAndMore, 8, b2Color(1.0f, 1.0f, 1.0f));
     collector.DrawSolidPolygon(kOctagonAndMore, 9, b2Color(1.0f, 1.0f, 1.0f));

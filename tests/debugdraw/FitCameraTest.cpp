@@ -237,7 +237,7 @@ TEST(FitCamera, FollowsBodiesFromTheDefaultViewWhenTheSceneIsEmpty)
     EXPECT_TRUE(Edges(camera.View()).Holds(BoxAt(70.0, 20.0)));
 }
 
-TEST(FitCamera, ShowsTheSameAtTheSameStepHoweverFramesAreSampled)
+TEST(FitCamera, ShowsSameViewAtSameStepForAnyFrameRate)
 {
     const auto viewsOf = [](int stepsPerFrame) {
         FitCamera camera(1280, 720, kScene);

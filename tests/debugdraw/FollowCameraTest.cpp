@@ -84,7 +84,7 @@ TEST(FollowCamera, StaysBitForBitStillWhenABoxTwitches)
     }
 }
 
-TEST(FollowCamera, ComesToRestWhereverItStopsAndStaysThereWhenTheBoxTwitches)
+TEST(FollowCamera, StaysAtRestWhenBoxMovesSlightly)
 {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-50.0, 50.0);
@@ -182,7 +182,7 @@ TEST(FollowCamera, StartsAndStopsSoftly)
     EXPECT_EQ(speedBefore, 0.0) << "comes to rest";
 }
 
-TEST(FollowCamera, ShowsTheSameAtTheSameStepHoweverFramesAreSampled)
+TEST(FollowCamera, ShowsSameViewAtSameStepForAnyFrameRate)
 {
     const auto viewsOf = [](int stepsPerFrame) {
         FollowCamera camera(1280, 720, BoxAt(0.0, 10.0), kHeight);

@@ -93,7 +93,7 @@ TEST_F(WorldArrows, TheScaleOfForcesSuitsTheWorld)
     EXPECT_NEAR(MetersPerNewtonFor(scene.world) * 50.0, 2.02 / 8.0, 1e-4);
 }
 
-TEST_F(WorldArrows, VelocitiesAreOldestFirstHoweverBodiesSleptAndWoke)
+TEST_F(WorldArrows, OrdersVelocitiesByBodyAgeAfterSleep)
 {
     for (int i = 0; i < 6; ++i)
     {

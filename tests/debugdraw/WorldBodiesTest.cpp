@@ -397,7 +397,7 @@ TEST_F(Labels, KeepClearOfSigns)
     EXPECT_FALSE(Overlap(box, Rect{{-0.12f, 0.055f}, {0.12f, 0.105f}}));
 }
 
-TEST_F(WorldBodies, WithAViewTheNamesAreThoseOfAPictureOfEverythingInTheSameOrder)
+TEST_F(WorldBodies, NamesBodiesInViewInOrderOfWholeWorld)
 {
     for (int i = 0; i < 40; ++i)
     {

@@ -91,7 +91,7 @@ TEST_F(WorldBounds, EverythingIsTheWideGroundToo)
     EXPECT_FALSE(BoundsOfEverything(b2World(b2Vec2(0.0f, 0.0f))).IsEmpty());
 }
 
-TEST_F(WorldBounds, ChosenBodiesAreBoxedAndThoseWithoutShapesArePoints)
+TEST_F(WorldBounds, TreatsChosenBodiesWithoutShapesAsPoints)
 {
     const b2Body* box = Add(b2_staticBody, -3.0f, 2.0f, 1.0f, 1.0f);
     Add(b2_dynamicBody, 90.0f, 90.0f, 1.0f, 1.0f);

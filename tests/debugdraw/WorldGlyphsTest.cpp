@@ -49,7 +49,7 @@ struct WorldGlyphs : testing::Test
 
 } // namespace
 
-TEST_F(WorldGlyphs, AHingeIsACircleWithADotAtItsAnchorOfTheSamePixelsInEveryView)
+TEST_F(WorldGlyphs, DrawsHingeAsCircleWithDotOfFixedPixelSize)
 {
     b2RevoluteJointDef hinge;
     hinge.Initialize(a, b, b2Vec2(1.0f, 2.0f));

@@ -331,7 +331,7 @@ TEST(EdgeManifold, OfAnEdgeWithoutLengthIsStillFinite)
 }
 
 // Tested by itself for the ends: a circle beside a vertex belongs to the neighbour above its edge.
-TEST(EdgeManifold, CircleAtAConcaveVertexTouchesBothEdgesAndNeverTheVertex)
+TEST(EdgeManifold, CircleAtConcaveVertexTouchesEdgesNotVertex)
 {
     const b2Vec2 vs[3] = {{-5.0f, 2.0f}, {0.0f, 0.0f}, {5.0f, 2.0f}};
     b2ChainShape chain;

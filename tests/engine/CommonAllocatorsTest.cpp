@@ -69,7 +69,7 @@ TEST(Timer, DoesNotRunBackwards)
     EXPECT_GE(timer.GetMilliseconds(), 0.0f);
 }
 
-TEST_F(CountedMemory, AllLargeBlocksPassThroughTheReplaceableFunctions)
+TEST_F(CountedMemory, AllocatesLargeBlocksByReplaceableFunctions)
 {
     {
         b2BlockAllocator blocks;
@@ -115,7 +115,7 @@ struct alignas(64) Line
     int numbers[16];
 };
 
-TEST_F(CountedMemory, ArraysOfWholeCacheLinesStartWithOneAndGiveAllBack)
+TEST_F(CountedMemory, AlignsCacheLineArraysAndFreesAll)
 {
     {
         box2d::Array<Line> lines;

@@ -76,7 +76,7 @@ TEST(SinCos, IsExactAtZeroAndAccurateAtQuarterTurns)
     }
 }
 
-TEST(SinCos, StaysOnTheUnitCircleForHugeAnglesAndIsNanForInfiniteOnes)
+TEST(SinCos, StaysOnUnitCircleForHugeAnglesAndIsNanForInfinite)
 {
     for (const float angle : {1.0e7f, -3.0e12f, 3.0e38f})
     {

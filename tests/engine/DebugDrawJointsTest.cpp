@@ -64,7 +64,7 @@ TEST(DebugDrawJoints, APulleyIsItsRopeOverTheGroundAnchors)
                                      Between(groundB, anchorB)));
 }
 
-TEST(DebugDrawJoints, AMouseJointIsTheLineFromItsTargetToThePointHeld)
+TEST(DebugDrawJoints, DrawsMouseJointFromTargetToAnchor)
 {
     Scene scene;
     b2MouseJointDef def;

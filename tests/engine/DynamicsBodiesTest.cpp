@@ -32,7 +32,7 @@ TEST(DynamicsBodies, MassComesFromTheFixtures)
     EXPECT_FLOAT_EQ(body->GetLocalCenter().x, 0.0f);
 }
 
-TEST(DynamicsBodies, AreMeasuredWithTheNewestFixtureAsWithAllOfThem)
+TEST(DynamicsBodies, UpdatesExtentsByNewFixtureAsByReset)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 1.0f, 2.0f);
@@ -54,7 +54,7 @@ TEST(DynamicsBodies, AreMeasuredWithTheNewestFixtureAsWithAllOfThem)
     }
 }
 
-TEST(DynamicsBodies, InertiaIsRightForAShapeFarFromTheOriginOfItsBody)
+TEST(DynamicsBodies, ComputesInertiaOfShapeFarFromBodyOrigin)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
@@ -139,7 +139,7 @@ TEST(DynamicsBodies, StaticAndKinematicBodiesHaveNoMass)
     }
 }
 
-TEST(DynamicsBodies, WithFixedRotationTheInertiaIsZeroWhereverTheCentreIs)
+TEST(DynamicsBodies, HasZeroInertiaForAnyCentreIfRotationIsFixed)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
@@ -154,7 +154,7 @@ TEST(DynamicsBodies, WithFixedRotationTheInertiaIsZeroWhereverTheCentreIs)
     EXPECT_NEAR(body->GetInertia(), 1.0f / 6.0f + 4.0f, 1e-5f);
 }
 
-TEST(DynamicsBodies, ChangingTheMassKeepsThePlaceAndTheVelocityOfEveryPoint)
+TEST(DynamicsBodies, KeepsPlaceAndPointVelocitiesWhenMassChanges)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* body = scene.Box(1.0f, 2.0f);
@@ -170,7 +170,7 @@ TEST(DynamicsBodies, ChangingTheMassKeepsThePlaceAndTheVelocityOfEveryPoint)
     EXPECT_NEAR(after.y, before.y, 1e-5f);
 }
 
-TEST(DynamicsBodies, KeepTheirVelocityWhenTheTypeChangesBetweenMovingOnes)
+TEST(DynamicsBodies, KeepsVelocityBetweenDynamicAndKinematic)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -187,7 +187,7 @@ TEST(DynamicsBodies, KeepTheirVelocityWhenTheTypeChangesBetweenMovingOnes)
     EXPECT_EQ(body->GetAngularVelocity(), 0.0f);
 }
 
-TEST(DynamicsBodies, ChangeTypeInEveryDirectionWhileTouchedAndJoined)
+TEST(DynamicsBodies, ChangesToEveryTypeWhileTouchedAndJoined)
 {
     for (const b2BodyType from : {b2_staticBody, b2_kinematicBody, b2_dynamicBody})
     {
@@ -237,7 +237,7 @@ TEST(DynamicsBodies, AnInactiveBodyTakesNoPartUntilItIsActivated)
     EXPECT_LT(box->GetPosition().y, place.y);
 }
 
-TEST(DynamicsBodies, AForceOnABodyThatIsThenDeactivatedIsNotKeptForLater)
+TEST(DynamicsBodies, DiscardsForceWhenBodyIsDeactivated)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* box = scene.Box(0.0f, 0.0f);
@@ -437,7 +437,7 @@ std::vector<float32> HeightsOfStackAt(float32 place)
     return heights;
 }
 
-TEST(DynamicsBodies, StandInAStackTenKilometresAwayAsTheyDoAtTheOrigin)
+TEST(DynamicsBodies, StacksTenKilometresAwayAsAtOrigin)
 {
     constexpr float32 kSpacingOfFloats = 0.001f; // at 10 km
     const std::vector<float32> near = HeightsOfStackAt(0.0f);

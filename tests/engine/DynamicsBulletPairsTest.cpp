@@ -52,7 +52,7 @@ bool Overlap(b2Body& a, b2Body& b)
                          b.GetTransform());
 }
 
-TEST(BulletPairs, WhoseWaysStayApartHaveNoContactThoughTheirBoxesOverlap)
+TEST(BulletPairs, HaveNoContactWhenPathsStayApart)
 {
     Scene scene(b2Vec2_zero);
     b2Body* one = Bullet(scene, b2Vec2(0.0f, 0.0f), b2Vec2(60.0f, 60.0f));
@@ -90,7 +90,7 @@ TEST(BulletPairs, OneThatHasStoppedIsMetByOneThatComesSlowly)
     }
 }
 
-TEST(BulletPairs, AWallIsMetByABulletThatWasTurnedRoundAndSlowedDown)
+TEST(BulletPairs, FindWallAfterBulletTurnsAndSlows)
 {
     Scene scene(b2Vec2_zero);
     b2Body* bullet = Bullet(scene, b2Vec2(-10.0f, -7.0f), b2Vec2(60.0f, 60.0f));
@@ -241,7 +241,7 @@ private:
     std::vector<b2Body*> m_bodies;
 };
 
-TEST(BulletPairs, NoneThatOverlapsIsWithoutContactWhateverTheProgramDoes)
+TEST(BulletPairs, HaveContactsWhenOverlappingAfterAnyUserChange)
 {
     int overlaps = 0;
     int swept = 0;

@@ -175,7 +175,7 @@ TEST(DynamicsContactEvents, NameTheOlderBodyFirst)
     }
 }
 
-TEST(DynamicsContactEvents, ADisabledContactDoesNotPushAndIsEnabledAgain)
+TEST(DynamicsContactEvents, DisabledContactPushesInNextStep)
 {
     Scene scene;
     Recorder events;
@@ -198,7 +198,7 @@ TEST(DynamicsContactEvents, ADisabledContactDoesNotPushAndIsEnabledAgain)
     EXPECT_GE(box->GetLinearVelocity().y, -1e-3f);
 }
 
-TEST(DynamicsContactEvents, AOneSidedPlatformLetsThroughFromBelowOnly)
+TEST(DynamicsContactEvents, OneSidedPlatformPassesFromBelowOnly)
 {
     Scene scene;
     Recorder events;
@@ -253,7 +253,7 @@ b2Vec2 GravityOnSlope(float32 angle)
 }
 
 // s = (g sin a - mu g cos a) t^2 / 2
-TEST(DynamicsFriction, ABoxSlidesDownASlopeAsFarAsTheClosedFormSays)
+TEST(DynamicsFriction, BoxSlidesDownSlopeByClosedForm)
 {
     constexpr float32 angle = 0.5f;
     Scene scene(GravityOnSlope(angle));
@@ -268,7 +268,7 @@ TEST(DynamicsFriction, ABoxSlidesDownASlopeAsFarAsTheClosedFormSays)
     EXPECT_NEAR(box->GetLinearVelocity().x, acceleration * 2.0f, 0.05f);
 }
 
-TEST(DynamicsFriction, ABoxHoldsBelowTheAngleOfReposeAndSlidesAboveIt)
+TEST(DynamicsFriction, BoxHoldsBelowAngleOfReposeAndSlidesAbove)
 {
     for (const float32 mu : {0.2f, 0.5f, 1.0f})
     {

@@ -128,7 +128,7 @@ TEST(DynamicsContinuous, AThinSpinningRodDoesNotPassAnEdge)
     }
 }
 
-TEST(DynamicsContinuous, ARodThatIsThinAcrossTheAxesDoesNotPassEither)
+TEST(DynamicsContinuous, StopsRodThatIsThinAlongDiagonal)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     scene.Wall(5.0f, 0.01f);
@@ -167,7 +167,7 @@ TEST(DynamicsContinuous, AFastPlatformTakesASleepingBallAlong)
 }
 
 // What lies on it takes it into an impact as a neighbour; that must leave no trace.
-TEST(DynamicsContinuous, APlatformThatSleepsThroughAnImpactStopsWhatFallsOnItLater)
+TEST(DynamicsContinuous, SleepingPlatformStopsBodiesAfterImpact)
 {
     for (int i = 0; i < 20; ++i)
     {
@@ -252,7 +252,7 @@ struct Counter : b2ContactListener
     bool disable = false;
 };
 
-TEST(DynamicsContinuous, AnImpactWithinAStepIsReportedWithItsImpulse)
+TEST(DynamicsContinuous, ReportsImpulseOfImpactWithinStep)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     Counter counter;
@@ -320,7 +320,7 @@ TEST(DynamicsContinuous, ABoxThatSpinsIntoACornerKeepsItsEnergy)
     EXPECT_LT(maximum, 1.0001);
 }
 
-TEST(DynamicsContinuous, AContactDisabledAtTheImpactLetsTheBodyGoOnItsWay)
+TEST(DynamicsContinuous, BodyContinuesWhenContactIsDisabled)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     Counter counter;
@@ -337,7 +337,7 @@ TEST(DynamicsContinuous, AContactDisabledAtTheImpactLetsTheBodyGoOnItsWay)
     EXPECT_EQ(counter.postSolved, 0);
 }
 
-TEST(DynamicsContinuous, TwoBulletsWithADisabledContactAreAskedAboutOnce)
+TEST(DynamicsContinuous, CallsPreSolveOnceForDisabledBulletPair)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     Counter counter;
@@ -413,7 +413,7 @@ struct Launcher : public b2ContactListener
     b2Body* platform = nullptr;
 };
 
-TEST(DynamicsContinuous, APlatformThatAListenerSendsOffAtTheImpactIsFoundWhereItIs)
+TEST(DynamicsContinuous, UpdatesBoxOfPlatformMovedByListener)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     Launcher launcher;
@@ -434,7 +434,7 @@ TEST(DynamicsContinuous, APlatformThatAListenerSendsOffAtTheImpactIsFoundWhereIt
 }
 
 // The parts of a step that stops at each impact may be of different lengths.
-TEST(DynamicsContinuous, ATurningPlatformIsWhereItsBoxSaysBetweenThePartsOfAStep)
+TEST(DynamicsContinuous, BoxHoldsTurningPlatformWithinStep)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     scene.world.SetSubStepping(true);
@@ -475,7 +475,7 @@ struct BrokenOff : public Scene
     }
 };
 
-TEST(DynamicsContinuous, AStepThatWasBrokenOffIsOverWhenImpactsAreNoLongerLookedFor)
+TEST(DynamicsContinuous, EndsPartialStepWithoutContinuousPhysics)
 {
     BrokenOff scene;
     b2Body* free = scene.Ball(0.0f, 0.0f, 0.05f);
@@ -490,7 +490,7 @@ TEST(DynamicsContinuous, AStepThatWasBrokenOffIsOverWhenImpactsAreNoLongerLooked
 }
 
 // Thin, so that its box has hardly any margin.
-TEST(DynamicsContinuous, APlatformGoesOnAsItDidWhateverHitsItAndHoweverLongThePartsOfAStepAre)
+TEST(DynamicsContinuous, PlatformIgnoresImpactsInStepsOfAnyLength)
 {
     BrokenOff scene;
     b2Body* platforms[2];
@@ -511,7 +511,7 @@ TEST(DynamicsContinuous, APlatformGoesOnAsItDidWhateverHitsItAndHoweverLongThePa
 }
 
 // They hit each other and the wall by turns, more often than a step has impacts.
-TEST(DynamicsContinuous, AHeavyBulletDoesNotDriveALightBodyThroughAThinWall)
+TEST(DynamicsContinuous, HeavyBulletPushesNoLightBodyThroughWall)
 {
     for (int i = 0; i < 100; ++i)
     {
@@ -558,7 +558,7 @@ struct Lullaby : public b2ContactListener
 };
 
 // What hangs on a body that an impact has stopped is drawn back to it, but for what sleeps.
-TEST(DynamicsContinuous, AListenerMayPutToSleepWhatHangsOnABodyThatIsStopped)
+TEST(DynamicsContinuous, ListenerMayPutBodyJoinedToHitToSleep)
 {
     for (const int32 subSteps : {1, 2, 8})
     {

@@ -94,7 +94,7 @@ std::uint64_t RunScene(bool otherMemory, int32 subSteps)
     return StateHash(scene.world).Value();
 }
 
-TEST(DynamicsDeterminism, TheSameSceneGivesTheSameBitsWhereverItsMemoryLies)
+TEST(DynamicsDeterminism, SceneBitsAreIndependentOfAddresses)
 {
     for (const int32 subSteps : {1, 4})
     {

@@ -122,7 +122,7 @@ TEST(DynamicsRevoluteJoint, AMotorTakesNoMoreTorqueThanItMay)
     EXPECT_EQ(joint->GetMotorTorque(60.0f), 0.0f);
 }
 
-TEST(DynamicsRevoluteJoint, AMotorHoldsAnArmAgainstItsWeightUpToItsTorque)
+TEST(DynamicsRevoluteJoint, MotorHoldsArmUpToItsMaxTorque)
 {
     for (const float32 share : {0.9f, 1.1f})
     {

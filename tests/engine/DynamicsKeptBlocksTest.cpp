@@ -80,7 +80,7 @@ TEST(DynamicsKeptBlocks, GiveTheBitsOfBlocksRebuiltInEveryStep)
     }
 }
 
-TEST(DynamicsKeptBlocks, HoldAgainWhatAListenerHadSwitchedOffOnceItIsGone)
+TEST(DynamicsKeptBlocks, EnableContactsAgainWithoutListener)
 {
     Idle idle;
     Switcher one, another;
@@ -113,7 +113,7 @@ struct Leaver : public b2ContactListener
     b2World& world;
 };
 
-TEST(DynamicsKeptBlocks, HeedWhatAListenerSwitchesOffBeforeItTakesItselfAway)
+TEST(DynamicsKeptBlocks, SkipContactsDisabledByLeavingListener)
 {
     Scene scene;
     scene.Ground();
@@ -128,7 +128,7 @@ TEST(DynamicsKeptBlocks, HeedWhatAListenerSwitchesOffBeforeItTakesItselfAway)
     EXPECT_NEAR(box->GetLinearVelocity().y, 0.0f, 1e-3f) << "for one step only";
 }
 
-TEST(DynamicsKeptBlocks, AreRebuiltWhenAContactComesOrGoesOrChangesItsForm)
+TEST(DynamicsKeptBlocks, AreRebuiltWhenContactsChange)
 {
     Scene scene;
     scene.Ground();

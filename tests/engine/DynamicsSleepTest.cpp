@@ -171,7 +171,7 @@ TEST(DynamicsSleep, NothingSleepsOnAMovingPlatform)
     EXPECT_NEAR(box->GetPosition().x, 0.05f, 2e-3f);
 }
 
-TEST(DynamicsSleep, APlatformThatStopsSleepsWithWhatItCarriesAndWakesItWhenItStarts)
+TEST(DynamicsSleep, PlatformSleepsAndWakesWithItsLoad)
 {
     Scene scene;
     b2Body* platform = scene.Body(b2_kinematicBody, 0.0f, -0.5f);
@@ -189,7 +189,7 @@ TEST(DynamicsSleep, APlatformThatStopsSleepsWithWhatItCarriesAndWakesItWhenItSta
                 0.01f);
 }
 
-TEST(DynamicsSleep, WhatHangsFromAPlatformWakesWhenThePlatformStarts)
+TEST(DynamicsSleep, PlatformWakesJoinedBodiesWhenItStarts)
 {
     Scene scene;
     b2Body* trolley = scene.Body(b2_kinematicBody, 0.0f, 5.0f);
@@ -276,7 +276,7 @@ TEST(DynamicsSleep, ASleepingBoxMovedIntoTheAirFalls)
     EXPECT_FALSE(box->GetContactList() && box->GetContactList()->contact->IsTouching());
 }
 
-TEST(DynamicsSleep, AnAnchorThatIsDeactivatedOrMovedWakesWhatHangsFromIt)
+TEST(DynamicsSleep, AnchorWakesLoadWhenDeactivatedOrMoved)
 {
     for (const bool move : {false, true})
     {

@@ -488,7 +488,7 @@ TEST(EnergyGuard, TakesCorrectionsBackThatWindUpASpring)
 }
 
 /// All that moves would not pay for the spring: it must not have gone anywhere.
-TEST(EnergyGuard, StandsStillWhereSpeedsThatAreLostWouldWindUpASpring)
+TEST(EnergyGuard, UndoesMotionThatLoadsSpringTooMuch)
 {
     Pair pair;
     b2WeldJointDef def;
@@ -573,7 +573,7 @@ TEST(EnergyGuard, ChargesWhatAnImpactWithinTheStepHasLifted)
     EXPECT_NEAR(data.energyDebt, 2.5f - 0.5f * 5.0f - 0.5f * data.inertia * 4.0f, 1e-4f);
 }
 
-TEST(EnergyGuard, ChargesWhatAnImpactWithinTheStepHasPutIntoASpring)
+TEST(EnergyGuard, ChargesSpringEnergyOfImpactWithinStep)
 {
     Pair pair;
     b2WeldJointDef def;

@@ -32,7 +32,7 @@ bool operator==(const Seen& a, const Seen& b)
            a.transform.q.c == b.transform.q.c && a.center == b.center && a.angle == b.angle;
 }
 
-TEST(Interpolation, ShowsTheCentreOnAStraightLineAndTheAngleInProportion)
+TEST(Interpolation, InterpolatesCentreAndAngleLinearly)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* body = scene.Body(b2_dynamicBody, 10.0f, 20.0f);
@@ -144,7 +144,7 @@ TEST(Interpolation, SaysHowFarFromItsPlaceAnythingIsShown)
     EXPECT_GT(farthest, 0.01f);
 }
 
-TEST(Interpolation, LetsJumpWhatTheProgramPutsElsewhereAndGlideWhatItMovesALittle)
+TEST(Interpolation, JumpsForLargeAndGlidesForSmallUserMoves)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* jumps = scene.Box(0.0f, 0.0f);
@@ -164,7 +164,7 @@ TEST(Interpolation, LetsJumpWhatTheProgramPutsElsewhereAndGlideWhatItMovesALittl
     EXPECT_NEAR(fast->GetPosition().x, 2.5f, 1e-4f);
 }
 
-TEST(Interpolation, ShowsBodiesThatHaveComeWhereTheyAreAndMissesNoneThatHaveGone)
+TEST(Interpolation, ShowsNewBodiesAndSkipsDestroyedOnes)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* goes = scene.Box(0.0f, 0.0f);

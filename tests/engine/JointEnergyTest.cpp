@@ -13,7 +13,7 @@ using namespace dynamics;
 
 constexpr double kOmega = 2.0 * double(b2_pi) * 2.0; ///< of 2 Hz [1/s]
 
-TEST(JointEnergy, OfASpringThatHoldsABoxIsHalfOfStiffnessTimesTheSquareOfItsStretch)
+TEST(JointEnergy, SpringStoresHalfStiffnessTimesStretchSquared)
 {
     Scene scene;
     b2Body* box = scene.Box(3.0f, 0.0f); // 1 kg
@@ -43,7 +43,7 @@ TEST(JointEnergy, OfAMouseGrowsInAStraightLineBeyondItsForce)
                 1e-3);
 }
 
-TEST(JointEnergy, OfASpringWhoseStiffnessChangesIsCountedWhereItCountsLess)
+TEST(JointEnergy, UsesSmallerEnergyWhenStiffnessChanges)
 {
     box2d::SpringState before;
     before.stiffness = 10.0;

@@ -338,7 +338,7 @@ private:
     }
 };
 
-TEST(JointSchedule, KeepsTheOrderOfCreationBetweenJointsThatShareABody)
+TEST(JointSchedule, KeepsCreationOrderOfJointsSharingBody)
 {
     for (unsigned seed = 1; seed <= 20; ++seed)
     {

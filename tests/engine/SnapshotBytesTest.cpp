@@ -146,7 +146,7 @@ TEST(SnapshotBytes, SealedByHandAreRead)
     EXPECT_TRUE(bytes == saved);
 }
 
-TEST(SnapshotBytes, ThatContradictThemselvesAreRefusedOrReadWithoutACrash)
+TEST(SnapshotBytes, ContradictoryBytesDoNotCrash)
 {
     const Bytes saved = SomeBytes();
     std::mt19937 random(11);

@@ -388,7 +388,7 @@ private:
     std::mt19937 m_random;
 };
 
-TEST(SolverBlocks, PushOverlapsApartWithTheBitsOfThePlainSolverAtEveryWidth)
+TEST(SolverBlocks, SolveOverlapsBitEqualToPlainSolver)
 {
     const WidthGuard guard;
     for (const bool wide : {false, true})
@@ -563,7 +563,7 @@ ContactBlocks BlocksOf(const Array<b2Contact*>& contacts, bool sharesBodies)
     return blocks;
 }
 
-TEST(SolverBlocks, ArePreparedWithTheBitsOfThePlainSolverAtEveryWidth)
+TEST(SolverBlocks, ArePreparedBitEqualToPlainSolver)
 {
     const WidthGuard guard;
     int kinds[3] = {0, 0, 0};

@@ -160,7 +160,7 @@ TEST(CompareSameMachine, FailsASingleDotThatMovedByOnePixel)
     EXPECT_FALSE(Compare(picture, ShiftedRight(picture)).equal);
 }
 
-TEST(CompareSameMachine, FailsAPatchOffByFourInOneOrAllChannelsOnAnyGround)
+TEST(CompareSameMachine, FailsPatchOffByFourInAnyChannel)
 {
     std::vector<Color> colors = Colors();
     for (const Color color : Colors())
@@ -252,7 +252,7 @@ TEST(CompareSameMachine, FailsTwoPixelsInOneWindowWhereverItLies)
     }
 }
 
-TEST(CompareCrossMachine, PassesFillsOffByTwoAndFailsThoseOffByFour)
+TEST(CompareCrossMachine, PassesFillsOffByTwoAndFailsOffByFour)
 {
     const auto shifted = [](Color color, int by) {
         const auto one = [by](std::uint8_t value) {
@@ -283,7 +283,7 @@ TEST(CompareCrossMachine, PassesFillsOffByTwoAndFailsThoseOffByFour)
 }
 
 // As a renderer that rounds otherwise leaves them: anywhere, of any colour.
-TEST(CompareCrossMachine, PassesScatteredNoiseAndFailsAsManyPixelsInOnePlace)
+TEST(CompareCrossMachine, PassesScatteredAndFailsClusteredPixels)
 {
     const Frame expected = Filled(640, 360, kDark);
     std::mt19937 random(5);

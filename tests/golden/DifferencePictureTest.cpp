@@ -48,7 +48,7 @@ TEST(DifferencePicture, OfEqualPicturesIsTheExpectedOneInDarkGray)
         << "the drawing can still be seen";
 }
 
-TEST(DifferencePicture, ShowsWhatIsOverTheToleranceStronglyAndTheRestWeakly)
+TEST(DifferencePicture, MarksPixelsOverToleranceStrongly)
 {
     const Frame expected = Filled(100, 80, kDark);
     Frame actual = expected;
@@ -88,7 +88,7 @@ TEST(DifferencePicture, NeedsNoRoomForItsBox)
     }
 }
 
-TEST(DifferencePicture, HasTheLargerSizeAndMarksWhatOnlyOnePictureHas)
+TEST(DifferencePicture, HasLargerSizeAndMarksUnmatchedPixels)
 {
     const Frame difference = Compare(Filled(20, 30, kDark), Filled(25, 10, kDark)).difference;
     ASSERT_EQ(difference.width, 25);

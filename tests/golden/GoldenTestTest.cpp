@@ -77,7 +77,7 @@ TEST_F(GoldenMacros, AFrameIsAcceptedPassesAndFailsWhenItChanges)
     EXPECT_TRUE(std::filesystem::exists(folder / "output/macro/frame.difference.png"));
 }
 
-TEST_F(GoldenMacros, AFrameIsComparedAcrossMachinesAfterAnotherRenderer)
+TEST_F(GoldenMacros, ComparesAcrossMachinesForOtherRenderer)
 {
     GoldenCandidate approved;
     approved.name = "macro/other";
@@ -107,7 +107,7 @@ TEST_F(GoldenMacros, AFrameWithoutPixelsIsNoCandidate)
                             "macro/empty: Frame() has no pixels; draw it before it is compared.");
 }
 
-TEST_F(GoldenMacros, AWorldIsAcceptedPassesAndSaysThatTheMotionChanged)
+TEST_F(GoldenMacros, ReportsChangedMotionOfAcceptedWorld)
 {
     b2Body* const ball = AddBall(world, 0.0f);
     Accept("missing");
@@ -119,7 +119,7 @@ TEST_F(GoldenMacros, AWorldIsAcceptedPassesAndSaysThatTheMotionChanged)
                             "macro/world: the worlds differ");
 }
 
-TEST_F(GoldenMacros, AWorldWhoseStepsAreKeptSaysWhereItParted)
+TEST_F(GoldenMacros, ReportsFirstDifferingStepOfTrace)
 {
     Accept("missing");
     for (const float push : {0.0f, 1.0f})

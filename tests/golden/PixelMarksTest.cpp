@@ -156,7 +156,7 @@ TEST(NearlyPixelDistance, IsOffByLessThanItSaysForEveryColour)
     EXPECT_GT(worst, 1e-6f) << "it is an approximation, or nothing was tried";
 }
 
-TEST(NearlyPixelDistance, IsOffByLessThanItSaysForAnyPairOpaqueOrNot)
+TEST(NearlyPixelDistance, StaysWithinErrorBoundForAnyPair)
 {
     std::mt19937 random(3);
     for (int i = 0; i < 300000; ++i)

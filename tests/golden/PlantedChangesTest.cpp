@@ -58,7 +58,7 @@ TEST_P(PlantedChange, NoneIsNoFalseAlarm)
     }
 }
 
-TEST_P(PlantedChange, BodyMovedByOneCentimetreIsFoundInTheDrawListThoughNoPixelShowsIt)
+TEST_P(PlantedChange, BodyMovedByCentimetreChangesDrawListNotPixels)
 {
     DrawList moved = SmallScene();
     const DrawItem& body = moved.items[3];

@@ -175,7 +175,7 @@ TEST_F(ReferenceFiles, ATruncatedPictureIsNamedAndCanBeAcceptedAgain)
     }
 }
 
-TEST_F(ReferenceFiles, ADamagedPackedListIsNamedAndCanBeAcceptedAgain)
+TEST_F(ReferenceFiles, NamesDamagedPackedListAndAcceptsItAgain)
 {
     const GoldenCandidate candidate{"scene", "", LongList(), Frame()};
     ASSERT_TRUE(m_store.Accept(candidate));
@@ -241,7 +241,7 @@ TEST_F(ReferenceFiles, ADrawListCutAtItsEndIsADifference)
 }
 
 // A folder in a file's place stops everyone, root included.
-TEST_F(ReferenceFiles, AcceptingThatFailsAtOneFileLeavesTheOthersAsTheyWere)
+TEST_F(ReferenceFiles, KeepsOtherFilesWhenAcceptFails)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     const std::string list = ReadBytes(m_references / "drawlist/scene.txt");
@@ -257,7 +257,7 @@ TEST_F(ReferenceFiles, AcceptingThatFailsAtOneFileLeavesTheOthersAsTheyWere)
 }
 
 // A file where a folder should be stops everyone, root included.
-TEST_F(ReferenceFiles, AnOutputThatCannotBeWrittenIsAnErrorThatStillTellsTheDifference)
+TEST_F(ReferenceFiles, ReportsVerdictWhenOutputIsNotWritable)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     WriteBytes(m_folder / "file", "not a folder");

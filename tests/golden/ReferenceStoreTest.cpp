@@ -102,7 +102,7 @@ TEST_F(ReferenceStoreTest, AcceptsAtThreeDepthsAndVerifiesTheSame)
     EXPECT_THAT(Files(m_output), ElementsAre("pyramid/3s.verdict.json"));
 }
 
-TEST_F(ReferenceStoreTest, FailsWithoutAReferenceWritesTheCandidateAndSaysHowToAccept)
+TEST_F(ReferenceStoreTest, WritesCandidateAndAcceptCommandIfMissing)
 {
     const GoldenVerdict verdict = Verify(m_candidate);
     EXPECT_EQ(verdict.status, GoldenStatus::Missing);
@@ -165,7 +165,7 @@ TEST_F(ReferenceStoreTest, AFilmIsNoMissingPartOfAScene)
     EXPECT_THAT(verdict.missing, ElementsAre("sheet/pyramid/3s.txt"));
 }
 
-TEST_F(ReferenceStoreTest, BlamesTheStateFirstAndSaysThatTheRestIsTheSame)
+TEST_F(ReferenceStoreTest, ReportsStateFirstWhenTheRestIsEqual)
 {
     Accept(m_candidate);
     GoldenCandidate changed = m_candidate;
@@ -180,7 +180,7 @@ TEST_F(ReferenceStoreTest, BlamesTheStateFirstAndSaysThatTheRestIsTheSame)
     EXPECT_TRUE(verdict.pixels.equal);
 }
 
-TEST_F(ReferenceStoreTest, SaysFromWhichStepOnWithWhichBodyAndByHowMuchTheWorldsDiffer)
+TEST_F(ReferenceStoreTest, ReportsFirstDifferingStepBodyAndDistance)
 {
     GoldenCandidate candidate = m_candidate;
     candidate.state = {{{0, 0, 0, 0, 0, 0, 0}, {1, 1, 1.051f, 0, 0, 0, 0}}};
@@ -211,7 +211,7 @@ TEST_F(ReferenceStoreTest, SaysFromWhichStepOnWithWhichBodyAndByHowMuchTheWorlds
               "0123456789abcdef\n0 0 0 0\n1 1 1.051 0\n");
 }
 
-TEST_F(ReferenceStoreTest, SeesAWorldThatWentAnotherWayToTheSameState)
+TEST_F(ReferenceStoreTest, ReportsTraceThatDiffersAtEqualState)
 {
     GoldenCandidate candidate = m_candidate;
     candidate.trace = {{{41, "00000000", "00"}}};
@@ -239,7 +239,7 @@ TEST_F(ReferenceStoreTest, BodiesThatAreNotThoseOfTheirHashAreDamage)
     EXPECT_EQ(Verify(candidate).status, GoldenStatus::Same);
 }
 
-TEST_F(ReferenceStoreTest, ATraceThatIsCutIsDamageAndNotBlamedOnTheWorld)
+TEST_F(ReferenceStoreTest, ReportsCutTraceAsDamaged)
 {
     GoldenCandidate candidate = m_candidate;
     candidate.trace = {{{41, "00000000", "00"}, {42, "00000001", "01"}}};
@@ -256,7 +256,7 @@ TEST_F(ReferenceStoreTest, ATraceThatIsCutIsDamageAndNotBlamedOnTheWorld)
     }
 }
 
-TEST_F(ReferenceStoreTest, ADamagedStateOrTraceIsAVerdictThatNamesTheFile)
+TEST_F(ReferenceStoreTest, NamesFileOfDamagedStateOrTrace)
 {
     GoldenCandidate candidate = m_candidate;
     candidate.state = {{{0, 0, 0, 0, 0, 0, 0}}};
@@ -282,7 +282,7 @@ TEST_F(ReferenceStoreTest, TellsACommandThatAShellReadsRight)
     EXPECT_THAT(verdict.Text("nod"), testing::EndsWith(", nod."));
 }
 
-TEST_F(ReferenceStoreTest, ComparesARendererWithAPictureOfItsOwnWhereThereIsOne)
+TEST_F(ReferenceStoreTest, ComparesWithPictureOfSameRenderer)
 {
     GoldenCandidate here = m_candidate;
     here.renderer = "OSMesa, llvmpipe (LLVM 15.0.6)";
@@ -390,7 +390,7 @@ TEST_F(ReferenceOfARenderer, IsComparedWithoutWhatIsIgnored)
     EXPECT_EQ(verdict.pixels.ignored, 900);
 }
 
-TEST_F(ReferenceStoreTest, AcceptsForOneRendererOnlyWhatSaysWhoDrewIt)
+TEST_F(ReferenceStoreTest, RefusesUnknownRendererForThisRenderer)
 {
     const Result<void> accepted = m_store.Accept(m_candidate, AcceptAs::ForThisRenderer);
     EXPECT_THAT(accepted, Refuses(m_candidate.name));
@@ -406,7 +406,7 @@ TEST_F(ReferenceStoreTest, JudgesWithoutLeavingAnything)
     EXPECT_FALSE(fs::exists(m_output));
 }
 
-TEST_F(ReferenceStoreTest, BlamesTheStateFirstAndSaysThatTheRestDiffersToo)
+TEST_F(ReferenceStoreTest, ReportsStateFirstWhenTheRestDiffers)
 {
     Accept(m_candidate);
     DrawList list = WithoutItem(SmallScene(), 4);
@@ -503,7 +503,7 @@ TEST_F(ReferenceStoreTest, LeavesEverythingNeededToJudgeAFailure)
     EXPECT_EQ(ReadBytes(m_output / "pyramid/3s.actual.txt"), ToText(changed.list));
 }
 
-TEST_F(ReferenceStoreTest, RemovesWhatAnEarlierFailureLeftOnceTheNamePasses)
+TEST_F(ReferenceStoreTest, RemovesFilesOfEarlierFailureWhenPassing)
 {
     Accept(m_candidate);
     Verify(Moved());
@@ -512,7 +512,7 @@ TEST_F(ReferenceStoreTest, RemovesWhatAnEarlierFailureLeftOnceTheNamePasses)
     EXPECT_THAT(Files(m_output), UnorderedElementsAre("pyramid/3s.txt", "pyramid/3s.verdict.json"));
 }
 
-TEST_F(ReferenceStoreTest, RemovesTheOldExpectedPictureWhenTheReferenceIsGone)
+TEST_F(ReferenceStoreTest, RemovesExpectedPictureWithoutReference)
 {
     Accept(m_candidate);
     Verify(Moved());
@@ -532,7 +532,7 @@ TEST_F(ReferenceStoreTest, AcceptReplacesTheReference)
     EXPECT_EQ(Verify(m_candidate).status, GoldenStatus::DrawList);
 }
 
-TEST_F(ReferenceStoreTest, LeavesOutTheDepthsThatACandidateDoesNotHave)
+TEST_F(ReferenceStoreTest, ComparesOnlyDepthsOfCandidate)
 {
     GoldenCandidate pixelsOnly;
     pixelsOnly.name = "photo";
@@ -568,7 +568,7 @@ TEST_F(ReferenceStoreTest, FailsASceneThatStoppedDrawing)
     EXPECT_EQ(verdict.pixels.actualSize, (std::array{0, 0}));
 }
 
-TEST_F(ReferenceStoreTest, AcceptRemovesDepthsThatTheCandidateDoesNotHave)
+TEST_F(ReferenceStoreTest, AcceptRemovesDepthsMissingInCandidate)
 {
     Accept(m_candidate);
     GoldenCandidate pixelsOnly;

@@ -105,7 +105,7 @@ TEST_P(RenderedChange, NoneIsNoFalseAlarm)
 
 // A centimetre is a fraction of a pixel here, which another driver may make of an
 // edge: cross-machine leaves that to the draw lists.
-TEST_P(RenderedChange, BodyMovedByOneCentimetreIsFoundOnTheSameMachine)
+TEST_P(RenderedChange, BodyMovedByCentimetreFailsOnSameMachine)
 {
     DrawList changed = m_content.list;
     const DrawItem& body = changed.items[Find(DrawLayer::Shapes, DrawKind::SolidPolygon)];
@@ -231,7 +231,7 @@ TEST_P(RenderedChange, SwappedDrawOrderIsFoundByAll)
 }
 
 // As another driver's vertices may lie: without labels, which snap to whole pixels.
-TEST_P(RenderedChange, WholePictureShiftedByATenthOfAPixelPassesOnlyAcrossMachines)
+TEST_P(RenderedChange, ShiftByTenthOfPixelPassesOnlyAcrossMachines)
 {
     DrawList list = m_content.list;
     std::erase_if(list.items, [](const DrawItem& item) { return item.kind == DrawKind::Text; });

@@ -128,7 +128,7 @@ TEST(ReadWorldState, HasTheNumbersOfEachBodyAndLeavesNoGapOut)
     EXPECT_EQ(ReadWorldState(world).bodies, expected);
 }
 
-TEST(ReadTraceStep, HasADigitForEachBodyAndADotForOneThatIsGone)
+TEST(ReadTraceStep, WritesDigitPerBodyAndDotIfRemoved)
 {
     b2World world(b2Vec2(0.0f, 0.0f));
     b2Body* bodies[3];
@@ -146,7 +146,7 @@ TEST(ReadTraceStep, HasADigitForEachBodyAndADotForOneThatIsGone)
     EXPECT_NE(fewer.world, all.world);
 }
 
-TEST(ReadTraceStep, TellsAPlaceFromTheNextOneInAboutFifteenOfSixteen)
+TEST(ReadTraceStep, ChangesDigitInFifteenOfSixteenMoves)
 {
     b2World world(b2Vec2(0.0f, 0.0f));
     b2Body* const body = AddBody(world, b2Vec2(1, 2));

@@ -63,7 +63,7 @@ TEST(WorldStateText, OfAnotherKindIsRefusedWithTheLine)
     }
 }
 
-TEST(WorldStateDifference, NamesTheBodyThatIsFurthestOffAndByHowMuch)
+TEST(WorldStateDifference, ReportsBodyWithLargestDistance)
 {
     WorldState moved = State();
     moved.bodies[1].y -= 0.031f;
@@ -77,7 +77,7 @@ TEST(WorldStateDifference, NamesTheBodyThatIsFurthestOffAndByHowMuch)
               "2 of 3 bodies differ, most of all body 1: 0.031 m lower (y 1.02 instead of 1.051)");
 }
 
-TEST(WorldStateDifference, SaysWhichQuantityDiffersWhereNothingMoved)
+TEST(WorldStateDifference, ReportsQuantityThatDiffersInPlace)
 {
     WorldState other = State();
     other.bodies[1].angle = 0.75f;
@@ -125,7 +125,7 @@ TEST(StateTraceText, OfAnotherKindIsRefusedWithTheLine)
         << "nothing that a terminal obeys";
 }
 
-TEST(StateTraceDifference, IsAtTheFirstStepAndOfTheBodiesWhoseDigitsDiffer)
+TEST(StateTraceDifference, ReportsFirstStepAndBodiesThatDiffer)
 {
     const StateTrace expected =
         Trace({{1, "00000000", "000"}, {2, "00000001", "123"}, {3, "00000002", "456"}});
@@ -161,7 +161,7 @@ TEST(StateTraceDifference, IsAtAStepThatOnlyOneOfThemHas)
     EXPECT_FALSE(FirstDifference(StateTrace(), StateTrace()));
 }
 
-TEST(StateTraceDifference, TakesABodyThatOnlyOneOfThemHasForDifferent)
+TEST(StateTraceDifference, ReportsBodiesOfOneTraceAsDifferent)
 {
     const auto difference =
         FirstDifference(Trace({{1, "00000000", "00"}}), Trace({{1, "00000001", "0012345"}}));
@@ -170,7 +170,7 @@ TEST(StateTraceDifference, TakesABodyThatOnlyOneOfThemHasForDifferent)
     EXPECT_THAT(difference->bodies, ElementsAre(2, 3, 4, 5, 6));
 }
 
-TEST(StateTraceDifference, FindsABodyOfManyWhereItsRowAndItsColumnCross)
+TEST(StateTraceDifference, FindsBodyByRowAndColumnDigits)
 {
     const auto difference = FirstDifference(Trace({{7, "00000000", "0000/0000"}}),
                                             Trace({{7, "00000001", "0010/0500"}}));

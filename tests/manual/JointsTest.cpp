@@ -146,7 +146,7 @@ TEST_F(JointDefinition, PreventsCollisionUnlessCollideConnectedIsSet)
     EXPECT_TRUE(JoinedBodiesCollide(true));
 }
 
-TEST_F(JointDefinition, InLocalCoordinatesMovesSeparateBodiesTogether)
+TEST_F(JointDefinition, LocalAnchorsPullSeparateBodiesTogether)
 {
     b2RevoluteJointDef jointDef;
     jointDef.bodyA = myBodyA;

@@ -128,7 +128,7 @@ public:
     std::vector<b2Joint*> gone;
 };
 
-TEST(ImplicitDestruction, TheListingIsNotifiedOfImplicitlyDestroyedJoints)
+TEST(ImplicitDestruction, NotifiesListenerOfDestroyedJoints)
 {
     Scene scene;
     MyDestructionListener listener;

@@ -144,7 +144,7 @@ TEST(FrameClock, DoesNotDriftOverAHundredMillionFramesAt2997)
     }
 }
 
-TEST(FrameClock, StepsNeverGoBackAndJumpByAtMostOneBetweenNeighbours)
+TEST(FrameClock, AdvancesByAtMostOneStepInSlowMotion)
 {
     const FrameClock clock{Parsed("30000/1001"), Parsed("240"), Parsed("0.1")};
     std::int64_t last = 0;

@@ -66,7 +66,7 @@ TEST(GifPalette, KeepsTwoHundredAndFiftySixColoursExactly)
     EXPECT_EQ(Shown(palette, indices, 256, 2), chart);
 }
 
-TEST(GifPalette, KeepsTheIndicesOfColoursThatStayWhileOthersAreAdded)
+TEST(GifPalette, KeepsIndicesWhenColoursAreAdded)
 {
     GifPalette palette;
     std::vector<std::uint8_t> first(100 * 2);
@@ -76,7 +76,7 @@ TEST(GifPalette, KeepsTheIndicesOfColoursThatStayWhileOthersAreAdded)
     EXPECT_TRUE(std::equal(first.begin(), first.begin() + 100, second.begin()));
 }
 
-TEST(GifPalette, IsExactForEveryFrameOfAFilmThatHasMoreColoursThanAnyFrame)
+TEST(GifPalette, IsExactWhenFilmHasMoreThan256Colours)
 {
     GifPalette palette;
     for (int k = 0; k < 20; ++k)
@@ -107,7 +107,7 @@ Frame Blends(int shift)
     return frame;
 }
 
-TEST(GifPalette, KeepsAreasExactlyAndBlendsNearlyWhenThereAreTooManyColours)
+TEST(GifPalette, ApproximatesBlendsOnlyWhenColoursOverflow)
 {
     GifPalette palette;
     for (int shift = 0; shift < 10; ++shift)

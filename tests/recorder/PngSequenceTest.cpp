@@ -56,7 +56,7 @@ TEST_F(PngSequence, IsTheSameWithAnyNumberOfThreads)
     }
 }
 
-TEST_F(PngSequence, RepeatsAFrameUnderItsOwnNumber)
+TEST_F(PngSequence, WritesRepeatedFrameToOwnFile)
 {
     Result<VideoWriter> writer = VideoWriter::Open(m_folder / "a-#.png", kSmall);
     ASSERT_TRUE(writer);

@@ -115,7 +115,7 @@ TEST_F(RecordFixture, EqualFramesAreRepeatedAndReported)
     EXPECT_EQ(ReadFilm(m_folder / "film.mkv").frames.size(), 30u);
 }
 
-TEST_F(RecordFixture, AFilmThatStartsWithWhatTheRendererDrewLastHasItsFirstFrame)
+TEST_F(RecordFixture, WritesFirstFrameEqualToRenderersLast)
 {
     FrameContent content;
     FillBox(0, 0, content);
@@ -254,7 +254,7 @@ TEST_F(RecordFixture, ALoopOfOnesOwnMakesTheSameFilm)
     EXPECT_THAT(m_folder.Names(), testing::UnorderedElementsAre("pulled.mkv", "pushed.mkv"));
 }
 
-TEST_F(RecordFixture, ALoopOfOnesOwnLearnsTheFirstErrorAndLeavesNothing)
+TEST_F(RecordFixture, CloseReturnsFirstErrorOfAdd)
 {
     {
         Result<Recording> recording =

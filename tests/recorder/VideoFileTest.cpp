@@ -301,7 +301,7 @@ TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
     }
 }
 
-TEST(CheckVideoPath, AcceptsEveryFormatInAnyCaseAndOddSizesWhereColoursAreWhole)
+TEST(CheckVideoPath, AcceptsFormatsInAnyCaseAndOddSizesIn444)
 {
     for (const char* name :
          {"a.mp4", "a.MP4", "a.mkv", "a.WebM", "a.gif", "a-####.png", "#.PNG", "b/c-#-x.png"})

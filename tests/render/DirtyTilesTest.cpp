@@ -23,7 +23,7 @@ bool Holds(const std::vector<PixelBounds>& rectangles, int x, int y)
 
 } // namespace
 
-TEST(DirtyTiles, RectanglesHoldAllThatWasAddedOnceAndStayInThePicture)
+TEST(DirtyTiles, RectanglesCoverAddedPixelsOnceInPicture)
 {
     std::mt19937 random(5);
     const auto below = [&](int maximum) { return int(random() % unsigned(maximum)); };

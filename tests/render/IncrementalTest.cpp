@@ -427,7 +427,7 @@ TEST(Incremental, FramesAreThoseDrawnAsAWholeWithEitherBackEnd)
     }
 }
 
-TEST(Incremental, WhatMovesIsRemovedFromItsOldPlaceAndDrawnInItsNew)
+TEST(Incremental, RedrawsOldAndNewPlaceOfMovedItem)
 {
     Renderer renderer = MakeRenderer(320, 240);
     const Camera camera = PixelCamera(320, 240);

@@ -349,7 +349,7 @@ TEST(Renderer, RefusesACameraThatDoesNotFit)
     }
 }
 
-TEST(Renderer, RefusesAViewWhosePixelsOverflowAndDrawsThoseBeforeIt)
+TEST(Renderer, RefusesOverflowingViewAndDrawsNextOne)
 {
     DrawList list;
     const Vec2 corners[3] = {{-1, -1}, {3, 0}, {0, 2}};

@@ -150,7 +150,7 @@ TEST(Scale, SeesAbuttingOutlinesALittleHeavier)
 }
 
 // At scale 1 letters are drawn for whole pixels and stand on them, at scale 8 eight times finer.
-TEST(Scale, MovesLettersByTheRoundingOfPixelsOnly)
+TEST(Scale, ShiftsTextOnlyByPixelRounding)
 {
     DrawList list;
     list.AddText({20.0f, 200.0f}, "W", kWhite);

@@ -8,7 +8,7 @@
 namespace
 {
 
-TEST(IntroductionListing, MakesABodyAFixtureAndAJointAndTakesThemAway)
+TEST(IntroductionListing, CreatesAndDestroysBodyFixtureAndJoint)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
 

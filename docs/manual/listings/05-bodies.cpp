@@ -177,7 +177,7 @@ bool IsStopped(bool bullet, b2BodyType type)
     return ball->GetPosition().x < wall->GetPosition().x;
 }
 
-TEST(BodiesListing, StopsABulletAtWhatCanMoveAndAnythingAtWhatCannot)
+TEST(BodiesListing, StopsBulletsAtDynamicAndAllBodiesAtStaticOnes)
 {
     EXPECT_TRUE(IsStopped(true, b2_dynamicBody));
     EXPECT_FALSE(IsStopped(false, b2_dynamicBody));

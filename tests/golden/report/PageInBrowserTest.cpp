@@ -115,7 +115,7 @@ FilmStrip SmallStrip()
     return strip;
 }
 
-TEST_F(PageInBrowser, FiltersSlidesBlinksAndOverlaysWithoutAConsoleError)
+TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
 {
     // One that passes, one without a reference, one whose body 1 is 3 cm to the right, one with
     // another colour and a point more.

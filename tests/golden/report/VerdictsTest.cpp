@@ -64,7 +64,7 @@ TEST_F(Verdicts, AreFoundAtEveryDepthAndSortedByName)
     EXPECT_TRUE(moments[1].shown.Passed());
 }
 
-TEST_F(Verdicts, OfShardsAreOneOfWhichTheWorstIsShown)
+TEST_F(Verdicts, ReportsWorstVerdictOfShards)
 {
     Leave("a", "bridge", "same");
     Leave("b", "bridge", "state");

@@ -107,7 +107,7 @@ protected:
     Variables variables;
 };
 
-TEST_F(BackendCommand, NothingToDrawWithIsSaidBeforeAnythingIsSimulated)
+TEST_F(BackendCommand, RefusesMissingBackendsBeforeSimulation)
 {
     Break("libOSMesa.so.8");
     Break("libEGL.so.1");
@@ -292,7 +292,7 @@ TEST_F(BackendCommand, RefusesVectorWidthsThatMesaCrashesWith)
     EXPECT_EQ(Shot(), picture) << "an empty one asks for nothing";
 }
 
-TEST_F(BackendCommand, TheOptionWinsOverTheVariableAndTheVariableOverTheOrder)
+TEST_F(BackendCommand, PrefersOptionToVariableToDefaultOrder)
 {
     if (!Works(Backend::OSMesa) || !Works(Backend::Egl))
     {

@@ -174,7 +174,7 @@ TEST_F(Command, ShotsMayHaveAnySize)
     }
 }
 
-TEST_F(Command, CamerasOnBodiesThatAreNotThereAreRefusedBeforeAnythingIsDrawn)
+TEST_F(Command, RefusesCamerasOnMissingBodies)
 {
     for (const char* camera : {"follow:3,9999", "fit:9999", "follow:9999:10"})
     {
@@ -268,7 +268,7 @@ TEST_F(Command, ScenefilesThatAreNoneAreRefused)
     ExpectRefusal({"record", "folder.json", "-o", "a.mp4"}, 1, "folder.json");
 }
 
-TEST_F(Command, OutputsThatCannotBeWrittenAreRefusedBeforeAnythingIsSimulated)
+TEST_F(Command, RefusesUnwritableOutputsBeforeSimulation)
 {
     // A simulation of this length would outlast the test's time limit.
     const std::vector<std::string> longFilm{"--frames", "10000000", "-o"};

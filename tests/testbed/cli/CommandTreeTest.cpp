@@ -81,7 +81,7 @@ TEST(CommandTree, HasEachCommandAndOptionOfTheHelp)
     }
 }
 
-TEST(CommandTree, EveryCommandHasAnExampleAndEveryExampleIsUnderstood)
+TEST(CommandTree, ParsesExamplesOfEveryCommand)
 {
     const CommandText program = DescribeProgram();
     for (const CommandText* command : AllCommands(program))

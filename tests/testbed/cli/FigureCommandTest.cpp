@@ -139,7 +139,7 @@ TEST_F(FigureCommand, LettersThatPixelsCannotShowAreNamedOnce)
     EXPECT_THAT(Written("a.svg", {"--caption", caption}), HasSubstr("\u6f22\u5b57"));
 }
 
-TEST_F(FigureCommand, FilesThatGrowBeyondALimitAreRefusedWithASentence)
+TEST_F(FigureCommand, FailsWithoutFileWhenSizeLimitIsReached)
 {
     for (const char* const output : {"a.png", "a.svg", "a.pdf"})
     {

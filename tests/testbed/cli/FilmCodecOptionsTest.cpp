@@ -16,7 +16,7 @@ using testing::IsEmpty;
 
 using FilmCodecOptions = FilmFixture;
 
-TEST_F(FilmCodecOptions, SaysWhichCodecOptionIsUnknownBeforeAnythingIsWritten)
+TEST_F(FilmCodecOptions, NamesUnknownOptionAndWritesNothing)
 {
     const Outcome outcome =
         Run({"record", "pyramid", "-o", "a.mkv", "--codec-option", "colour=blue"});
@@ -24,7 +24,7 @@ TEST_F(FilmCodecOptions, SaysWhichCodecOptionIsUnknownBeforeAnythingIsWritten)
     EXPECT_THAT(folder.Files(), IsEmpty());
 }
 
-TEST_F(FilmCodecOptions, CodecOptionsMayNotChangeWhatOtherOptionsDecide)
+TEST_F(FilmCodecOptions, RefusesValuesThatOtherOptionsDecide)
 {
     const std::pair<const char*, const char*> options[] = {
         {"video_size=50x50", "size"},      {"video_size=640x360", "size"},
@@ -45,7 +45,7 @@ TEST_F(FilmCodecOptions, CodecOptionsMayNotChangeWhatOtherOptionsDecide)
     EXPECT_THAT(folder.Files(), IsEmpty());
 }
 
-TEST_F(FilmCodecOptions, OptionsThatX264DoesNotKnowAreRefusedInAnyList)
+TEST_F(FilmCodecOptions, RefusesOptionsUnknownToX264InAnyList)
 {
     for (const char* option : {"x264-params=bogus=1", "x264opts=bogus=1"})
     {

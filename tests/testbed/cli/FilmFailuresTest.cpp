@@ -147,7 +147,7 @@ TEST_F(FilmFailures, ADiskWithoutRoomForTheManifestIsOneSentence)
     EXPECT_THAT(disk.Folder().Files(), IsEmpty());
 }
 
-TEST_F(FilmFailures, AThumbnailThatCannotBeWrittenIsOneSentenceAndTheFilmIsWhole)
+TEST_F(FilmFailures, KeepsFilmWhenThumbnailCannotBeWritten)
 {
     const SmallFiles limit(60000);
     const Outcome outcome =
@@ -158,7 +158,7 @@ TEST_F(FilmFailures, AThumbnailThatCannotBeWrittenIsOneSentenceAndTheFilmIsWhole
     EXPECT_THAT(folder.Files(), ElementsAre("film.webm"));
 }
 
-TEST_F(FilmFailures, WhatCannotBeAsItIsAskedForIsSaidBeforeAnythingIsSimulated)
+TEST_F(FilmFailures, RefusesContradictionsBeforeSimulation)
 {
     const std::pair<std::vector<std::string>, const char*> cases[] = {
         {{"record", "pyramid", "-o", "f-###.png", "--thumbnail", "f-005.png", "--force"},
@@ -199,7 +199,7 @@ TEST_F(FilmFailures, APartThatNothingCanBeJoinedToIsSaidToBeOne)
     EXPECT_EQ(errors("15-19", "pictures-##.png"), "");
 }
 
-TEST_F(FilmFailures, AMergedFilmThatHasNoRoomIsOneSentenceAndThePartsStay)
+TEST_F(FilmFailures, KeepsPartsWhenMergeHasNoSpace)
 {
     for (const std::string kind : {".mp4", ".mkv", ".webm", ".gif", ".apng", ".webp"})
     {
@@ -223,7 +223,7 @@ TEST_F(FilmFailures, AMergedFilmThatHasNoRoomIsOneSentenceAndThePartsStay)
     }
 }
 
-TEST_F(FilmFailures, AFolderThatMayOnlyBeReadIsOneSentenceInEveryFormat)
+TEST_F(FilmFailures, FailsInReadOnlyFolderForEveryFormat)
 {
     const SmallDisk disk("size=64k");
     BOXREEL_NEEDS(disk);

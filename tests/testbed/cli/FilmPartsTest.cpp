@@ -46,7 +46,7 @@ TEST_F(FilmParts, PartsThatAreNotWhatTheirManifestSayAreNotJoined)
     }
 }
 
-TEST_F(FilmParts, PartsThatAreNotTheWholeFilmAreJoinedOnlyWhenAPieceWillDo)
+TEST_F(FilmParts, JoinsIncompletePartsOnlyIfPartial)
 {
     const auto make = [&](const std::string& name, const std::string& range) {
         EXPECT_EQ(Run({"record", "tumbler", "--frames", "41", "--group", "10", "--size", "96x54",
@@ -90,7 +90,7 @@ TEST_F(FilmParts, AreNotJoinedOverAFilmThatWasStopped)
     }
 }
 
-TEST_F(FilmParts, APartThatIsThereIsNotMadeAgainButAnotherFilmIsRefused)
+TEST_F(FilmParts, SkipsPartsThatExistAndRefusesOtherFilms)
 {
     const auto make = [&](const std::string& scene, const std::string& range) {
         return Run({"record", scene, "--frames", "40", "--group", "20", "--size", "96x54",

@@ -69,7 +69,7 @@ TEST_F(Film, AShotHasTheVeryPixelsOfTheFilmAtThatTime)
     EXPECT_NE(frames[17], frames[39]) << "something moves";
 }
 
-TEST_F(Film, AMovingCameraShowsTheSameInFilmsOfAnyFrameRateAndInAShot)
+TEST_F(Film, MovingCameraIsIndependentOfFrameRate)
 {
     for (const char* camera :
          {"follow:32:8", "fit:12,13", "path:0s=0,20,50;1s=10,5,12;1500ms=0,20,50"})
@@ -337,7 +337,7 @@ TEST_F(Film, IsContinuedToTheFramesOfAnUninterruptedOne)
     EXPECT_THAT(folder.Files(), ElementsAre("film.mp4", "film.png", "whole.mp4", "whole.png"));
 }
 
-TEST_F(Film, AnAnimationIsContinuedAndJoinedToTheFramesOfAnUninterruptedOne)
+TEST_F(Film, ResumedAndJoinedAnimationsEqualWholeOnes)
 {
     for (const std::string kind : {".gif", ".apng", ".webp"})
     {

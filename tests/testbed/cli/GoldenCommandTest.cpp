@@ -161,7 +161,7 @@ TEST_F(GoldenCommand, AcceptsAPictureForOneRendererAlone)
     EXPECT_EQ(RunIn({"verify", "bridge/2s"}).code, 0) << "its own was accepted";
 }
 
-TEST_F(GoldenCommand, TellsADamagedReferenceBesideTheOthersAndAcceptsItAnew)
+TEST_F(GoldenCommand, ReportsDamagedReferenceAndAcceptsItAgain)
 {
     ASSERT_EQ(RunIn({"accept", "bridge"}).code, 0);
     std::ofstream(folder / "r/state/bridge/0.5s.txt") << "<<<<<<< HEAD\n";
@@ -303,7 +303,7 @@ TEST_F(GoldenCommand, PrintsAStateAndTheStepsToIt)
     ExpectRefusal({"state", "bridge", "--step", "-1"}, "--step -1");
 }
 
-TEST_F(GoldenCommand, FindsTheStepTheBodyAndTheDistanceByAnotherBuildsRun)
+TEST_F(GoldenCommand, FindsFirstDifferenceFromAnotherBuild)
 {
     const Outcome same = Run({"verify", "bridge", "car", "--against", BOXREEL_PROGRAM});
     EXPECT_EQ(same.code, 0) << same.errors;
@@ -323,7 +323,7 @@ TEST_F(GoldenCommand, FindsTheStepTheBodyAndTheDistanceByAnotherBuildsRun)
     ExpectRefusal({"verify", "bridge", "--against", "/bin/false"}, "--against /bin/false");
 }
 
-TEST_F(GoldenCommand, SaysWhatItCannotLeaveOutWhenItComparesWithAnotherBuild)
+TEST_F(GoldenCommand, RefusesComparisonOptionsWithAgainst)
 {
     for (const char* option :
          {"--ignore-body=5", "--preset=exact", "--max-pixels=9", "--ignore=0,0,9x9"})

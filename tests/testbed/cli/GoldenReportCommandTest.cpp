@@ -127,7 +127,7 @@ TEST_F(GoldenReport, SaysThatAllIsAsApproved)
     EXPECT_THAT(Run({"report", "o"}).output, HasSubstr("1 moment: all as approved; the report is"));
 }
 
-TEST_F(GoldenReport, IsWrittenWholeOrNotAtAll)
+TEST_F(GoldenReport, WritesReportAtomically)
 {
     ExpectRefusal({"report", "none"}, "none");
     ExpectRefusal({"report"}, "golden-output");

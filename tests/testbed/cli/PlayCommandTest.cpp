@@ -119,7 +119,7 @@ TEST_F(PlayCommand, AsATestMakesNoFilms)
 }
 
 /// Each is what shows off a scene that answers to keys or the mouse.
-TEST(Scripts, OfTheTestbedPlayAsTheyExpectAndThereIsOneForEachSceneWithKeys)
+TEST(Scripts, TestbedScriptsPassAndCoverScenesWithKeys)
 {
     const TemporaryFolder folder;
     std::set<std::string> titles;
@@ -164,7 +164,7 @@ TEST_F(PlayCommand, WritesIntoAFolderAndOverNothingUnlessTold)
     EXPECT_EQ(Play({"--into", "films", "--force"}).code, 0);
 }
 
-TEST_F(PlayCommand, AFilmThatWasStoppedIsGoneOnWithUnlessOtherThingsAreDone)
+TEST_F(PlayCommand, ResumesStoppedFilmIfActionsAreEqual)
 {
     const std::string film = "record film.mkv --seconds 30 --size 320x180\n";
     Write("scene tumbler\nat 1s bomb\n" + film);

@@ -93,7 +93,7 @@ protected:
     const std::vector<std::string> kStates{"--snapshots", "states"};
 };
 
-TEST_F(Snapshots, AFilmThatBeginsWithOneHasTheFramesAndStatesOfOneThatIsSimulatedWhole)
+TEST_F(Snapshots, FilmFromSnapshotEqualsFilmFromStart)
 {
     std::ofstream(folder / "machine.json") << kMachine;
     const std::vector<std::vector<std::string>> films{

@@ -8,7 +8,7 @@ namespace boxreel
 namespace
 {
 
-TEST(RenderReport, SaysInAlignedLinesWhatWasDrawn)
+TEST(RenderReport, PrintsAlignedStatistics)
 {
     RenderTotals totals;
     totals.frames = 600;

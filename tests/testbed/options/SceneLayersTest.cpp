@@ -116,7 +116,7 @@ TEST(SceneLayers, ContactsAreNewInTheSameStepsHoweverOneComesThere)
 }
 
 /// What a box weighs is a third as long as it is large when it rests, and an eighth when it hangs.
-TEST(SceneLayers, ImpulsesHaveALongerScaleThanForcesUnlessOneIsGiven)
+TEST(SceneLayers, ImpulsesHaveLongerDefaultScaleThanForces)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2BodyDef def;
@@ -158,7 +158,7 @@ TEST(SceneLayers, ImpulsesHaveALongerScaleThanForcesUnlessOneIsGiven)
 }
 
 /// Where they were found moves with the bodies, and long ones take it far out of both boxes.
-TEST(SceneLayers, ContactPointsAreSeenWhereTheyAreThoughTheirBodiesAreElsewhere)
+TEST(SceneLayers, DrawsContactPointsOutsideTheirBodies)
 {
     b2World world(b2Vec2(0.0f, 0.0f));
     b2BodyDef def;

@@ -335,7 +335,7 @@ TEST(HostileSceneFile, WithManyVerticesInAPolygonHasItLeftOut)
     EXPECT_THAT(built.leftOut[0].reason, HasSubstr("100000"));
 }
 
-TEST(HostileSceneFile, WithManyFixturesOnABodyWeighsThemAllTogether)
+TEST(HostileSceneFile, SumsMassOfManyFixtures)
 {
     const std::string circle = R"({"density":1,"circle":{"radius":1,"center":{"x":1,"y":0}}})";
     for (const std::size_t count : {100u, 101u, 5000u})
@@ -388,7 +388,7 @@ TEST(HostileSceneFile, MayHaveABoxWhoseCornersBeginAnywhere)
     }
 }
 
-TEST(HostileSceneFile, HasLoopsAndChainsLeftOutThatHaveTooFewCorners)
+TEST(HostileSceneFile, OmitsLoopsAndChainsWithTooFewCorners)
 {
     for (const std::string& shape :
          {Vertices("loop", "0,1,0", "0,0,0"), Vertices("loop", "0,1,0.004,-0.004", "0,0,0,0"),
@@ -401,7 +401,7 @@ TEST(HostileSceneFile, HasLoopsAndChainsLeftOutThatHaveTooFewCorners)
 }
 
 // At the tolerance a root and a square round differently.
-TEST(HostileSceneFile, MayHaveVerticesAsCloseAsTheToleranceInAnyDirection)
+TEST(HostileSceneFile, AcceptsVerticesAtToleranceDistance)
 {
     for (int i = 0; i < 2000; ++i)
     {

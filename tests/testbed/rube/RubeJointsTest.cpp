@@ -96,7 +96,7 @@ TEST(RubeJointBuilder, BuildsWheelJointsWithEveryField)
     EXPECT_EQ(joint.GetSpringDampingRatio(), 0.25f);
 }
 
-TEST(RubeJointBuilder, BuildsWeldRopeAndFrictionJointsWithEveryField)
+TEST(RubeJointBuilder, BuildsAllFieldsOfWeldRopeAndFrictionJoints)
 {
     const Built welded(
         WithJoint(R"("type":"weld","refAngle":0.5,"frequency":4,"dampingRatio":0.75)"));

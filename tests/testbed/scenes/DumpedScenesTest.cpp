@@ -53,7 +53,7 @@ TEST(DumpShellScene, ItsDumpIsTheTextThatItIsMadeOf)
     }
 }
 
-TEST(DumpShellScene, GoesOnMovingAndComesToRestWithAllItsStonesInTheShell)
+TEST(DumpShellScene, ContinuesMotionAndRestsWithAllStones)
 {
     const auto scene = Make("Dump Shell");
     b2Body& shell = Named(*scene, "shell");

@@ -98,7 +98,7 @@ TEST(TimeOfImpactScene, TheSweepsThatHitTouchAtThatTime)
     }
 }
 
-TEST(DistanceTestScene, TheDistanceIsBetweenNoneAndWhatTheCentresAllow)
+TEST(DistanceTestScene, DistanceStaysWithinBoundsOfCentres)
 {
     const auto scene = Make("Distance Test");
     const b2Body* drifter = Movers(*scene).front();
@@ -142,7 +142,7 @@ TEST(PolyCollisionScene, ManifoldsHaveUpToTwoPointsAndArrows)
     EXPECT_EQ(counts["0"] + counts["1"] + counts["2"], 900);
 }
 
-TEST(ConvexHullScene, EveryHullHoldsItsPointsAndFallsWhenTheNextComes)
+TEST(ConvexHullScene, NewHullHangsAndEarlierOnesFall)
 {
     const auto scene = Make("Convex Hull");
     Play(*scene, 14.0f);

@@ -188,7 +188,7 @@ TEST(RopeBendingScene, NoJointTurnsBeyondItsLimit)
     EXPECT_GT(beyond, -0.02f) << "some are at it";
 }
 
-TEST(WreckingBallScene, TheWallStandsUntilTheBallHasComeAndNotAfterwards)
+TEST(WreckingBallScene, WallStandsUntilBallHits)
 {
     const auto scene = Make("Wrecking Ball");
     std::vector<b2Body*> bricks = Movers(*scene);

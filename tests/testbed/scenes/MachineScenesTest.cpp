@@ -43,7 +43,7 @@ TEST(CarScene, HasSpringsOfAsManyHertzAsTheKeysSay)
     EXPECT_EQ(spring->GetSpringFrequencyHz(), before - 1.0f);
 }
 
-TEST(TheoJansensWalkerScene, WalksFiveMetresInTenSecondsWithoutLosingAJoint)
+TEST(TheoJansensWalkerScene, WalksFiveMetresWithJointsIntact)
 {
     const auto scene = Make("Theo Jansen's Walker");
     const b2RevoluteJoint* motor = JointsOf<b2RevoluteJoint>(*scene)[0];
@@ -78,7 +78,7 @@ TEST(TheoJansensWalkerScene, WalksTheOtherWayWhenAsked)
     EXPECT_GT(place(*right), place(*left) + 6.0f);
 }
 
-TEST(RevoluteScene, TurnsItsWheelAtTheMotorsSpeedAndStopsItsGateAtTheLimit)
+TEST(RevoluteScene, TurnsWheelAtMotorSpeedAndStopsGateAtLimit)
 {
     const auto scene = Make("Revolute");
     const auto hinges = JointsOf<b2RevoluteJoint>(*scene);
@@ -273,7 +273,7 @@ TEST(ScissorLiftScene, RisesEvenlyThoughItsFeetDoNot)
     EXPECT_LT(motor->GetJointSpeed(), 2.0f * first) << "both are negative";
 }
 
-TEST(RagdollScene, FallsDownTheStepsAndLiesWithinTheLimitsOfItsJoints)
+TEST(RagdollScene, FallsDownStepsWithinJointLimits)
 {
     const auto scene = Make("Ragdoll");
     const auto joints = JointsOf<b2RevoluteJoint>(*scene);

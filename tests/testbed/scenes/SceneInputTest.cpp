@@ -93,7 +93,7 @@ TEST(SceneInput, TheGripGoesWithItsBody)
     scene.Steps(10);
 }
 
-TEST(SceneInput, ABombFliesAsItIsThrownAndTakesThePlaceOfTheOneBefore)
+TEST(SceneInput, BombReplacesThePreviousOne)
 {
     TwoBoxes scene;
     scene.ThrowBomb(b2Vec2(-20.0f, 0.0f), b2Vec2(60.0f, 0.0f));

@@ -95,7 +95,7 @@ TEST_P(StateOfScene, IsTheStoredOneAfter600Steps)
 
 // How threads share the work does not depend on the lanes: each number of them once, and one and
 // several without wide instructions.
-TEST_P(StateOfScene, IsTheStoredOneWhateverTheNumberOfThreadsAndLanes)
+TEST_P(StateOfScene, IsIndependentOfThreadsAndLanes)
 {
     const std::string stored = StoredState(*GetParam());
     for (const int32 threads : {2, 3, 4, 8})

@@ -57,7 +57,7 @@ TEST(SceneTable, NamesEverySceneOnceAndSaysWhatItShows)
 class EachScene : public testing::TestWithParam<SceneCase>
 {};
 
-TEST_P(EachScene, StaysFiniteAndNearAndMakesBodiesLaterOnlyIfItSaysSo)
+TEST_P(EachScene, StaysInBoundsAndCreatesBodiesOnlyAsDeclared)
 {
     const auto scene = GetParam()->create(SceneSettings{});
     b2Body* first = scene->World().GetBodyList(); // a place in it

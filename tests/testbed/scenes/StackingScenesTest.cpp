@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Stands,
                                          "High Mass Ratio 1", "High Mass Ratio 2",
                                          "High Mass Ratio 3", "Heavy 1"));
 
-TEST(StackingScenes, TheCardHouseMovesByLessThanTheThicknessOfACard)
+TEST(StackingScenes, CardHouseMovesLessThanCardThickness)
 {
     EXPECT_LT(FarthestWay("Card House", 10.0f), 0.04f);
 }
@@ -132,7 +132,7 @@ TEST(StackingScenes, TheHeavyBallOfHeavyTwoIsCarriedByTheLightOnes)
     EXPECT_LT(FastestMover(*scene), 0.1f);
 }
 
-TEST(StackingScenes, TheHeavyBallOfHeavyOneDoesNotSinkIntoTheLightOne)
+TEST(StackingScenes, HeavyBallDoesNotSinkIntoLightOne)
 {
     const std::unique_ptr<Scene> scene = Make("Heavy 1");
     Play(*scene, 5.0f);

@@ -213,7 +213,7 @@ TEST(SceneMotion, TheTextOfADimensionKeepsClearOfLaterDimensions)
     EXPECT_EQ(both.texts.size(), 2u);
 }
 
-TEST(SceneMotion, TheTextOfADimensionKeepsClearOfWhereABodyIsSeenToHaveBeen)
+TEST(SceneMotion, PlacesDimensionTextClearOfTrailAndPoses)
 {
     SceneSession session = Open("newtons-cradle");
     const b2Vec2 start = FindBodies(session.World(), {1}).front()->GetWorldCenter();

@@ -27,7 +27,7 @@ DrawList ShowBetween(SceneSession& session, std::int64_t step, double fraction)
     return Show(session);
 }
 
-TEST(SceneSession, ShowsWhatMovesBetweenItsPlacesBeforeAndAfterTheStep)
+TEST(SceneSession, InterpolatesBetweenSteps)
 {
     SceneSession steps = Open("tumbler");
     SceneSession between = Open("tumbler");
@@ -51,7 +51,7 @@ TEST(SceneSession, ShowsWhatMovesBetweenItsPlacesBeforeAndAfterTheStep)
     EXPECT_GT(moved, 0);
 }
 
-TEST(SceneSession, ShowsTheStepItselfAtItsMomentWhateverWasShownBefore)
+TEST(SceneSession, ShowsExactStepAfterInterpolation)
 {
     SceneSession steps = Open("dominos");
     SceneSession between = Open("dominos");

@@ -139,7 +139,7 @@ TEST(ScriptedPanels, OpenSectionsAndScrollToWhatIsOutOfSight)
     EXPECT_FALSE(session->World().GetAllowSleeping());
 }
 
-TEST(ScriptedPanels, AreNotSeenWhereOnlyTheScriptNeedsThem)
+TEST(ScriptedPanels, HidesPanelsOpenedOnlyForScript)
 {
     SceneSession clicked = Played("at step 3 click Run/Bomb\n", 5, false);
     FrameContent content;

@@ -41,7 +41,7 @@ TEST(SnapshotFolder, HasFewFilesOfALongFilmAndNoneIsFar)
     EXPECT_FALSE(IsSnapshotDue(7'000'008, 7));
 }
 
-TEST(SnapshotFolder, IsRidOfWhatKilledRunsOfThisMachineLeftHalfWritten)
+TEST(SnapshotFolder, RemovesPartialFilesOfKilledLocalRuns)
 {
     const TemporaryFolder folder;
     char host[256] = "";
@@ -124,7 +124,7 @@ TEST_P(StateOfSession, GoesOnToTheSamePicturesWithEveryCamera)
 
 INSTANTIATE_TEST_SUITE_P(Scenes, StateOfSession, testing::ValuesIn(EveryScene()), CaseName);
 
-TEST(SceneSessionState, OfAnotherSceneOrCameraOrOfNothingIsRefusedAndChangesNothing)
+TEST(SceneSessionState, RefusesStateOfOtherSceneOrCamera)
 {
     const std::span<const SceneEntry> scenes = AllScenes();
     SceneSession session = Open(scenes[0], FitView{});

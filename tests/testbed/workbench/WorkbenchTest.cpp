@@ -240,7 +240,7 @@ TEST_F(WorkbenchTest, ShiftsTheOriginUnderAPictureThatStays)
     EXPECT_NEAR(after.y, before.y, 0.01f);
 }
 
-TEST_F(WorkbenchTest, GoesOnFollowingWhatItFollowsWhenTheOriginIsShifted)
+TEST_F(WorkbenchTest, KeepsFollowTargetAfterOriginShift)
 {
     Open("car");
     Hit(Key::Right, true);
