@@ -42,21 +42,22 @@ Error CannotOpen(const fs::path& path, int code)
         const bool isThere = fs::is_directory(folder, ignored);
         return CannotWrite(ErrorKind::Unusable, path,
                            "the folder " + folder.string() +
-                               (isThere ? " takes no files" : " does not exist"),
-                           isThere ? "choose another" : "create it or choose another");
+                               (isThere ? " does not accept files" : " does not exist"),
+                           isThere ? "choose another folder"
+                                   : "create it or choose another folder");
     }
     case ENOTDIR:
         return CannotWrite(ErrorKind::Unusable, path, folder.string() + " is not a folder",
-                           "choose another place");
+                           "choose another folder");
     case EACCES:
     case EPERM:
     case EROFS:
         return CannotWrite(ErrorKind::Failed, path,
                            "no permission to write in the folder " + folder.string(),
-                           "choose another place");
+                           "choose another folder");
     case ENAMETOOLONG:
         return CannotWrite(ErrorKind::Unusable, path, "the name is too long",
-                           "choose a shorter one");
+                           "choose a shorter name");
     case ENOSPC:
     case EDQUOT:
         return CannotWrite(ErrorKind::Failed, path, "the disk is full", "free some space");
@@ -70,23 +71,22 @@ Error CannotFinish(const fs::path& path, int code)
 {
     const bool isFull = code == ENOSPC || code == EDQUOT || code == EFBIG;
     return CannotWrite(ErrorKind::Failed, path,
-                       isFull ? "the disk is full or the file too large for it"
+                       isFull ? "the disk is full, or the file is too large"
                               : std::generic_category().message(code),
                        isFull ? "free some space" : "check the disk");
 }
 
 Error AlreadyExists(const fs::path& path)
 {
-    return CannotWrite(ErrorKind::Unusable, path, "it exists already",
+    return CannotWrite(ErrorKind::Unusable, path, "it already exists",
                        "choose another name or allow overwriting (boxreel's --force)");
 }
 
 Error PartExists(const fs::path& path, const fs::path& part)
 {
     return CannotWrite(ErrorKind::Unusable, path,
-                       part.string() +
-                           ", its name until it is whole, is a folder, a link or a device",
-                       "move that away or choose another name");
+                       part.string() + ", its temporary name, is a folder, a link or a device",
+                       "move that file or choose another name");
 }
 
 // Opens and locks the part file. The previous owner of the lock may have renamed or removed the
@@ -125,7 +125,7 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
             {
                 ::close(descriptor);
                 return CannotWrite(ErrorKind::Unusable, path,
-                                   part.string() + " was left by a run that was stopped",
+                                   part.string() + " was left by a stopped run",
                                    "continue it (boxreel's --resume) or start again (--force)");
             }
             if (::ftruncate(descriptor, 0) == 0)
@@ -213,7 +213,7 @@ Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path,
     if (!path.has_filename())
     {
         return CannotWrite(ErrorKind::Unusable, path.empty() ? fs::path("''") : path,
-                           "this names no file", "add a file name");
+                           "it is not a file name", "add a file name");
     }
     if (fs::is_directory(status))
     {

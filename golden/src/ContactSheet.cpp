@@ -90,11 +90,9 @@ std::string WhyNotUsable(const ContactSheetSettings& settings)
     }
     if (settings.every < 1)
     {
-        return "a picture is taken every 1 or more steps";
+        return "the steps between two pictures must be at least 1";
     }
-    return settings.columns < 1 || settings.width < 1
-               ? "a sheet has one column of one pixel or more"
-               : "";
+    return settings.columns < 1 || settings.width < 1 ? "columns and width must be at least 1" : "";
 }
 
 Error Unusable(const std::filesystem::path& film, const std::string& why,
@@ -121,11 +119,11 @@ Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
         {
             if (pictures.size() == kMaxSheetPictures)
             {
-                return Unusable(film,
-                                "it has more than " + std::to_string(kMaxSheetPictures) +
-                                    " pictures, one every " + std::to_string(settings.every) +
-                                    " steps",
-                                "take fewer, such as every " + std::to_string(2 * settings.every));
+                return Unusable(
+                    film,
+                    "it has more than " + std::to_string(kMaxSheetPictures) +
+                        " pictures, one every " + std::to_string(settings.every) + " steps",
+                    "use a larger interval, such as every " + std::to_string(2 * settings.every));
             }
             pictures.push_back(shown);
         }

@@ -122,8 +122,8 @@ Result<GoldenCheckSettings> GoldenSettingsFromEnvironment(const fs::path& refere
     if (settings.references.empty())
     {
         return Error{ErrorKind::Unusable, "BOXREEL_GOLDEN_REFERENCES",
-                     "no folder of references is given",
-                     "name one to boxreel_add_golden_tests (REFERENCES DIR) or in this variable"};
+                     "is not set, and no folder of references is given",
+                     "set it, or pass REFERENCES DIR to boxreel_add_golden_tests"};
     }
     if (const std::string output = Environment("BOXREEL_GOLDEN_OUTPUT"); !output.empty())
     {
@@ -194,10 +194,9 @@ GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSetting
         }
         return {true, verdict->Text(), "accepted  " + WhatWasAccepted(*verdict) + "\n"};
     }
-    const std::string message = isWanted
-                                    ? verdict->Text("give each check a name of its own: one of "
-                                                    "this name was accepted in the same run")
-                                    : verdict->Text(RemedyOfTest(*verdict));
+    const std::string message =
+        isWanted ? verdict->Text("is accepted twice in this run; give each check its own name")
+                 : verdict->Text(RemedyOfTest(*verdict));
     return {false, message, settings.attach ? Attachments(settings.output, candidate.name) : ""};
 }
 

@@ -18,7 +18,7 @@ constexpr int kMemoryLevel = 9;
 
 Error NotGzip(const std::string& name)
 {
-    return Error{ErrorKind::Unusable, name, "is not a whole gzip file"};
+    return Error{ErrorKind::Unusable, name, "is not a complete gzip file"};
 }
 
 Error NoMemory(const std::string& name)

@@ -81,7 +81,7 @@ Result<void> ReadState(const fs::path& root, const std::string& name, Moment& mo
     if (text.size() < 17 || text[16] != '\n' ||
         !std::all_of(text.begin(), text.begin() + 16, isDigit))
     {
-        return Damaged(*kept, "does not begin with a state of 16 hex digits");
+        return Damaged(*kept, "does not begin with a state hash of 16 hex digits");
     }
     Result<WorldState> bodies = ParseWorldState(std::string_view(text).substr(17));
     if (!bodies)
@@ -385,8 +385,7 @@ Result<void> Store(const fs::path& references, const std::string& name, const Mo
                      Encode(references, name, moment, renderer));
     if (files.empty())
     {
-        return Error{ErrorKind::Unusable, name,
-                     "has neither a state nor a draw list nor a frame to accept"};
+        return Error{ErrorKind::Unusable, name, "has no state, draw list or frame to accept"};
     }
     RETURN_IF_ERROR(WriteAll(files));
     // Depths that the candidate does not have belong to an older one.

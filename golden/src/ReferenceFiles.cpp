@@ -62,12 +62,13 @@ std::string WhyNotUsable(const std::string& name)
         }
         if (!std::all_of(part.begin(), part.end(), IsNameCharacter))
         {
-            return "may only have a-z, 0-9, '.', '_', '-' and '/'";
+            return "may only contain a-z, 0-9, '.', '_', '-' and '/'";
         }
         begin = end + 1;
     }
     // A file being written is called so until it is whole.
-    return name.ends_with(".part") ? "ends with .part, as unfinished files do" : "";
+    return name.ends_with(".part") ? "must not end with .part, the extension of unfinished files"
+                                   : "";
 }
 
 Result<fs::path> PathInside(const fs::path& root, const fs::path& relative)
@@ -85,8 +86,7 @@ Result<fs::path> PathInside(const fs::path& root, const fs::path& relative)
         const fs::path target = code ? fs::path() : fs::canonical(here, code);
         if (code || !IsInside(realRoot, target))
         {
-            return Unusable(here, "is a link that does not lead to a place in " + root.string(),
-                            "remove it");
+            return Unusable(here, "is a link to a place outside " + root.string(), "remove it");
         }
     }
     return here;
@@ -106,7 +106,7 @@ Result<bool> IsFile(const fs::path& path)
     }
     if (!fs::is_regular_file(status))
     {
-        return Unusable(path, "is not a file", "move it away");
+        return Unusable(path, "is not a regular file", "move it");
     }
     return true;
 }
@@ -127,9 +127,7 @@ Result<std::optional<std::string>> ReadStoredText(const fs::path& root, const fs
     }
     if (*hasPlain && *hasPacked)
     {
-        return Unusable(*plain,
-                        packed->filename().string() + " lies beside it and only one can be right",
-                        "remove the other");
+        return Unusable(*plain, packed->filename().string() + " also exists", "remove one of them");
     }
     if (!*hasPlain && !*hasPacked)
     {
@@ -170,9 +168,8 @@ Result<void> WriteAll(const std::vector<FileToWrite>& files)
         fs::create_directories(file.path.parent_path(), code);
         if (code)
         {
-            return Unusable(file.path.parent_path(),
-                            "this folder cannot be created: " + code.message(),
-                            "choose another place");
+            return Unusable(file.path.parent_path(), "cannot be created: " + code.message(),
+                            "choose another folder");
         }
         ASSIGN_OR_RETURN(AtomicFile opened, AtomicFile::Create(file.path, true));
         const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.bytes.data());

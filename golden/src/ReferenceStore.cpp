@@ -210,7 +210,7 @@ std::string WhyNotLeftOut(const std::vector<int>& bodies, const GoldenCandidate&
 {
     if (!candidate.frame.rgba.empty() && !candidate.camera)
     {
-        return "no camera says where they are in the picture";
+        return "the picture has no camera";
     }
     int last = -1;
     for (const WorldState* const state : {&candidate.state, &expected.bodies})
@@ -219,7 +219,7 @@ std::string WhyNotLeftOut(const std::vector<int>& bodies, const GoldenCandidate&
     }
     const int largest = *std::max_element(bodies.begin(), bodies.end());
     return largest <= last ? ""
-           : last < 0      ? "no state of its bodies is kept"
+           : last < 0      ? "the reference has no states of bodies"
                            : "there is no body " + std::to_string(largest) + ", the last is " +
                             std::to_string(last);
 }
@@ -236,12 +236,11 @@ std::string WhyNotWhole(const Moment& expected, const Moment& actual)
     const bool areKept = !expected.bodies.bodies.empty() && !actual.bodies.bodies.empty();
     if (areKept && ToText(expected.bodies) != ToText(actual.bodies))
     {
-        return "the bodies of its state are not those that its hash stands for";
+        return "the bodies of its state do not match its hash";
     }
     const std::optional<TraceDifference> inTrace =
         actual.trace ? FirstDifference(*expected.trace, *actual.trace) : std::nullopt;
-    return inTrace && inTrace->isOfOne ? "the steps of its trace are not those that lead to it"
-                                       : "";
+    return inTrace && inTrace->isOfOne ? "the steps of its trace do not match its state" : "";
 }
 
 std::optional<WorldDifference> CompareWorlds(const Moment& expected, const Moment& actual)
@@ -390,7 +389,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
     {
         return ReportDamaged(std::move(judged), candidate, references,
                              {ErrorKind::Unusable, references.string(),
-                              "the text of its sheet is not that of its picture", "restore it"});
+                              "the text of its sheet does not match its picture", "restore it"});
     }
     Moment less[2]; // the files of a failure still contain the ignored bodies
     const Moment* before = &judged.expected;
@@ -405,7 +404,7 @@ Result<Judged> JudgeMoment(const fs::path& references, const GoldenCandidate& ca
         {
             verdict.status = GoldenStatus::NotCompared;
             verdict.problem = {ErrorKind::Unusable, Bodies(settings.ignoredBodies),
-                               "cannot be left out: " + why};
+                               "cannot be ignored: " + why};
             return judged;
         }
         before = &less[0];
@@ -471,8 +470,8 @@ Result<GoldenVerdict> ReferenceStore::Verify(const GoldenCandidate& candidate,
     const Result<void> written = files.WriteVerdict({verdict, candidate, judged.limits});
     if (verdict.status == GoldenStatus::Same)
     {
-        // What passes also passes where nothing can be written, such as in a folder that is read
-        // only; only that nobody can read of it later.
+        // An equal candidate passes even if its verdict cannot be written, such as in a read-only
+        // folder.
         verdict.warning = written ? std::nullopt : std::optional(written.GetError());
         return std::move(verdict);
     }
@@ -494,7 +493,7 @@ Result<void> ReferenceStore::Accept(const GoldenCandidate& candidate, AcceptAs a
     RETURN_IF_ERROR(CheckReferenceName(candidate.name));
     if (as == AcceptAs::ForThisRenderer && candidate.renderer.empty())
     {
-        return Error{ErrorKind::Unusable, candidate.name, "the renderer that drew it is not known",
+        return Error{ErrorKind::Unusable, candidate.name, "its renderer is unknown",
                      "accept it for all renderers"};
     }
     const bool isOfOne =

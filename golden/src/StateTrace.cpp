@@ -94,8 +94,7 @@ Result<StateTrace> ParseStateTrace(std::string_view text)
         std::optional<TraceStep> step = ParseStep(*line);
         if (!step || (!trace.steps.empty() && step->step <= trace.steps.back().step))
         {
-            return Error{ErrorKind::Unusable, Shown(*line),
-                         "is not a step's number with its hashes"};
+            return Error{ErrorKind::Unusable, Shown(*line), "is not a step number with its hashes"};
         }
         trace.steps.push_back(*std::move(step));
     }

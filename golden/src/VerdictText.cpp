@@ -88,7 +88,7 @@ std::string Join(const std::vector<std::string>& parts, const char* between)
 namespace
 {
 
-// The shortest text that reads back, whatever the locale.
+// The shortest text that reads back, independent of the locale.
 std::string Number(auto value)
 {
     char text[32];

@@ -121,7 +121,7 @@ Result<WorldState> ParseWorldState(std::string_view text)
         if (!body || (!state.bodies.empty() && body->number <= state.bodies.back().number))
         {
             return Error{ErrorKind::Unusable, Shown(*line),
-                         "is not a body's number with its place and velocity"};
+                         "is not a body number with position and velocity"};
         }
         state.bodies.push_back(*body);
     }

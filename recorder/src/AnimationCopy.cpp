@@ -98,8 +98,7 @@ Result<bool> StoredFrames::Next()
 Error CutShort(const std::filesystem::path& path, std::int64_t frames)
 {
     return Error{ErrorKind::Unusable, path.string(),
-                 "ends after " + std::to_string(frames) + " frames, before the next part begins",
-                 "record it again"};
+                 "has only " + std::to_string(frames) + " frames", "record it again"};
 }
 
 /// Repeats the last frame until `count` are appended.
@@ -129,8 +128,8 @@ Result<void> CopyAnimation(const std::filesystem::path& from, const VideoSetting
     ASSIGN_OR_RETURN(StoredFrames frames, StoredFrames::Open(from, settings));
     if (frames.Info().width != settings.width || frames.Info().height != settings.height)
     {
-        return Error{ErrorKind::Unusable, from.string(),
-                     "has another size than the film that it is a part of", "record it again"};
+        return Error{ErrorKind::Unusable, from.string(), "size differs from the film's",
+                     "record it again"};
     }
     const std::int64_t end = count.value_or(std::numeric_limits<std::int64_t>::max());
     std::int64_t appended = 0;

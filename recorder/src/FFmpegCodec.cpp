@@ -48,9 +48,8 @@ Error Refused(const EncoderPlan& plan, const VideoSettings& settings, const std:
     if (!options.empty())
     {
         return Error{ErrorKind::Unusable, "--codec-option " + options,
-                     "the encoder " + plan.encoder + " does not take it (" + FFmpegText(status) +
-                         ")",
-                     "`ffmpeg -h encoder=" + plan.encoder + "` shows what it takes"};
+                     "the encoder " + plan.encoder + " refuses it (" + FFmpegText(status) + ")",
+                     "`ffmpeg -h encoder=" + plan.encoder + "` lists its options"};
     }
     return Error{ErrorKind::Failed, film, plan.encoder + " failed (" + FFmpegText(status) + ")",
                  "try another quality, size or format"};
@@ -65,11 +64,11 @@ Error Unknown(const EncoderPlan& plan, const VideoSettings& settings, const std:
         if (name == option)
         {
             return Error{ErrorKind::Unusable, "--codec-option " + option,
-                         "the encoder " + plan.encoder + " does not know it",
-                         "`ffmpeg -h encoder=" + plan.encoder + "` shows what it knows"};
+                         "the encoder " + plan.encoder + " has no such option",
+                         "`ffmpeg -h encoder=" + plan.encoder + "` lists its options"};
         }
     }
-    return Error{ErrorKind::Absent, plan.encoder, "does not know the option " + option,
+    return Error{ErrorKind::Absent, plan.encoder, "has no option " + option,
                  "install Debian's " + ThisLibrary()};
 }
 
@@ -175,8 +174,8 @@ Result<FFmpegCodec> FFmpegCodec::Open(const EncoderPlan& plan, const VideoSettin
     if (const char* what = Overridden(*context, plan, settings); what != nullptr)
     {
         return Error{ErrorKind::Unusable, "--codec-option " + Given(settings),
-                     std::string("changes the film's ") + what + ", which other options decide",
-                     "leave it out"};
+                     std::string("changes the film's ") + what + ", which other options set",
+                     "remove it"};
     }
     return FFmpegCodec(std::move(context));
 }
@@ -225,7 +224,7 @@ Result<FFmpegOwner<AVPacket>> FFmpegCodec::EncodeBlack()
     if (status < 0)
     {
         return Error{ErrorKind::Failed, m_context->codec->name,
-                     "the encoder does not take a picture (" + FFmpegText(status) + ")",
+                     "the encoder refuses a picture (" + FFmpegText(status) + ")",
                      "try another quality or format"};
     }
     return packet;
@@ -248,8 +247,8 @@ Result<FFmpegOwner<AVFrame>> FFmpegCodec::MakePicture() const
         return Error{ErrorKind::Failed,
                      std::to_string(picture->width) + "x" + std::to_string(picture->height) +
                          " pixels",
-                     "no memory for a picture (" + FFmpegText(status) + ")",
-                     "free some memory or film a smaller one"};
+                     "not enough memory for a frame (" + FFmpegText(status) + ")",
+                     "free some memory or use a smaller size"};
     }
     return picture;
 }

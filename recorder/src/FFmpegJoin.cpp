@@ -80,7 +80,7 @@ Result<void> CheckAlike(const std::vector<FilmPart>& films, AVRational tick)
         if (!IsAlike(first.Codec(), packets.Codec()))
         {
             return Error{ErrorKind::Unusable, film.path.string(),
-                         "is not coded as " + films.front().path.string() + " is",
+                         "is not encoded as " + films.front().path.string() + " is",
                          "record both with the same options and libraries"};
         }
     }

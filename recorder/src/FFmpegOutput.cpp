@@ -28,7 +28,7 @@ Result<void> WriteToStandardOutput(std::span<const std::uint8_t> bytes)
                          errno == EPIPE ? "the program that reads the film has stopped"
                                         : "the film cannot be written: " +
                                               std::generic_category().message(errno),
-                         errno == EPIPE ? "look at what it said" : "check where it leads"};
+                         errno == EPIPE ? "check its messages" : "check its destination"};
         }
         bytes = bytes.subspan(std::size_t(written < 0 ? 0 : written));
     }

@@ -32,7 +32,7 @@ Result<FFmpegPackets> FFmpegPackets::Open(const std::filesystem::path& path, AVR
     if (status < 0)
     {
         return Error{ErrorKind::Unusable, path.string(),
-                     "is not a film, is damaged or cut short (" + FFmpegText(status) + ")",
+                     "is not a film, or is damaged or truncated (" + FFmpegText(status) + ")",
                      "record it again"};
     }
     packets.m_stream = input->streams[status];

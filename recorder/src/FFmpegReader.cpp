@@ -101,7 +101,7 @@ private:
 Error FFmpegReader::Damaged(const std::string& why) const
 {
     return Error{ErrorKind::Failed, m_path.string(),
-                 "is damaged or cut short after " + std::to_string(m_frames) + " frames (" + why +
+                 "is damaged or truncated after " + std::to_string(m_frames) + " frames (" + why +
                      ")",
                  "record it again"};
 }
@@ -143,7 +143,8 @@ Result<void> FFmpegReader::OpenInput()
     if (status < 0)
     {
         return Error{ErrorKind::Unusable, m_path.string(),
-                     "is not a film, is damaged or cut short (" + FFmpegText(status) + ")"};
+                     "is not a film, or is damaged or truncated (" + FFmpegText(status) + ")",
+                     "name a film, or record it again"};
     }
     m_stream = input->streams[status];
     return {};
@@ -168,7 +169,7 @@ Result<void> FFmpegReader::OpenDecoder()
     if (status < 0)
     {
         return Error{ErrorKind::Unusable, m_path.string(),
-                     "cannot be decoded (" + FFmpegText(status) + ")"};
+                     "cannot be decoded (" + FFmpegText(status) + ")", "record it again"};
     }
     m_packet.reset(FFmpeg().av_packet_alloc());
     m_picture.reset(FFmpeg().av_frame_alloc());
@@ -251,7 +252,7 @@ Result<bool> FFmpegReader::End()
 {
     if (m_frames == 0)
     {
-        return Damaged("it holds no picture");
+        return Damaged("it has no frame");
     }
     if (!HasEnd())
     {
@@ -259,7 +260,7 @@ Result<bool> FFmpegReader::End()
     }
     if (m_stream->nb_frames > 0 && m_frames < m_stream->nb_frames)
     {
-        return Damaged(std::to_string(m_stream->nb_frames) + " were promised");
+        return Damaged(std::to_string(m_stream->nb_frames) + " in its header");
     }
     const double promised = double(m_input->duration) / AV_TIME_BASE;
     const double period = 1.0 / info.framesPerSecond.ToDouble();
@@ -268,7 +269,7 @@ Result<bool> FFmpegReader::End()
     // The header's time unit may be a millisecond, so only a missing whole frame counts.
     if (m_input->duration > 0 && isStoredDuration && m_end + 0.5 * period + 0.002 < promised)
     {
-        return Damaged(std::to_string(promised) + " s were promised");
+        return Damaged(std::to_string(promised) + " s in its header");
     }
     return false;
 }

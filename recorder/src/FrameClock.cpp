@@ -34,6 +34,8 @@ std::int64_t ToInteger(std::string_view digits)
     return value;
 }
 
+constexpr const char* kRemedy = "use a number above zero, such as 60, 29.97 or 30000/1001";
+
 Error Refuse(std::string_view text, const char* why)
 {
     constexpr std::size_t kShown = 40; // limit of the quoted text in a message
@@ -42,8 +44,7 @@ Error Refuse(std::string_view text, const char* why)
     {
         shown += "...";
     }
-    return Error{ErrorKind::Unusable, "'" + shown + "'", why,
-                 "write a number above zero such as 60, 29.97 or 30000/1001"};
+    return Error{ErrorKind::Unusable, "'" + shown + "'", why, kRemedy};
 }
 
 std::optional<Rational> Reduce(std::int64_t num, std::int64_t den)
@@ -70,8 +71,7 @@ Result<Rational> Rational::Parse(std::string_view text)
 {
     if (text.empty())
     {
-        return Error{ErrorKind::Unusable, "''", "is not a number",
-                     "write one above zero such as 60, 29.97 or 30000/1001"};
+        return Error{ErrorKind::Unusable, "number", "is empty", kRemedy};
     }
     if (text.front() == '-')
     {

@@ -82,11 +82,11 @@ Result<FrameRange> FrameRange::Parse(std::string_view text)
         }
         if (run->last < run->first)
         {
-            return Refused(text, word, "goes backwards");
+            return Refused(text, word, "ends before it begins");
         }
         if (!range.m_runs.empty() && run->first <= range.m_runs.back().last)
         {
-            return Refused(text, word, "does not come after the range before it");
+            return Refused(text, word, "must begin after the end of the previous range");
         }
         range.m_runs.push_back(*run);
         if (comma == std::string_view::npos)

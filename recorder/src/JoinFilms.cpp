@@ -23,14 +23,15 @@ Result<bool> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem
         if (FormatOf(part.path, {}) != format)
         {
             return Error{ErrorKind::Unusable, part.path.string(),
-                         "is not of the same format as " + path.string(),
-                         "give parts and whole the same extension"};
+                         "has another format than " + path.string(),
+                         "use the same extension for the parts and the film"};
         }
     }
     if (IsPipe(path) || !HasParts(format) || format == VideoFormat::PngSequence)
     {
-        return Error{ErrorKind::Unusable, path.string(), "is of a format that cannot be joined",
-                     "record parts in another one; put parts of frames-####.png into one folder"};
+        return Error{
+            ErrorKind::Unusable, path.string(), "has a format that cannot be joined",
+            "record the parts in another format, or put parts of frames-####.png into one folder"};
     }
     if (IsAnimation(format))
     {

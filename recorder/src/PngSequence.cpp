@@ -281,13 +281,12 @@ public:
         {
             const std::int64_t missing = m_numbers.front() + std::int64_t(m_next);
             return Error{ErrorKind::Unusable, m_name.PathOf(missing).string(),
-                         "is missing in the middle of the sequence", "render it again"};
+                         "is missing in the sequence", "render it again"};
         }
         ASSIGN_OR_RETURN(Frame read, ReadPng(path));
         if (read.width != info.width || read.height != info.height)
         {
-            return Error{ErrorKind::Unusable, path.string(),
-                         "has another size than the first picture of the sequence",
+            return Error{ErrorKind::Unusable, path.string(), "size differs from the first picture",
                          "render it again"};
         }
         stored.frame = std::move(read);
@@ -314,9 +313,9 @@ Result<std::unique_ptr<VideoSink>> OpenPngSequence(const std::filesystem::path& 
     {
         if (!settings.overwrite && !settings.resume && IsAmong(number, settings.frames))
         {
-            return Error{ErrorKind::Unusable, name.PathOf(number).string(), "exists already",
-                         "choose another name or folder, continue what was stopped (boxreel's "
-                         "--resume), or allow overwriting (--force)"};
+            return Error{ErrorKind::Unusable, name.PathOf(number).string(), "already exists",
+                         "choose another name, or continue a stopped film (boxreel's --resume) or "
+                         "overwrite it (--force)"};
         }
     }
     // Checks that the folder is writable before the simulation starts.
@@ -332,8 +331,7 @@ Result<std::unique_ptr<VideoSource>> OpenPngSequenceSource(const std::filesystem
     if (numbers.empty())
     {
         return Error{ErrorKind::Unusable, path.string(),
-                     "no picture has such a name; " + name.PathOf(0).string() + " would be one",
-                     "check the name"};
+                     "matches no picture such as " + name.PathOf(0).string(), "check the name"};
     }
     auto reader = std::make_unique<PngSequenceReader>(name, std::move(numbers));
     RETURN_IF_ERROR(reader->Open());

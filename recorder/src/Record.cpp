@@ -140,7 +140,7 @@ Result<RecordingEnd> Recorder::Finish()
 Result<RecordingEnd> Record(const RecordingSettings& settings, Renderer& renderer,
                             VideoWriter& writer)
 {
-    assert(settings.fill && "a recording needs somebody who fills its frames");
+    assert(settings.fill && "a recording needs a function that fills its frames");
     if (settings.frameCount < 1)
     {
         return Error{ErrorKind::Unusable, "frameCount " + std::to_string(settings.frameCount),

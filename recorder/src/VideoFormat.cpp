@@ -72,18 +72,18 @@ Error UnknownName(const std::filesystem::path& path, const VideoSettings& settin
     {
         return Error{ErrorKind::Unusable,
                      settings.format.empty() ? "--format" : "--format " + settings.format,
-                     settings.format.empty() ? "is needed for standard output"
+                     settings.format.empty() ? "is required for standard output"
                                              : "cannot be written to standard output",
                      "give --format y4m, nut, mkv or webm"};
     }
     if (LowerExtension(path) == ".png")
     {
-        return unusable("is the name of one picture",
-                        "give a place for the number, like frames-####.png");
+        return unusable("names a single picture",
+                        "use a name with a number, such as frames-####.png");
     }
     if (!path.has_filename())
     {
-        return unusable("names no file", formats);
+        return unusable("is not a file name", formats);
     }
     const std::string extension = path.extension().string();
     return unusable(extension.empty() ? "has no extension" : "unsupported extension " + extension,
@@ -119,8 +119,7 @@ Result<void> CheckEvenSize(VideoFormat format, const VideoSettings& settings)
     const char* const others = format == VideoFormat::Y4m // y4m cannot be lossless
                                    ? ", --chroma 444 or nut"
                                    : ", --chroma 444, --quality lossless, .gif or frames-####.png";
-    return Error{ErrorKind::Unusable, "size " + SizeText(w, h),
-                 "must be even, since this film halves the resolution of colours",
+    return Error{ErrorKind::Unusable, "size " + SizeText(w, h), "must be even with 4:2:0 chroma",
                  "use " + SizeText(w + w % 2, h + h % 2) + others};
 }
 
@@ -151,7 +150,7 @@ Result<void> CheckNumbers(const VideoSettings& settings)
     if (settings.plays < 0 || settings.plays > kMaxPlays)
     {
         return Error{ErrorKind::Unusable, "plays " + std::to_string(settings.plays),
-                     "must be between 0 (for ever) and " + std::to_string(kMaxPlays)};
+                     "must be between 0 (forever) and " + std::to_string(kMaxPlays)};
     }
     RETURN_IF_ERROR(CheckRate(settings.framesPerSecond));
     return CheckSize(settings);
@@ -163,20 +162,20 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
 {
     if (settings.plays != 0 && !IsAnimation(format))
     {
-        return Error{ErrorKind::Unusable, path.string(), "cannot say how often it plays",
-                     "leave --loop out, or write .gif, .apng or .webp"};
+        return Error{ErrorKind::Unusable, path.string(), "format has no loop count",
+                     "remove --loop, or write .gif, .apng or .webp"};
     }
     const bool isWhole = IsPipe(path) || !HasParts(format);
     if (settings.resume && isWhole)
     {
-        return Error{ErrorKind::Unusable, path.string(), "cannot be continued",
-                     "leave --resume out, or write another format"};
+        return Error{ErrorKind::Unusable, path.string(), "cannot be resumed",
+                     "remove --resume, or write another format"};
     }
     if (settings.constantRate && format == VideoFormat::WebP)
     {
         return Error{ErrorKind::Unusable, path.string(),
-                     "cannot have a constant rate, since its library joins equal frames",
-                     "leave --constant-rate out, or write .apng"};
+                     "cannot have a constant rate, because libwebp joins identical frames",
+                     "remove --constant-rate, or write .apng"};
     }
     if (!IsOfLibav(format))
     {
@@ -184,8 +183,8 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
         if (asksCodec || (format != VideoFormat::WebP && !settings.codecOptions.empty()))
         {
             return Error{ErrorKind::Unusable, path.string(),
-                         "has neither a choice of codecs nor of chroma",
-                         "leave --codec, --chroma and --codec-option out"};
+                         "format has no codec or chroma options",
+                         "remove --codec, --chroma and --codec-option"};
         }
         return {};
     }
@@ -270,12 +269,12 @@ Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettin
     if (!IsPipe(path) && !settings.format.empty())
     {
         return Error{ErrorKind::Unusable, "--format " + settings.format,
-                     "is for standard output; the extension of " + path.string() +
-                         " says the format"};
+                     "applies to standard output only",
+                     "remove it; the extension of " + path.string() + " sets the format"};
     }
     if (*format == VideoFormat::PngSequence && ParseSequenceName(path)->digits > 9)
     {
-        return Error{ErrorKind::Unusable, path.string(), "has more than nine #"};
+        return Error{ErrorKind::Unusable, path.string(), "has more than nine #", "remove some"};
     }
     RETURN_IF_ERROR(CheckNumbers(settings));
     return CheckFormat(path, *format, settings);

@@ -240,13 +240,13 @@ Result<void> AddUsers(EncoderPlan& plan, const VideoSettings& settings)
     {
         if (settings.quality == Quality::Lossless && plan.needsGroups && IsRateOption(name))
         {
-            return Contradiction("--codec-option " + name, "--quality lossless decides it",
-                                 "leave one of them out");
+            return Contradiction("--codec-option " + name, "is set by --quality lossless",
+                                 "remove one of them");
         }
         if (name == "flags" && value.find("pass") != std::string::npos)
         {
-            return Contradiction("--codec-option flags=" + value, "a film is made in one pass",
-                                 "leave it out");
+            return Contradiction("--codec-option flags=" + value, "films are encoded in one pass",
+                                 "remove it");
         }
         plan.codecOptions.emplace_back(name == "x264-params" ? "x264opts" : name, value);
     }
@@ -260,8 +260,8 @@ Result<void> PlanRaw(EncoderPlan& plan, VideoFormat format, const VideoSettings&
     plan.pixelFormat = format == VideoFormat::Nut ? "rgb24" : YuvOf(settings.chroma);
     if (format == VideoFormat::Y4m && settings.quality == Quality::Lossless)
     {
-        return Contradiction("--quality lossless", "y4m holds YUV, which rounds colours",
-                             "use nut, or leave it out");
+        return Contradiction("--quality lossless", "y4m stores YUV, which rounds colours",
+                             "use nut, or remove it");
     }
     return {};
 }
@@ -289,8 +289,8 @@ Result<std::string> CodecOf(const Container& container, const VideoSettings& set
     {
         const bool hasChoice = codecs.size() > 1;
         return Contradiction(
-            "--codec " + settings.codec, std::string(container.name) + " does not hold it",
-            hasChoice ? "give one of " + Listed(codecs) : "leave --codec out, it has one only");
+            "--codec " + settings.codec, std::string(container.name) + " does not support it",
+            hasChoice ? "use one of " + Listed(codecs) : "remove --codec, it has only one");
     }
     return settings.codec;
 }
@@ -303,13 +303,12 @@ Result<void> PlanCodec(EncoderPlan& plan, VideoFormat format, const std::string&
     const bool hasChroma = format == VideoFormat::Y4m || plan.needsGroups;
     if (settings.chroma == Chroma::Full && (!hasChroma || isLossless))
     {
-        return Contradiction("--chroma 444", "applies to YUV, and this film is RGB",
-                             "leave it out");
+        return Contradiction("--chroma 444", "applies to YUV, and this film is RGB", "remove it");
     }
     if (codec == "ffv1" && !isLossless)
     {
-        return Contradiction("--codec ffv1", "is lossless",
-                             "add --quality lossless, or use another codec");
+        return Contradiction("--codec ffv1", "requires --quality lossless",
+                             "add it, or use another codec");
     }
     if (codec == "h264")
     {

@@ -122,7 +122,7 @@ Result<void> VideoWriter::Append(const Frame& frame, std::span<const PixelBounds
     if (!m_impl->sink || frame.width != m_impl->width || frame.height != m_impl->height)
     {
         return Error{ErrorKind::Failed, "frame",
-                     "is of another size than the film, or appended after its end"};
+                     "size differs from the film's, or the film has ended"};
     }
     m_impl->isEmpty = false;
     return m_impl->Keep(m_impl->sink->Append(frame, changed));
@@ -144,7 +144,7 @@ Result<void> VideoWriter::End(Result<void> (VideoSink::*end)())
     assert(m_impl->sink && "a film is closed once");
     if (!m_impl->sink)
     {
-        return Error{ErrorKind::Failed, "film", "is closed already, or failed"};
+        return Error{ErrorKind::Failed, "film", "is already closed, or has failed"};
     }
     if (m_impl->isEmpty && m_impl->sink->ResumedFrames() == 0)
     {

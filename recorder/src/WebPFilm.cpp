@@ -104,7 +104,7 @@ Result<double> ParseOption(const std::string& name, const std::string& text)
         read = 0;
     }
     return Error{ErrorKind::Unusable, "--codec-option " + name + "=" + text,
-                 "needs a number after the sign"};
+                 "requires a number after the ="};
 }
 
 Result<void> SetOption(const std::string& name, const std::string& text, WebPConfig& config)
@@ -125,8 +125,8 @@ Result<void> SetOption(const std::string& name, const std::string& text, WebPCon
         }
         known += std::string(", ") + option.name;
     }
-    return Error{ErrorKind::Unusable, "--codec-option " + name, "libwebp does not know it",
-                 "it knows " + known};
+    return Error{ErrorKind::Unusable, "--codec-option " + name, "libwebp has no such option",
+                 "use one of " + known};
 }
 
 class WebPFilm final : public VideoSink
@@ -171,14 +171,14 @@ Error WebPFilm::EncodeError() const
 {
     return Error{ErrorKind::Failed, m_path.string(),
                  std::string("cannot be encoded: ") + m_library.encoderError(m_encoder),
-                 "make it smaller or write another format"};
+                 "use a smaller size or another format"};
 }
 
 Result<void> WebPFilm::Configure()
 {
     if (m_library.configInit(&m_config, WEBP_PRESET_DEFAULT, 75.0f, WEBP_ENCODER_ABI_VERSION) == 0)
     {
-        return Error{ErrorKind::Absent, "libwebp", "is of another version",
+        return Error{ErrorKind::Absent, "libwebp", "has an unsupported version",
                      "install Debian's libwebp7"};
     }
     SetQuality(m_settings.quality, m_config);
@@ -188,8 +188,8 @@ Result<void> WebPFilm::Configure()
     }
     if (m_library.validateConfig(&m_config) == 0)
     {
-        return Error{ErrorKind::Unusable, "--codec-option", "libwebp does not take these values",
-                     "`cwebp -longhelp` shows what it takes"};
+        return Error{ErrorKind::Unusable, "--codec-option", "libwebp refuses these values",
+                     "`cwebp -longhelp` lists the valid values"};
     }
     return {};
 }

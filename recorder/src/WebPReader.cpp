@@ -85,7 +85,7 @@ Result<void> WebPReader::Open()
     if (m_decoder == nullptr || m_library.getInfo(m_decoder, &m_info) == 0)
     {
         return Error{ErrorKind::Unusable, m_path.string(),
-                     "is not a WebP, is damaged or cut short"};
+                     "is not a WebP, or is damaged or truncated", "record it again"};
     }
     const Rational unknown{1000, 1}; // the time unit is not stored
     info = RgbInfo(int(m_info.canvas_width), int(m_info.canvas_height), unknown, "webp", "webp");

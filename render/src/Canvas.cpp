@@ -86,7 +86,8 @@ Result<void> Canvas::MakeTarget()
         m_gl.GetError() != GL_NO_ERROR)
     {
         return Error{ErrorKind::Failed, std::to_string(m_width) + "x" + std::to_string(m_height),
-                     "GL has no memory for a picture of this size", "choose a smaller size"};
+                     "GL has not enough memory for a picture of this size",
+                     "choose a smaller size"};
     }
     m_gl.Viewport(0, 0, m_width, m_height);
     m_gl.Disable(GL_DITHER);
@@ -141,7 +142,7 @@ Result<Canvas::Program> Canvas::Link(const ShaderSource& source)
         m_gl.GetProgramInfoLog(made.program, GLsizei(log.size()), &length, log.data());
         m_gl.DeleteProgram(made.program);
         log.resize(std::size_t(length));
-        return Error{ErrorKind::Failed, "GL", "does not compile a shader (" + log + ")"};
+        return Error{ErrorKind::Failed, "GL", "cannot compile a shader (" + log + ")"};
     }
     m_gl.UseProgram(made.program);
     m_gl.Uniform2f(m_gl.GetUniformLocation(made.program, "pixelToClip"), 2.0f / float(m_width),

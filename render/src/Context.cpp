@@ -98,7 +98,7 @@ Result<std::unique_ptr<Context>> CreateOne(Backend backend, const ContextLibrari
     case Backend::Auto:
         break; // replaced by one of kAutomatic above
     }
-    return Error{ErrorKind::Absent, NameOf(backend), "no such back end"};
+    return Error{ErrorKind::Absent, NameOf(backend), "unknown back end"};
 }
 
 } // namespace

@@ -210,10 +210,9 @@ Result<std::unique_ptr<Context>> CreateAt(const Egl& egl, const Place& place, bo
     const std::string renderer = context->RendererName();
     if (IsSoftware(renderer) == onGpu)
     {
-        return Error{
-            ErrorKind::Absent, place.name,
-            "draws with " + renderer +
-                (onGpu ? ", which is not a GPU" : ", which BOXREEL_BACKEND=egl-gpu asks for")};
+        return Error{ErrorKind::Absent, place.name,
+                     "draws with " + renderer +
+                         (onGpu ? ", which is not a GPU" : ", a GPU, which only egl-gpu uses")};
     }
     return std::unique_ptr<Context>(std::move(context));
 }
@@ -239,7 +238,7 @@ Result<std::unique_ptr<Context>> CreateEglContext(const std::string& library, bo
         failures += (failures.empty() ? "" : "; ") + context.GetError().Text();
     }
     return Error{ErrorKind::Absent, library,
-                 "cannot draw (" + (failures.empty() ? "it needs a screen" : failures) + ")",
+                 "cannot draw (" + (failures.empty() ? "it needs a display" : failures) + ")",
                  onGpu ? "install the driver of your GPU"
                        : "install a software one with: apt install libegl-mesa0 libgl1-mesa-dri"};
 }

@@ -35,7 +35,7 @@ Result<void> CheckVectorWidth()
         return {};
     }
     return Error{ErrorKind::Unusable, std::string(kVectorWidth) + " '" + std::string(text) + "'",
-                 "llvmpipe draws with 128 or 256 only", "unset it"};
+                 "must be 128 or 256 for llvmpipe", "unset it"};
 }
 
 Result<SharedLibrary> OpenContextLibrary(const std::string& library, const std::string& packages)

@@ -411,7 +411,7 @@ Result<void> CheckFigure(const Figure& figure)
     if (!usable)
     {
         return Error{ErrorKind::Unusable, "size",
-                     "a figure and its panels are 1 to " + std::to_string(kLargestFigure) +
+                     "a figure and its panels must be 1 to " + std::to_string(kLargestFigure) +
                          " pixels wide and high"};
     }
     if (!(figure.scale >= 0.1 && figure.scale <= 16.0))

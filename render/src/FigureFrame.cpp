@@ -154,7 +154,7 @@ Result<Frame> ToFrame(const Figure& figure, Backend backend, RenderTotals* total
     {
         return Error{ErrorKind::Unusable,
                      "size " + std::to_string(size.width) + "x" + std::to_string(size.height),
-                     "a figure is at most 8192 pixels wide and high",
+                     "a figure must be at most 8192 pixels wide and high",
                      "choose a smaller scale or size"};
     }
     const Frame ground = Ground(size.width, size.height, figure.theme.background);

@@ -165,8 +165,8 @@ Error Damaged(const Reader& reader, const fs::path& path)
     {
         return CannotRead(ErrorKind::Failed, path, what, "check the disk and try again");
     }
-    return CannotRead(ErrorKind::Unusable, path, "it is not a whole PNG picture (" + what + ")",
-                      "choose another");
+    return CannotRead(ErrorKind::Unusable, path, "it is not a complete PNG picture (" + what + ")",
+                      "choose another file");
 }
 
 Result<void> OpenFile(Reader& reader, const fs::path& path)
@@ -195,7 +195,7 @@ Result<void> CheckSize(const Reader& reader, const fs::path& path)
     if (reader.width > kMaxSide || reader.height > kMaxSide)
     {
         return CannotRead(ErrorKind::Unusable, path, "it has " + promise + " pixels",
-                          "choose one of at most " + limit + "x" + limit);
+                          "choose a picture of at most " + limit + "x" + limit);
     }
     std::error_code code;
     const bool isRegular = fs::is_regular_file(path, code);
@@ -204,8 +204,8 @@ Result<void> CheckSize(const Reader& reader, const fs::path& path)
         std::uint64_t{reader.rowBytes} * reader.height / kMaxDeflateRatio > size)
     {
         return CannotRead(ErrorKind::Unusable, path,
-                          "it is too short for the " + promise + " pixels it promises",
-                          "give it anew or choose another");
+                          "it is too short for " + promise + " pixels, the size in its header",
+                          "copy it again or choose another file");
     }
     return {};
 }
@@ -324,7 +324,7 @@ Result<void> Begin(Reader& reader, const fs::path& path, bool readsTexts)
     reader.info = reader.png ? png_create_info_struct(reader.png) : nullptr;
     if (!reader.info)
     {
-        return CannotRead(ErrorKind::Failed, path, "libpng could not start",
+        return CannotRead(ErrorKind::Failed, path, "libpng cannot start",
                           "free some memory and try again");
     }
     return Guarded(reader.png, [&] { ReadHeader(reader, readsTexts); })

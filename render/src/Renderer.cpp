@@ -64,9 +64,9 @@ Result<void> CheckCamera(const Camera& camera, const RendererSettings& settings)
     if (camera.width != settings.width || camera.height != settings.height)
     {
         return Error{ErrorKind::Unusable, "camera",
-                     "is of size " + Size(camera.width, camera.height) + ", the renderer of size " +
-                         Size(settings.width, settings.height),
-                     "give both the same"};
+                     "has size " + Size(camera.width, camera.height) +
+                         ", but the renderer has size " + Size(settings.width, settings.height),
+                     "use the same size for both"};
     }
     if (!CanBeDrawn(camera))
     {
@@ -94,7 +94,7 @@ Result<void> CheckOverlay(const Overlay& overlay)
     if (maximum != overlay.indices.end() && *maximum >= overlay.vertices.size())
     {
         return Error{ErrorKind::Unusable, "overlay",
-                     "an index names vertex " + std::to_string(*maximum) + " of " +
+                     "an index refers to vertex " + std::to_string(*maximum) + " of " +
                          std::to_string(overlay.vertices.size()),
                      "count vertices from 0"};
     }

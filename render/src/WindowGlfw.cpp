@@ -107,7 +107,7 @@ Result<Glfw> Start()
         const char* reason = nullptr;
         glfw.GetError(&reason);
         return Error{ErrorKind::Absent, "display",
-                     std::string("opens no window (") +
+                     std::string("cannot open a window (") +
                          (reason != nullptr ? reason : "GLFW does not start") + ")"};
     }
     return glfw;
@@ -354,7 +354,7 @@ Result<Window> Window::Create(const std::string& title, int width, int height)
         const char* reason = nullptr;
         impl->glfw.GetError(&reason);
         return Error{ErrorKind::Absent, "display",
-                     std::string("opens no window with OpenGL 3.3 (") +
+                     std::string("cannot open a window with OpenGL 3.3 (") +
                          (reason != nullptr ? reason : "no reason given") + ")",
                      "install its driver, or Mesa's with: apt install libgl1-mesa-dri"};
     }

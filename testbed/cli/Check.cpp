@@ -52,13 +52,15 @@ Result<void> Check(CheckOptions& options)
 
 Command& Declare(Command& program, CheckOptions& options)
 {
-    Command& command = AddCommand(program, "check", "List what of a scene file cannot be built");
-    AddPath(command, "FILE", "", options.file, "A R.U.B.E. .json file", {".json"});
-    command.notes = "Lists what is left out and why, and notes where the format's defaults are not "
-                    "the engine's.\nExit code 0: all can be built, 2: something is left out, 1: no "
-                    "scene file.\n\n"
-                    "Examples:\n"
-                    "  boxreel check machine.json";
+    Command& command =
+        AddCommand(program, "check", "List the parts of a scene file that cannot be built");
+    AddPath(command, "FILE", "", options.file, "Check this R.U.B.E. .json file", {".json"});
+    command.notes =
+        "Lists each part that is left out, with the reason, and each default of the format that\n"
+        "differs from the engine's. Exit code 0: all parts can be built, 2: parts are left out,\n"
+        "1: not a scene file.\n\n"
+        "Examples:\n"
+        "  boxreel check machine.json";
     return command;
 }
 

@@ -19,7 +19,7 @@ namespace
 
 Error CannotRun(const std::filesystem::path& program, const std::string& why)
 {
-    return Error{ErrorKind::Failed, program.string(), "running it failed", why};
+    return Error{ErrorKind::Failed, program.string(), "failed: " + why};
 }
 
 using Clock = std::chrono::steady_clock;

@@ -12,10 +12,10 @@
 namespace boxreel
 {
 
-/// What a program may take that somebody else wrote; one that takes more is ended.
+/// Limits of time and output for a foreign program; it is ended when it exceeds them.
 struct ChildBounds
 {
-    std::size_t output = 0; ///< most that it may write to its standard output [bytes]
+    std::size_t output = 0; ///< maximum of its standard output [bytes]
     double wall = 0.0;      ///< longest that it may run [s]
 };
 

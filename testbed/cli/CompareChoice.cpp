@@ -125,7 +125,8 @@ void AddIgnoredBodies(Command& command, CompareChoice& choice)
         return {};
     };
     AddTexts(command, "--ignore-body", "N,...", read,
-             "Leave these bodies out of state, draw list and picture,\nby number, such as 3,17");
+             "Ignore these bodies in state, draw list and picture, by number,\n"
+             "such as 3,17");
 }
 
 void AddCompare(Command& command, CompareChoice& choice, const std::string& usualPreset)
@@ -133,23 +134,25 @@ void AddCompare(Command& command, CompareChoice& choice, const std::string& usua
     AddValue(command, "--preset", "NAME", choice.preset, CompareSettings::Preset,
              "Set the limits below: exact, same-machine, cross-machine\n(" + usualPreset + ")")
         .Completes({Completion::Kind::Words, CompareSettings::PresetNames()});
-    AddValue(
-        command, "--tolerance", "DISTANCE", choice.tolerance,
-        NumberBetween(0.0, 1.0, "must be an OKLab distance from 0 to 1, such as 0.01"),
-        "Allow a pixel this difference, from 0 (equal) to 1\n(black and white) (the preset's)");
+    AddValue(command, "--tolerance", "DISTANCE", choice.tolerance,
+             NumberBetween(0.0, 1.0, "must be an OKLab distance from 0 to 1, such as 0.01"),
+             "Set the tolerance of a pixel, from 0 (equal) to 1 (black and\n"
+             "white) (the preset's)");
     AddValue(command, "--edge-shift", "PX", choice.edgeShift,
              NumberBetween(0.0, 0.45, "must be a number of pixels from 0 to 0.45, such as 0.2"),
-             "Allow edges to move this far (the preset's)");
+             "Allow edges to shift this far (the preset's)");
     AddValue(command, "--max-pixels", "N", choice.maxPixels, WholeBetween(0, kMostPixels),
-             "Allow this many pixels to differ by more (the preset's)");
+             "Allow this many pixels over tolerance (the preset's)");
     AddValue(command, "--max-ratio", "SHARE", choice.maxRatio, ParseShare,
-             "Allow this share of all pixels to differ by more, such as\n0.1% (the preset's)");
+             "Allow this share of all pixels over tolerance, such as 0.1%\n"
+             "(the preset's)");
     AddValue(command, "--max-in-window", "N", choice.maxInWindow, WholeBetween(0, kMostPixels),
-             "Allow this many of them in a square window (the preset's)");
+             "Allow this many pixels over tolerance in a square window\n"
+             "(the preset's)");
     AddValue(command, "--window", "PX", choice.window, WholeBetween(1, kLargestSide),
-             "Set the side of that window (16)");
+             "Set the side of the window (16)");
     AddValues(command, "--ignore", "X,Y,WxH", choice.ignored, ParseRectangle,
-              "Leave this rectangle out, of width W and height H;\nmay be given several times");
+              "Ignore this rectangle of width W and height H; repeatable");
 }
 
 } // namespace boxreel

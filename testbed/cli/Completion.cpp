@@ -13,11 +13,10 @@ Command& Declare(Command& program, CompletionOptions& options)
 {
     Command& command = AddCommand(program, "completion", "Print a completion script for a shell");
     AddValue(command, "SHELL", "", options.shell,
-             OneOf<Shell>({{"bash", Shell::Bash}, {"zsh", Shell::Zsh}}), "bash or zsh");
+             OneOf<Shell>({{"bash", Shell::Bash}, {"zsh", Shell::Zsh}}), "Choose bash or zsh");
     command.notes =
-        "Commands, options, their values, scenes and files. Scenes are offered by names that need "
-        "no\nquotes, such as newtons-cradle; `boxreel list --names` is asked for them each "
-        "time.\n\n"
+        "Completes commands, options, values, scenes and files. Scene names come from\n"
+        "`boxreel list --names` and need no quotes, such as newtons-cradle.\n\n"
         "Examples:\n"
         "  source <(boxreel completion bash)   # in ~/.bashrc\n"
         "  source <(boxreel completion zsh)    # in ~/.zshrc, after compinit\n"

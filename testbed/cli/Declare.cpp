@@ -163,7 +163,7 @@ std::string Filled(std::string start, const std::vector<std::string>& words,
 
 Error Missing(const std::string& subject, const std::string& argument, const std::string& example)
 {
-    return {ErrorKind::Unusable, subject, "requires " + argument, "such as `" + example + "`"};
+    return {ErrorKind::Unusable, subject, "requires " + argument, "for example `" + example + "`"};
 }
 
 Error Conflict(const std::string& option, const std::string& other)
@@ -178,7 +178,8 @@ Error Requires(const std::string& option, const std::string& other)
 
 Option& AddScene(Command& command, std::string& scene)
 {
-    return AddName(command, "SCENE", scene, "A name from `boxreel list`, or a R.U.B.E. .json file")
+    return AddName(command, "SCENE", scene,
+                   "Open a scene of `boxreel list`, or a R.U.B.E. .json file")
         .Completes({Completion::Kind::Scenes, {".json"}});
 }
 
@@ -234,7 +235,8 @@ Option& AddBackend(Command& command, Backend& backend)
 {
     return AddValue(command, "--backend", "NAME", backend, ParseBackend,
                     "Draw with " + JoinedBy(", ", BackendNames()) +
-                        "\n(auto: $BOXREEL_BACKEND, or what works)")
+                        "\n"
+                        "(auto: $BOXREEL_BACKEND, else the first that works)")
         .Completes({Completion::Kind::Words, BackendNames()});
 }
 

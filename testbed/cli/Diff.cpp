@@ -20,7 +20,7 @@ Result<void> WriteDifference(const DiffOptions& options, const Comparison& compa
     }
     if (!comparison.sameSize)
     {
-        WriteMessage("boxreel: Pictures of different sizes have no picture of differences; '" +
+        WriteMessage("boxreel: Pictures of different sizes have no difference picture; '" +
                      options.output.string() + "' was not written.");
         return {};
     }
@@ -57,13 +57,13 @@ Result<int> Run(const DiffOptions& options)
 Command& Declare(Command& program, DiffOptions& diff)
 {
     Command& command = AddCommand(program, "diff", "Compare two pictures");
-    AddPath(command, "A", "", diff.expected, "The picture that is right, .png", {".png"});
-    AddPath(command, "B", "", diff.actual, "The picture to judge, .png", {".png"});
+    AddPath(command, "A", "", diff.expected, "Take this picture as correct, .png", {".png"});
+    AddPath(command, "B", "", diff.actual, "Compare this picture with it, .png", {".png"});
     AddPath(command, "-o,--output", "FILE", diff.output, "Write a picture of the differences, .png",
             {".png"});
     AddForce(command, diff.force);
     AddCompare(command, diff.compare, "same-machine");
-    command.notes = "Exit code 0: equal, 2: different, 1: a picture that cannot be read.\n\n"
+    command.notes = "Exit code 0: equal, 2: different, 1: a picture cannot be read.\n\n"
                     "Examples:\n"
                     "  boxreel diff before.png after.png\n"
                     "  boxreel diff before.png after.png --preset exact -o diff.png\n"

@@ -57,7 +57,7 @@ Finding LookAtEngine()
     {
         return Error{ErrorKind::Different, "self-test",
                      "ends in state " + HexText(state) + " instead of " + HexText(kSelfTestState),
-                     "build again without compiler options of your own"};
+                     "build again without custom compiler options"};
     }
     return "self-test " + HexText(state) + ", " + WideInstructions() + ", " +
            std::to_string(std::max(1u, std::thread::hardware_concurrency())) + " processors";
@@ -240,11 +240,10 @@ Command& Declare(Command& program, DoctorOptions&)
 {
     Command& command = AddCommand(program, "doctor", "Test what works on this machine");
     command.notes =
-        "Draws, films and computes a little of each kind. A line that fails says what helps.\n"
+        "Tries every back end, format and library. A line that fails shows the remedy.\n"
         "Exit code 0: all works (one of the back ends is enough), 1: an environment variable is\n"
-        "unusable, 2: the engine computes otherwise than elsewhere, 3: something is not "
-        "installed,\n"
-        "4: no room or no right to write here.\n\n"
+        "invalid, 2: the engine's self-test has another result, 3: something is not installed,\n"
+        "4: no space or no permission to write here.\n\n"
         "Examples:\n"
         "  boxreel doctor";
     return command;

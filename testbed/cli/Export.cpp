@@ -27,7 +27,7 @@ Result<int> Run(const ExportOptions& options)
     if (const Result<RubeScene> back = ParseRubeScene(text, session.Title()); !back)
     {
         return Error{ErrorKind::Unusable, options.scene,
-                     "cannot be a scene file at this moment: " + back.GetError().Text(),
+                     "cannot be exported at this moment: " + back.GetError().Text(),
                      "choose another --at"};
     }
     for (const RubeNote& part : leftOut)
@@ -44,7 +44,7 @@ Command& Declare(Command& program, ExportOptions& options)
     Command& command = AddCommand(program, "export", "Write a scene as a scene file");
     AddScene(command, options.scene);
     AddPath(command, "-o,--output", "FILE", options.output,
-            "Write the scene file here: .json, or - for the standard output", {".json"});
+            "Write the scene file here: .json, or - for standard output", {".json"});
     AddForce(command, options.force);
     AddValue(command, "--at", "TIME", options.at, ParseDuration,
              "Export after this simulated time: 3s, 500ms, 2.5 (0s)");
@@ -55,10 +55,9 @@ Command& Declare(Command& program, ExportOptions& options)
     AddValue(command, "--seed", "N", options.look.seed, WholeBetween(0, 0xffffffff),
              "Seed the scene's random numbers (1)");
     command.notes =
-        "`boxreel record FILE` and the other commands read bodies, shapes, joints and names back "
-        "bit by bit.\nA scene file does not hold what a scene does while it runs, such as steering "
-        "or "
-        "new bodies,\nnor the impulses of touching contacts.\n\n"
+        "`boxreel record FILE` and the other commands restore bodies, shapes, joints and names\n"
+        "bit-exactly. A scene file does not contain contact impulses, or what the scene's code\n"
+        "does, such as steering and new bodies.\n\n"
         "Examples:\n"
         "  boxreel export pyramid -o pyramid.json\n"
         "  boxreel export bridge --at 2s -o sagging.json";
@@ -78,7 +77,7 @@ Result<void> Check(ExportOptions& options)
     if (options.output != "-" && options.output.extension() != ".json")
     {
         return Error{ErrorKind::Unusable, "-o " + options.output.string(), "unsupported extension",
-                     "use .json, or - for the standard output"};
+                     "use .json, or - for standard output"};
     }
     if (options.at && options.step)
     {

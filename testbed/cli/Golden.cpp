@@ -51,7 +51,7 @@ Result<Folders> ChooseFolders(const GoldenOptions& options)
         !fs::is_directory(options.references, error))
     {
         return Error{ErrorKind::Unusable, "--references " + options.references.string(),
-                     "no such folder", "`boxreel golden accept --references` makes one"};
+                     "does not exist", "`boxreel golden accept --references` makes one"};
     }
     Folders folders;
     folders.references =
@@ -318,8 +318,8 @@ Command& Declare(Command& program, GoldenOptions& golden)
                     "  boxreel golden verify pyramid bridge --output /tmp/failures\n"
                     "  boxreel golden accept pyramid";
     Command& verify =
-        AddCommand(command, "verify", "Simulate, draw and compare; keep what differs");
-    Command& accept = AddCommand(command, "accept", "Make the current pictures the references");
+        AddCommand(command, "verify", "Simulate, draw and compare; write what differs");
+    Command& accept = AddCommand(command, "accept", "Accept the current pictures as references");
     for (Command* action : {&verify, &accept})
     {
         const auto readNames = [&golden](const std::vector<std::string>& names) {
@@ -327,12 +327,12 @@ Command& Declare(Command& program, GoldenOptions& golden)
             return Result<void>();
         };
         AddTexts(*action, "NAMES", "", readNames,
-                 "Scenes or moments, such as pyramid or pyramid/2s (all)")
+                 "Select scenes or moments, such as pyramid or pyramid/2s (all)")
             .Completes({Completion::Kind::Scenes, {}});
         AddPath(*action, "--references", "DIR", golden.references,
-                "Read references from here (golden/references)");
+                "Use this folder of references (golden/references)");
         AddPath(*action, "--output", "DIR", golden.output,
-                "Write what differs here (build/golden-output; without\ngolden/references around, "
+                "Write what differs to this folder (build/golden-output, or\n"
                 "./golden-output)");
         AddBackend(*action, golden.backend);
         DeclareGoldenFilm(*action, golden);
@@ -361,21 +361,21 @@ Command& Declare(Command& program, GoldenOptions& golden)
         "  boxreel golden verify --report report.html\n"
         "  boxreel golden verify pyramid --against ../before/boxreel\n"
         "  boxreel golden verify menu --film menu.mp4 --preset cross-machine";
-    accept.notes = "Look at the pictures before they are committed, and say in the commit why they "
-                   "changed.\n\n"
-                   "Examples:\n"
-                   "  boxreel golden accept\n"
-                   "  boxreel golden accept pyramid bridge\n"
-                   "  boxreel golden accept --only missing\n"
-                   "  boxreel golden accept menu --film menu.mp4";
+    accept.notes =
+        "Look at the pictures before you commit them. Say in the commit why they changed.\n\n"
+        "Examples:\n"
+        "  boxreel golden accept\n"
+        "  boxreel golden accept pyramid bridge\n"
+        "  boxreel golden accept --only missing\n"
+        "  boxreel golden accept menu --film menu.mp4";
     AddPath(verify, "--against", "FILE", golden.against,
             "Compare the state of each step with another build of\n"
             "boxreel instead of with the references");
     AddValue(accept, "--only", "WHICH", golden.acceptance.only, GoldenFilterChoice(),
-             "Accept all, changed, missing (all)");
+             "Accept all, changed or missing references (all)");
     AddFlag(accept, "--for-this-renderer", golden.acceptance.forThisRenderer,
-            "Keep the references for this renderer only");
-    AddPath(verify, "--report", "FILE", golden.report, "Write an HTML report of what was verified",
+            "Store the references for this renderer only");
+    AddPath(verify, "--report", "FILE", golden.report, "Write an HTML report of the results",
             {".html"});
     return command;
 }

@@ -57,7 +57,7 @@ Result<void> CheckGoldenReportPath(const fs::path& path, bool force)
     {
         return Error{ErrorKind::Unusable, path.string(),
                      "already exists and is not a golden report",
-                     "name another file or remove this one"};
+                     "name another file, or remove this one"};
     }
     return CheckFolderOf(path);
 }
@@ -99,21 +99,20 @@ Command& Declare(Command& program, GoldenReportOptions& options)
     Command& command =
         AddCommand(Below(program, "golden"), "report", "Write an HTML report of golden tests");
     AddPaths(command, "FOLDERS", options.folders,
-             "Output folders of tests, one per shard (build/golden-output;\nwithout "
-             "golden/references around, ./golden-output)")
+             "Read these output folders, one per shard\n"
+             "(build/golden-output, or ./golden-output)")
         .Completes({Completion::Kind::Folders, {}});
     AddPath(command, "-o,--output", "FILE", options.output,
-            "Write the page here (report.html in the first folder)", {".html"});
+            "Write the report here (report.html in the first folder)", {".html"});
     AddPath(command, "--against", "FILE", options.against,
-            "Also show what another build of boxreel draws around the\n"
-            "first step that differs");
+            "Show also the drawings of another build of boxreel around\n"
+            "the first step that differs");
     AddBackend(command, options.backend);
     AddForce(command, options.force);
     command.notes =
-        "One file that needs no other: summary, filter, and for each moment that differs "
-        "expected,\n"
-        "actual, difference, blink, slider, the outlines of both worlds and the first step that\n"
-        "differs. Exit code 0 when it is written, whatever it says. For --against,\n"
+        "The report is one self-contained file: summary, filter, and for each moment that differs\n"
+        "expected, actual, difference, blink, slider, the outlines of both worlds and the first\n"
+        "step that differs. Exit code 0 when the report is written. For --against,\n"
         "`git worktree add ../before HEAD~1` checks out an older version; its script\n"
         "../before/boxreel builds it when it is run.\n\n"
         "Examples:\n"

@@ -20,7 +20,7 @@ struct GoldenReportOptions
     std::filesystem::path output;               ///< empty: report.html in the first of them
     std::filesystem::path against; ///< a program whose steps are shown beside ours; empty: none
     Backend backend = Backend::Auto;
-    bool force = false; ///< replace what is no report
+    bool force = false; ///< overwrite a file that is not a report
 };
 
 /// Declares `boxreel golden report` and its options to the parser, which writes to `options`.

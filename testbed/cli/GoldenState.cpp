@@ -51,12 +51,11 @@ private:
         if (!text)
         {
             return Error{ErrorKind::Unusable, "--against " + m_program.string(),
-                         text.GetError().problem + " (" + text.GetError().remedy + ")",
-                         "give another build of boxreel"};
+                         text.GetError().problem, "give another build of boxreel"};
         }
         if (text->empty())
         {
-            return Odd({ErrorKind::Unusable, "it printed nothing"});
+            return Odd({ErrorKind::Unusable, "no output"});
         }
         return text;
     }
@@ -64,7 +63,7 @@ private:
     Error Odd(const Error& error) const
     {
         return Error{ErrorKind::Unusable, "--against " + m_program.string(),
-                     "printed no states of a scene (" + error.Text() + ")",
+                     "did not print scene states (" + error.Text() + ")",
                      "give another build of boxreel"};
     }
 
@@ -103,7 +102,7 @@ Result<std::string> CompareWith(const std::filesystem::path& program,
     }
     if (parted->isOfOne)
     {
-        return scene + ": " + program.string() + " goes other steps than this program, " +
+        return scene + ": " + program.string() + " makes other steps than this program, " +
                Describe(*parted) + ".";
     }
     const Result<WorldState> before = other.State(parted->step);
@@ -128,15 +127,15 @@ Command& Declare(Command& program, GoldenStateOptions& options)
 {
     Command& command = AddCommand(Below(program, "golden"), "state",
                                   "Print a scene's state at a step, body by body");
-    AddName(command, "SCENE", options.scene, "A name from `boxreel list`")
+    AddName(command, "SCENE", options.scene, "Simulate this scene of `boxreel list`")
         .Completes({Completion::Kind::Scenes, {}});
     AddValue(command, "--step", "N", options.step, WholeBetween(0, 1'000'000),
-             "Set the step since the start (300)");
+             "Print the state after N steps (300)");
     AddFlag(command, "--trace", options.trace, "Print the hash of every step instead");
     command.notes =
-        "Prints the hash, then one body per line: number, x, y, angle and, where it moves,\n"
-        "velocity x, y, angular. "
-        "With --trace a line a step: number, hash, a digit for each\nbody.\n\n"
+        "Prints the hash, then one body per line: number, x, y, angle and, if it moves,\n"
+        "velocity x, y, angular. With --trace, prints one step per line: number, hash, one\n"
+        "digit per body.\n\n"
         "Examples:\n"
         "  boxreel golden state pyramid --step 120\n"
         "  boxreel golden state car --trace --step 60";

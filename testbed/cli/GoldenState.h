@@ -29,7 +29,7 @@ Result<void> Check(GoldenStateOptions& options);
 /// Prints the state.
 Result<int> Run(const GoldenStateOptions& options);
 
-/// The program as a path that is run as it stands, wherever PATH leads; Unusable when it is none.
+/// Returns the absolute path of the program, not searched along PATH. Error (Unusable): no file.
 Result<std::filesystem::path> FindOtherProgram(const std::filesystem::path& program);
 
 /// Where this program's states of a scene part from those of another build, which is run: a

@@ -31,7 +31,7 @@ void AddTheme(Command& command, SceneLook& look, bool* bothThemes)
         {
             if (bothThemes == nullptr)
             {
-                return BadValue("--theme", text, "a film has one theme",
+                return BadValue("--theme", text, "a film can have only one theme",
                                 "use one of " + JoinedBy(", ", names));
             }
             *bothThemes = true;
@@ -72,10 +72,10 @@ void AddLook(Command& command, SceneLook& look, bool* bothThemes)
     AddSize(command, look);
     AddTheme(command, look, bothThemes);
     AddValue(command, "--camera", "VIEW", look.view, ParseView,
-             "Choose what is in view (scene: what the scene prefers, else fit).\n"
+             "Set the view (scene: the scene's own view, else fit).\n"
              "fit: keep all moving bodies in view; fit:world: all bodies;\n"
              "fit:3,17: these bodies. follow:3,17 or follow:17:HEIGHT: keep these\n"
-             "in the middle. X,Y,HEIGHT: fix middle and height, in metres.\n"
+             "in the centre. X,Y,HEIGHT: fix centre and height, in metres.\n"
              "\"path:0s=X,Y,HEIGHT;3s=X,Y,HEIGHT\": move from key to key")
         .Group("Picture");
     AddValue(command, "--draw", "LAYERS", look.layers, ParseLayers,
@@ -89,19 +89,18 @@ void AddLook(Command& command, SceneLook& look, bool* bothThemes)
     AddValue(
         command, "--force-scale", "M", look.arrows.metersPerNewton,
         NumberBetween(1e-12, 1e12, "must be metres per newton from 1e-12 to 1e12, such as 0.01"),
-        "Draw M metres per newton for forces, friction and impulses, each\n"
-        "averaged over a step (so that the mean weight of a body is 1/8 of\n"
-        "the mean size, and 1/3 for contacts)")
+        "Draw forces, friction and impulses at M metres per newton, averaged\n"
+        "over a step (mean weight: 1/8 of the mean body size; contacts: 1/3)")
         .Group("Picture");
     AddFlag(command, "--labels", look.labels, "Show the number of each body").Group("Picture");
     AddFlag(command, "--hud", look.hud, "Show a panel with time, step, bodies, contacts")
         .Group("Picture");
     AddFlag(command, "--hud-ms", look.hudMilliseconds,
-            "Show this panel with the milliseconds of a step")
+            "Show this panel with the milliseconds per step")
         .Group("Picture");
     AddFlag(command, "--ui", look.panels,
             "Show the panels of `boxreel ui`; with --hud-ms\n"
-            "also the times of the solver's parts")
+            "also the time of each part of the solver")
         .Group("Picture");
     AddValue(command, "--hz", "RATE", look.stepsPerSecond, parseHertz,
              "Set simulation steps per second (60)")

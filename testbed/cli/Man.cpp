@@ -22,41 +22,38 @@ struct Entry
 
 constexpr Entry kExitCodes[] = {
     {"0", "Done."},
-    {"1", "What was named cannot be used: unknown, missing, malformed, contradictory, or it exists "
-          "and --force was not given."},
-    {"2", "It is not as it should be: pictures or states differ, an expectation of a script does "
-          "not hold, something of a scene file was left out, or the engine computes otherwise than "
-          "elsewhere."},
+    {"1", "Invalid input: unknown, missing, malformed or contradictory, or a file exists and "
+          "--force was not given."},
+    {"2", "A check failed: pictures or states differ, an expectation of a script is false, parts "
+          "of a scene file were left out, or the engine's self-test has another result."},
     {"3", "A library, an encoder, a program or a display is absent."},
-    {"4", "Reading or writing failed under way."},
-    {"75", "Stopped by a signal; what was begun can be resumed."},
+    {"4", "Reading or writing failed."},
+    {"75", "Stopped by a signal; --resume continues a film."},
 };
 
 constexpr Entry kVariables[] = {
-    {"BOXREEL_BACKEND", "What draws where --backend is not given, or is auto: one of the names "
-                        "that it takes."},
-    {"NO_COLOR", "Set to anything, no colours are used. They are used on terminals only."},
-    {"TERM", "When it is dumb or not set, no colours are used either."},
+    {"BOXREEL_BACKEND",
+     "The back end if --backend is not given or is auto: one of the names of --backend."},
+    {"NO_COLOR", "Disables colours if set. They are used on terminals only."},
+    {"TERM", "Disables colours if it is dumb or not set."},
     {"BOXREEL_GOLDEN_REFERENCES, BOXREEL_GOLDEN_OUTPUT, BOXREEL_GOLDEN_ACCEPT",
-     "Of golden tests: the folder of what was approved, the folder of what differs, and what is "
-     "approved now (missing, changed, all or this-renderer)."},
-    {"XDG_CONFIG_HOME", "Where `boxreel ui` keeps its settings, else ~/.config."},
-    {"LP_NUM_THREADS", "How many threads Mesa draws with."},
-    {"TMPDIR",
-     "Where `boxreel doctor` and `boxreel golden report` put what they need for a while."},
-    {"DISPLAY, WAYLAND_DISPLAY", "The window of `boxreel ui`; nothing else needs a display."},
+     "For golden tests: the folder of the references, the folder of the differences, and what this "
+     "run accepts (missing, changed, all or this-renderer)."},
+    {"XDG_CONFIG_HOME", "The folder for the settings of `boxreel ui` (~/.config)."},
+    {"LP_NUM_THREADS", "The number of threads of Mesa's software renderer."},
+    {"TMPDIR", "The folder for temporary files of `boxreel doctor` and `boxreel golden report`."},
+    {"DISPLAY, WAYLAND_DISPLAY", "The display of `boxreel ui`; no other command needs one."},
 };
 
 constexpr Entry kFiles[] = {
-    {"NAME.part.EXT", "A film that is being made or was stopped. It can be played, and --resume "
-                      "goes on with it."},
+    {"NAME.part.EXT",
+     "A film that is being recorded or was stopped. It is playable, and --resume continues it."},
     {"NAME.EXT.json, NAME.part.EXT.json",
      "The manifest of a part, or of an unfinished film: the command, the state of the world, "
      "the frames."},
-    {"golden/references", "What was approved, in the checkout around the current folder."},
-    {"build/golden-output",
-     "What differed from it, to look at; golden-output in the current folder "
-     "where there is no checkout."},
+    {"golden/references", "The references, in the checkout around the current folder."},
+    {"build/golden-output", "The differences from the references; golden-output in the current "
+                            "folder if there is no checkout."},
 };
 
 /// Text that means itself: nothing in it is roff's, and dashes can be copied to a shell.
@@ -204,11 +201,11 @@ std::string ManualPage(const CommandText& program)
                        Plain(program.summary) + "\n";
     page += Synopsis(commands);
     page += ".SH DESCRIPTION\n" +
-            Prose("Simulates 2D rigid bodies and makes films and pictures "
-                  "of them where there is no screen. The same input gives "
-                  "the same bits.") +
+            Prose("Simulates 2D rigid bodies and makes films and pictures of them without a "
+                  "display. The same input gives the same bits.") +
             "\n";
-    page += ".SH OPTIONS\nOf all commands and of none:\n";
+    page += ".SH OPTIONS\n"
+            "Of boxreel and of every command:\n";
     for (const OptionText& option : program.options)
     {
         page += Term(OptionTerm(option), option.help);

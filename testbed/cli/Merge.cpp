@@ -80,7 +80,7 @@ Result<void> CheckSeam(const NamedPart& before, const NamedPart& after)
     if (end % before.manifest.groupFrames != 0)
     {
         return refused("they meet at frame " + std::to_string(end) +
-                       ", within a group of frames; make parts that begin with multiples of " +
+                       ", within a group of frames; record parts that begin at multiples of " +
                        std::to_string(before.manifest.groupFrames));
     }
     const auto left = before.manifest.states.find(end);
@@ -88,8 +88,8 @@ Result<void> CheckSeam(const NamedPart& before, const NamedPart& after)
     if (left == before.manifest.states.end() || right == after.manifest.states.end() ||
         left->second != right->second)
     {
-        return refused("the world is in another state at frame " + std::to_string(end) +
-                       " in each; make both with the same build of this program");
+        return refused("the states of the world differ at frame " + std::to_string(end) +
+                       "; record both with the same build of boxreel");
     }
     return {};
 }
@@ -115,8 +115,8 @@ Result<void> CheckWhole(const std::vector<NamedPart>& parts)
         return {};
     }
     return Error{ErrorKind::Unusable, "frames " + missing,
-                 "missing of " + std::to_string(count) + " frames",
-                 "name the parts that have them, or use --partial"};
+                 "are in no part; the film has " + std::to_string(count) + " frames",
+                 "add the parts that have them, or use --partial"};
 }
 
 /// What is replaced by the film cannot be read for it.
@@ -186,19 +186,18 @@ Result<int> Run(const MergeOptions& options)
 Command& Declare(Command& program, MergeOptions& merge)
 {
     Command& command =
-        AddCommand(program, "merge", "Join parts of a film, without encoding them again");
+        AddCommand(program, "merge", "Join parts of a film without encoding them again");
     AddPaths(command, "PARTS", merge.parts,
-             "Films made with --frame-range, in any order, each with its .json")
+             "Join these films of --frame-range, in any order, each with its .json")
         .Completes({Completion::Kind::Files, FilmExtensions()});
     AddPath(command, "-o,--output", "FILE", merge.output,
             "Write the film here, with the extension of the parts", FilmExtensions());
     AddForce(command, merge.force);
     AddFlag(command, "--partial", merge.partial, "Accept missing frames at the start or end");
     command.notes =
-        "The parts must be of the same command, unaltered since they were made, and follow each "
-        "other\nwithout a gap from the film's first frame to its last; the world must be in the "
-        "same state where one\nends and the next begins. Stopped by a signal it leaves nothing; "
-        "exit code 75 says so.\n\n"
+        "The parts must come from the same command and be unmodified. Together they must cover\n"
+        "the film without gaps. Where two parts meet, the world must have the same state. If a\n"
+        "signal stops it, it leaves no file and exits with code 75.\n\n"
         "Examples:\n"
         "  boxreel record pyramid -o a.mkv --frames 400 --frame-range 0-199\n"
         "  boxreel record pyramid -o b.mkv --frames 400 --frame-range 200-399\n"

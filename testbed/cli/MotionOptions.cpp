@@ -20,29 +20,29 @@ void AddMotion(Command& command, ShotOptions& shot)
              "make a grid of pictures with their times")
         .Group("Time");
     AddValue(command, "--step", "N[,...]", shot.steps, ParseSteps,
-             "Set the moment in simulation steps instead")
+             "Set the time in simulation steps instead")
         .Group("Time");
     AddValue(
         command, "--columns", "N", look.columns,
         [](const std::string& option, const std::string& text) {
             return ParseWhole(option, text, 1, 64);
         },
-        "Set the columns of the grid (by the number of moments)")
+        "Set the columns of the grid (chosen by the number of pictures)")
         .Group("Time");
     AddValue(command, "--trail", "BODIES", look.trail, ParseBodyChoice,
-             "Draw the path of centres of mass: 3,17, or names that a\n"
-             "scene file gives, or moving for all that can move")
+             "Draw the paths of centres of mass: of bodies by number (3,17) or by\n"
+             "their name in the scene file, or moving for all that can move")
         .Group("Motion");
     AddValue(command, "--trail-seconds", "TIME", look.trailTime, ParseDuration,
-             "Show only the last part of the trail (all)")
+             "Limit the trail to its last part (all)")
         .Group("Motion");
     AddValue(command, "--strobe", "EVERY[:BODIES]", look.strobe, ParseStrobe,
              "Draw earlier poses fainter: one every 250ms or 15steps from the\n"
              "start, of all moving bodies. 250ms:3,17: only these bodies")
         .Group("Motion");
     AddValue(command, "--onion", "N[:EVERY]", look.onion, ParseOnion,
-             "Draw the last N poses, fading. They are 100ms apart; 5:50ms or\n"
-             "5:3steps sets the time between them. 5:50ms:3,17: only these bodies")
+             "Draw the last N poses, fading (100ms apart). 5:50ms or 5:3steps sets\n"
+             "the interval. 5:50ms:3,17: only these bodies")
         .Group("Motion");
     AddFlag(command, "--axes", look.axes, "Draw axes in metres beside the picture; mark the origin")
         .Group("Annotations");

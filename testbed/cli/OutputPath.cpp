@@ -127,8 +127,8 @@ Result<void> CheckFigurePath(const std::filesystem::path& path, bool force)
 Result<void> CheckFilmName(const std::filesystem::path& film)
 {
     return film.stem().extension() == ".part"
-               ? Error{ErrorKind::Unusable, "-o " + film.string(), "the name of an unfinished film",
-                       "choose a name without .part"}
+               ? Error{ErrorKind::Unusable, "-o " + film.string(),
+                       "is reserved for unfinished films", "choose a name without .part"}
                : Result<void>();
 }
 

@@ -20,10 +20,10 @@ std::vector<std::string> FilmExtensions();
 Result<void> CheckFilmName(const std::filesystem::path& film);
 
 /// Whether a picture can be written there: the name ends in .png, its folder exists and takes
-/// a file, and no file is in the way unless `force`. Leaves everything as it was.
+/// a file, and no file exists unless `force`. Leaves everything as it was.
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force);
 
-/// Whether two names are of one file, whatever the spelling, or one is of a frame of the other, a
+/// True if two names refer to the same file, in any spelling, or if one is a frame of the other, a
 /// numbered film.
 bool IsSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 

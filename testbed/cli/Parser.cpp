@@ -111,8 +111,7 @@ std::string Suggestion(const CLI::App& command, const std::string& word,
     return DidYouMean(word, candidates, "`" + NameOf(command) + " --help` lists the " + what);
 }
 
-/// The word after a command that is none of its own: a mistyped subcommand or option, or one word
-/// too many.
+/// Reports an unknown word after a command: a mistyped subcommand or option, or an extra word.
 Error UnexpectedWord(CLI::App& command)
 {
     const std::vector<std::string> words = command.remaining();

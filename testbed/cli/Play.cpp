@@ -170,7 +170,7 @@ Result<void> Planner::AddExpectation(const ScriptProduct& product)
             hash.size() == 16 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
         if (!isHash)
         {
-            return Error{ErrorKind::Unusable, "'" + hash + "'", "is not a state",
+            return Error{ErrorKind::Unusable, "'" + hash + "'", "is not a state hash",
                          "give the 16 hex digits that the window and verdicts print"};
         }
         m_play.expectations.push_back({product.line, product.at, std::nullopt, hash});
@@ -199,13 +199,14 @@ Result<fs::path> Planner::OutputOf(const ScriptProduct& product) const
 {
     if (product.name == "-")
     {
-        return Error{ErrorKind::Unusable, "-", "a script writes files only", "give a file name"};
+        return Error{ErrorKind::Unusable, "-", "a script cannot write to standard output",
+                     "give a file name"};
     }
     return m_options.into.empty() ? fs::path(product.name) : m_options.into / product.name;
 }
 
-/// Film or picture can be made: nobody else makes these files, and what can be wrong with them is
-/// not.
+/// Checks that a film or picture can be made: no other line writes its files, and its options are
+/// valid.
 template <class Options>
 Result<void> Planner::Claim(const ScriptProduct& product, Options options, bool overwrites)
 {
@@ -303,7 +304,7 @@ struct Answer
 {
     bool holds = false;
     std::string expected;
-    std::string found; ///< empty: there is no one value
+    std::string found; ///< empty: there is not a single value
 };
 
 Answer AnswerOf(const Expectation& expectation, const SceneSession& session)
@@ -431,7 +432,7 @@ Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
     return failures;
 }
 
-/// Of a script that is gone on with: a file that is whole stays, and what makes it is passed over.
+/// True if a resumed script skips this line, because its files are complete.
 template <class Options>
 bool IsDone(const Options& options, bool resumes)
 {
@@ -521,39 +522,38 @@ Command& Declare(Command& program, PlayOptions& play)
 {
     Command& command =
         AddCommand(program, "play", "Play a script: check it, make films and pictures");
-    AddPath(command, "SCRIPT", "", play.script, "A text file, described below", {".play"});
+    AddPath(command, "SCRIPT", "", play.script, "Play this script", {".play"});
     AddPath(command, "--into", "DIR", play.into, "Write files to this folder (the current one)");
     AddFlag(command, "--check", play.check,
-            "Only check that the script can be played; simulate nothing");
+            "Check that the script can be played; simulate nothing");
     AddFlag(command, "--test", play.test,
-            "Only check expectations and compare with references; make no films\nor shots");
-    AddFlag(command, "--accept", play.accept, "Make the pictures the references");
+            "Check expectations and compare with references; make no films or\n"
+            "shots");
+    AddFlag(command, "--accept", play.accept, "Accept the pictures as references");
     AddFlag(command, "--for-this-renderer", play.forThisRenderer,
-            "With --accept: keep the references for this renderer only");
+            "Store the references for this renderer only; needs --accept");
     AddForce(command, play.force);
     AddFlag(command, "--resume", play.resume, "Continue stopped films");
     AddBackend(command, play.backend);
     command.notes =
         "A script:\n"
-        "  scene car --seed 3 --hz 120          a scene or a file, and options of `boxreel shot`\n"
-        "  at 1s press d                        a key goes down; also release, tap\n"
-        "  at 2s grab 3.5,4                     the mouse's button goes down at a point [m]\n"
-        "  at 2s to 3s drag 8,4                 it moves straight there; at once: move 8,4\n"
-        "  at 3s drop                           its button goes up\n"
-        "  at step 240 bomb 0,30 5,-40          from a place with a velocity, or just: bomb\n"
-        "  at 4s shift 100,0                    of the origin\n"
-        "  at 4s set sub-steps 4                of the solver; sleep and others: on or off\n"
-        "  at 4s click Solver/Sleep             on the panels of `boxreel ui`; also type, hit\n"
-        "  at 0s camera 0,5,20                  middle and height; goes on to the next one\n"
-        "  at 5s expect chassis.x > 10          as --until of `boxreel record`; or: state HASH\n"
-        "  at 5s golden car/5s                  compared with what was approved, beside the "
-        "script\n"
-        "  at 5s shot car.png --draw shapes     with options of `boxreel shot`\n"
-        "  record car.mp4 --seconds 8           with options of `boxreel record`\n"
-        "What is done at a time shows in the step that begins there. # begins a comment, and what "
-        "has blanks\nstands in quotes (\"). Exit code 2: an expectation does not hold, or a "
-        "picture "
-        "is not as approved.\n\n"
+        "  scene car --seed 3 --hz 120          open a scene or file, as `boxreel shot` does\n"
+        "  at 1s press d                        press a key; also release, tap\n"
+        "  at 2s grab 3.5,4                     press the mouse button at a point [m]\n"
+        "  at 2s to 3s drag 8,4                 move straight to a point; at once: move 8,4\n"
+        "  at 3s drop                           release the mouse button\n"
+        "  at step 240 bomb 0,30 5,-40          throw a bomb from a point at a velocity; or: bomb\n"
+        "  at 4s shift 100,0                    shift the origin\n"
+        "  at 4s set sub-steps 4                set up the solver; sleep and others: on or off\n"
+        "  at 4s click Solver/Sleep             click in the panels of `boxreel ui`; or type, hit\n"
+        "  at 0s camera 0,5,20                  set centre and height; moves on to the next one\n"
+        "  at 5s expect chassis.x > 10          check a condition, as --until; or: state HASH\n"
+        "  at 5s golden car/5s                  compare with the reference beside the script\n"
+        "  at 5s shot car.png --draw shapes     make a picture, with options of `boxreel shot`\n"
+        "  record car.mp4 --seconds 8           make a film, with options of `boxreel record`\n"
+        "An action takes effect in the step that begins at its time. # begins a comment. Words\n"
+        "with blanks need quotes (\"). Exit code 2: an expectation is false, or a picture\n"
+        "differs from its reference.\n\n"
         "Examples:\n"
         "  boxreel play testbed/scripts/car.play\n"
         "  boxreel play walk.play --into films --force";

@@ -26,13 +26,13 @@ void GiveLargeBlocksBack()
 #endif
 }
 
-/// Whether the picture can be written, shows a frame of the film, and is none of its frames.
+/// Checks that the thumbnail can be written, lies within the film, and is not one of its frames.
 Result<void> CheckThumbnail(const RecordOptions& options, const FilmPlan& plan)
 {
     if (IsFrameOf(options.thumbnail.file, options.output))
     {
         return Error{ErrorKind::Unusable, "--thumbnail " + options.thumbnail.file.string(),
-                     "is a frame of the film itself", "choose another name"};
+                     "is also the name of a frame of the film", "choose another name"};
     }
     const std::int64_t count = plan.frames.Count();
     if (options.thumbnail.at && options.length.until.empty() &&
@@ -62,9 +62,9 @@ void TellLooseParts(const RecordOptions& options, const FilmPlan& plan)
         first % plan.groupFrames != 0)
     {
         WriteMessage("boxreel: --frame-range " + options.length.range->Text() +
-                     ": begins within a group of " + std::to_string(plan.groupFrames) +
-                     " frames, so nothing can be joined before it; begin with a multiple of that "
-                     "or give another --group");
+                     ": begins inside a group of " + std::to_string(plan.groupFrames) +
+                     " frames, so no part can be joined before it; begin at a multiple of that or "
+                     "change --group");
     }
 }
 
@@ -146,7 +146,9 @@ void AddCodec(Command& command, std::string& codec)
         names.push_back(choice.name);
         words.push_back(choice.name + " (" + JoinedBy(", ", choice.ends) + ")");
     }
-    AddValue(command, "--codec", "NAME", codec, OneWordOf(names), Filled("Choose ", words, ", "))
+    AddValue(command, "--codec", "NAME", codec, OneWordOf(names),
+             Filled("Choose ", words, ", ") +
+                 "\n(h264; .webm: vp9; .mkv with --quality lossless: ffv1)")
         .Group("Format");
 }
 
@@ -163,10 +165,11 @@ void AddFormat(Command& command, VideoSettings& film)
     AddCodec(command, film.codec);
     AddValue(command, "--chroma", "KIND", film.chroma,
              OneOf<Chroma>({{"420", Chroma::Half}, {"444", Chroma::Full}}),
-             "420: plays everywhere; 444: coloured lines stay sharp (420)")
+             "Set the chroma format: 420 plays everywhere, 444 keeps coloured\n"
+             "lines sharp (420)")
         .Group("Format");
     AddValues(command, "--codec-option", "NAME=VALUE", film.codecOptions, ParseCodecOption,
-              "Set an option of the encoder, such as crf=20; may be repeated")
+              "Set an option of the encoder, such as crf=20; repeatable")
         .Group("Format");
     AddValue(command, "--format", "NAME", film.format, OneWordOf({"y4m", "nut", "mkv", "webm"}),
              "Write y4m, nut, mkv or webm to standard output (-o -)")
@@ -175,11 +178,11 @@ void AddFormat(Command& command, VideoSettings& film)
              "Play a gif, apng or webp N times; 0: forever (0)")
         .Group("Format");
     AddValue(command, "--group", "N", film.groupFrames, WholeBetween(1, 100000),
-             "Encode N frames together; parts begin at multiples (100)")
+             "Encode N frames together; parts begin at multiples of N (100)")
         .Group("Format");
     AddFlag(command, "--constant-rate", film.constantRate,
-            "Store each frame, also one that shows the same, for programs\nthat encode the "
-            "film again (not webp)")
+            "Store every frame, even if identical to the one before, for\n"
+            "programs that encode the film again; not for .webp")
         .Group("Format");
     AddValue(command, "--threads", "N", film.threads, WholeBetween(1, 64),
              "Set the encoder threads; H.264 bytes depend on them (2)")
@@ -189,8 +192,8 @@ void AddFormat(Command& command, VideoSettings& film)
 void AddUntil(Command& command, std::vector<Condition>& until)
 {
     AddValues(command, "--until", "CONDITION", until, Condition::Parse,
-              "End when this holds: \"17.y < -10\", \"all.speed < 0.01\",\n\"awake == 0\"; may "
-              "be repeated: whichever comes first")
+              "End when this condition is true, such as \"17.y < -10\",\n"
+              "\"all.speed < 0.01\" or \"awake == 0\"; repeatable")
         .Group("Time");
     AddFlag(
         command, "--until-sleep",
@@ -209,7 +212,7 @@ void AddTime(Command& command, RecordOptions& record)
              "Set the length in frames instead")
         .Group("Time");
     AddValue(command, "--from", "TIME", record.length.from, ParseDuration,
-             "Simulate this much before the first frame (0)")
+             "Simulate this time before the first frame (0)")
         .Group("Time");
     AddUntil(command, record.length.until);
     AddValue(command, "--fps", "RATE", record.film.framesPerSecond, RatioBetween(0.1, 1000.0),
@@ -255,29 +258,25 @@ Command& Declare(Command& program, RecordOptions& record)
     AddValue(
         command, "--frame-range", "RANGE", record.length.range, ParseRange,
         "Record only these frames, such as 200-399 or 1-3,5,7-20:2;\n`boxreel merge` joins parts");
-    AddPath(
-        command, "--snapshots", "DIR", record.snapshots.folder,
-        "Save states of the simulation in this folder. Start from the last\nstate there that is "
-        "not after the first frame");
+    AddPath(command, "--snapshots", "DIR", record.snapshots.folder,
+            "Save simulation states in this folder. Start from the last state\n"
+            "there that is at or before the first frame");
     AddValue(command, "--snapshot-every", "N", record.snapshots.every,
              WholeBetween(1, 1'000'000'000),
              "Set the steps between snapshots (100, later up to 1/16 of all)");
     AddPath(command, "--thumbnail", "FILE", record.thumbnail.file,
             "Write a picture of one frame, .png", {".png"});
-    AddValue(
-        command, "--thumbnail-at", "TIME", record.thumbnail.at, ParseDuration,
-        "Choose the moment of the thumbnail (the middle of the film, or the\nlast frame if --until "
-        "ends the film before)");
+    AddValue(command, "--thumbnail-at", "TIME", record.thumbnail.at, ParseDuration,
+             "Set the time of the thumbnail (the middle of the film, or the last\n"
+             "frame if --until ends the film before)");
     AddTime(command, record);
     AddFormat(command, record.film);
     AddLook(command, record.look, nullptr);
     AddBackend(command, record.backend).Group("Picture");
     command.notes =
-        "Ctrl-C leaves NAME.part.EXT, which can be played; the same command with --resume goes "
-        "on.\n"
-        "Exit code 75 says so. Frames that show the same are stored once and shown for longer, "
-        "where\n"
-        "the format can.\n\n"
+        "Ctrl-C ends with exit code 75 and leaves NAME.part.EXT, which is playable. The same\n"
+        "command with --resume continues it. Identical consecutive frames are stored once, with\n"
+        "a longer duration, if the format supports it.\n\n"
         "Examples:\n"
         "  boxreel record pyramid -o pyramid.mp4\n"
         "  boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270\n"

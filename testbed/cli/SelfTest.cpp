@@ -9,7 +9,7 @@ namespace boxreel
 namespace
 {
 
-/// A pile that a ball hits, a chain with a load, a wheel on a spring, a box that spins fast.
+/// A stack that a ball hits, a chain with a load, a wheel on a spring, a box that spins fast.
 void Fill(b2World& world)
 {
     b2Body* const ground = AddGroundEdge(world, b2Vec2(-20.0f, 0.0f), b2Vec2(20.0f, 0.0f));

@@ -7,8 +7,8 @@
 namespace boxreel
 {
 
-/// The state that a small world of everything, piles, hinges, springs, a spinning box, has after
-/// two seconds, with one and with four small steps.
+/// Returns the state hash of a small world (stacks, hinges, springs, a spinning box) after two
+/// seconds, with one and with four sub-steps.
 std::uint64_t RunSelfTest();
 
 /// What it is on every machine.

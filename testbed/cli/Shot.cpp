@@ -108,7 +108,7 @@ Result<void> CheckSheet(const ShotOptions& options, PictureFormat format)
     return {};
 }
 
-/// At most so many of them.
+/// Lists at most kMost of them.
 std::string Listed(const std::vector<std::string>& letters)
 {
     constexpr std::size_t kMost = 20;
@@ -299,10 +299,10 @@ Command& Declare(Command& program, ShotOptions& shot)
     AddLook(command, shot.look, &shot.bothThemes);
     AddBackend(command, shot.backend).Group("Picture");
     command.notes =
-        "The pixels of a .png are those of a film's frame at the same time. In .svg and .pdf text\n"
-        "stays text, and each body is a group with a name. --theme both writes NAME-light.EXT\n"
-        "(print) and NAME-dark.EXT. --size is that of a picture, without what is beside it; of\n"
-        "several moments, that of each (640x360).\n\n"
+        "A .png has the pixels of a film's frame at the same time. In .svg and .pdf, text stays\n"
+        "text and each body is a named group. --theme both writes NAME-light.EXT (print) and\n"
+        "NAME-dark.EXT. --size is the size of the picture without annotations; of several\n"
+        "moments, of each (640x360).\n\n"
         "Examples:\n"
         "  boxreel shot pyramid --at 3s -o pyramid.png\n"
         "  boxreel shot bridge --step 180 -o bridge.png --size 1920x1080 --hud\n"
@@ -327,12 +327,12 @@ Result<void> CheckPixels(const ShotOptions& options)
     if (isVector && (options.look.hud || options.look.panels))
     {
         return Error{ErrorKind::Unusable, options.look.hud ? "--hud" : "--ui",
-                     "requires a .png, not " + options.output.string()};
+                     "requires a .png picture, not " + options.output.string(), "use -o NAME.png"};
     }
     if (isVector && options.stats)
     {
         return Error{ErrorKind::Unusable, "--stats",
-                     "requires a .png, not " + options.output.string()};
+                     "requires a .png picture, not " + options.output.string(), "use -o NAME.png"};
     }
     const Camera size = Scaled(Camera{.width = options.look.width, .height = options.look.height},
                                options.look.scale);

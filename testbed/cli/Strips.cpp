@@ -135,8 +135,8 @@ public:
         // Another project's scene of the same name, or a program that was built since.
         if (run.trace.steps.empty() || run.trace.steps.back().world != verdict.firstHash)
         {
-            strip.note = "This program does not do what the verdict says, so the steps cannot be "
-                         "shown; verify again with it.";
+            strip.note = "The steps cannot be shown, because the verdict is not from this program; "
+                         "verify again with this program.";
             return strip;
         }
         if (const Result<void> ready = Prepare(); !ready)
@@ -276,7 +276,7 @@ Result<std::map<std::string, FilmStrip>> MakeStrips(const std::vector<ReportedMo
         const Result<GoldenSelection> selection = SelectGolden(verdict.name);
         if (!selection)
         {
-            continue; // a world of somebody's own test
+            continue; // a world of another project's test
         }
         const auto& [firstStep, name] = earliest.at(sceneOf(verdict.name));
         if (name != verdict.name)

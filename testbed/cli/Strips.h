@@ -19,7 +19,7 @@ namespace boxreel
 /// `last`, ten at most; sorted.
 std::vector<std::int64_t> StepsAround(std::int64_t first, std::int64_t last);
 
-/// By name. A name that is none of our scenes has none. `against`: another build of the program,
+/// By name. A name of no known scene has no strip. `against`: another build of the program,
 /// by its whole path, whose pictures become the expected ones; empty: none.
 Result<std::map<std::string, FilmStrip>> MakeStrips(const std::vector<ReportedMoment>& moments,
                                                     const std::filesystem::path& against,

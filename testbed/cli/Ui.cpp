@@ -239,7 +239,7 @@ Result<int> Run(const UiOptions& options)
     {
         if (const Result<void> kept = WriteUiSettings(file, desk.Settings()); !kept)
         {
-            WriteMessage("boxreel: The settings are not kept: " + kept.GetError().Text());
+            WriteMessage("boxreel: The settings were not saved: " + kept.GetError().Text());
         }
     }
     const Result<void> said = WriteOutput(desk.Bench().Summary() + "\n");
@@ -259,22 +259,22 @@ Command& Declare(Command& program, UiOptions& ui)
     AddValue(command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
              "Seed the scene's random numbers (1)");
     AddValue(command, "--hz", "RATE", ui.stepsPerSecond, RatioBetween(5.0, 480.0),
-             "Set simulation steps per second (what the scene prefers, else 60)");
+             "Set simulation steps per second (the scene's own, else 60)");
     AddPath(command, "--into", "DIR", ui.into,
             "Write films, figures and scripts to this folder (the current one)");
-    AddFlag(command, "--paused", ui.isPaused, "Start paused; O makes a step, P continues");
-    AddFlag(command, "--fresh", ui.fresh, "Ignore and keep no settings");
+    AddFlag(command, "--paused", ui.isPaused, "Start paused; O makes one step, P continues");
+    AddFlag(command, "--fresh", ui.fresh, "Ignore saved settings and save none");
     AddBackend(command, ui.backend);
     command.notes =
         "Keys:\n"
-        "  P pause and go on    O a step             R restart           [ ] other scenes\n"
+        "  P pause, continue    O single step        R restart           [ ] other scenes\n"
         "  Ctrl+O find a scene  Tab hide panels      Home reset view     Esc quit\n"
         "  Z X, wheel zoom      arrows, right drag pan                   Ctrl+arrows shift origin\n"
         "  left drag pull a body                     Space, Shift+drag bombs\n"
-        "The window keeps its size, scene, theme and what it draws for the next time, in\n"
-        "$XDG_CONFIG_HOME/boxreel/ui.json (~/.config). When it is closed it says the step and the\n"
-        "state of the world. Record writes a film of what follows, SVG and PNG a figure, Script\n"
-        "what was done since the scene began, for `boxreel play`.\n\n"
+        "Size, scene, theme and layers are saved for the next start, in\n"
+        "$XDG_CONFIG_HOME/boxreel/ui.json (~/.config). Closing the window prints the step and the\n"
+        "state hash. The button Record writes a film from now on, SVG and PNG write a figure, and\n"
+        "Script writes the actions since the scene's start for `boxreel play`.\n\n"
         "Examples:\n"
         "  boxreel ui\n"
         "  boxreel ui car --paused\n"

@@ -45,8 +45,8 @@ Result<bool> FilmManifest::FindLeft()
     {
         return Error{ErrorKind::Unusable, part.string(),
                      "belongs to another film (" +
-                         (difference.empty() ? "it begins with another frame" : difference) + ")",
-                     "give the same command, or start again with --force"};
+                         (difference.empty() ? "it begins at another frame" : difference) + ")",
+                     "use the same command, or start again with --force"};
     }
     m_left = std::move(left);
     m_manifest.states = m_left.states; // merge asks for the first one

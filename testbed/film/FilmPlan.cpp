@@ -57,8 +57,8 @@ Error WhyManifestStays(const std::filesystem::path& film, const RecordOptions& o
     const std::string writer = WriterOfManifest(film);
     if (writer.empty())
     {
-        return because("a file other than a manifest is in the way",
-                       "move it, choose another name, or use --force to overwrite it");
+        return because("is not a manifest of boxreel",
+                       "move it, choose another name, or overwrite it with --force");
     }
     if (writer != BOXREEL_VERSION)
     {
@@ -88,7 +88,7 @@ Result<FilmPlan> PlanFilm(const RecordOptions& options)
         if (plan.frames.Count() == 0)
         {
             return Error{ErrorKind::Unusable, "--frame-range " + options.length.range->Text(),
-                         "the film has the frames 0 to " + std::to_string(frameCount - 1)};
+                         "must be within the film's frames 0 to " + std::to_string(frameCount - 1)};
         }
     }
     plan.film.width = options.look.width;
@@ -105,7 +105,7 @@ Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
     {
         return false;
     }
-    const std::string remedy = "make that part again with --force, or choose another name";
+    const std::string remedy = "record that part again with --force, or choose another name";
     ASSIGN_OR_RETURN(const Manifest there, ReadManifest(options.output, remedy));
     std::string difference = DifferenceFromAsked(there, options, plan);
     if (difference.empty() && there.end != plan.frames.Last() + 1)
@@ -114,7 +114,7 @@ Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
     }
     if (difference.empty() && ChecksumOfFilm(options.output) != there.checksum)
     {
-        difference = "it is cut off or was altered";
+        difference = "it is truncated or modified";
     }
     if (!difference.empty())
     {

@@ -11,7 +11,7 @@ namespace boxreel
 struct FilmPlan
 {
     VideoSettings film;
-    std::int64_t frameCount = 0;  ///< of the whole film, or the most when it ends earlier
+    std::int64_t frameCount = 0;  ///< of the whole film; the maximum if --until may end it
     FrameRange frames;            ///< those that are made
     std::int64_t groupFrames = 0; ///< from a frame that a part may begin with to the next
 };
@@ -23,8 +23,8 @@ Result<FilmPlan> PlanFilm(const RecordOptions& options);
 /// another film, or no longer what its manifest speak of.
 Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan);
 
-/// Unusable when a file of somebody else lies where the manifest go, or manifest of another film or
-/// another version of this program, and may not be replaced.
+/// Error (Unusable) if the path of the manifest holds a foreign file, or the manifest of another
+/// film or version, and may not be overwritten.
 Result<void> CheckManifestPaths(const RecordOptions& options, const FilmPlan& plan);
 
 /// A film that may be stopped and continued, or be a part of another, has manifest beside it.

@@ -87,7 +87,7 @@ Result<void> FilmRun::Fill(std::int64_t frame, FrameContent& content)
     return {};
 }
 
-/// On the way to the frame that the film goes on with.
+/// While simulating up to the frame at which the film continues.
 Result<void> FilmRun::DrawThumbnail()
 {
     if (!m_simulation.AdvanceTo(m_plan.frames.At(m_thumbnail.Index())))
@@ -135,7 +135,7 @@ Result<RecordingEnd> FilmRun::Film()
     return Record(settings, *m_renderer, *m_writer);
 }
 
-/// What there is stays, can be played, and can be continued.
+/// Keeps the part file, which is playable and can be resumed.
 Result<int> FilmRun::Stopped(std::int64_t framesDone)
 {
     const std::filesystem::path part = PartPath(m_options.output);
@@ -191,7 +191,7 @@ Result<int> FilmRun::Finished()
         WriteMessage("boxreel: --until: no condition became true within " +
                      std::to_string(m_filmed) + " frames");
     }
-    // A film in which what the camera waits for has never come is a film all the same.
+    // A missed camera target does not fail the film.
     const Result<void> played = m_simulation.Session().CheckCompanion();
     if (const Result<void> met = m_simulation.Session().CheckView(); played && !met)
     {

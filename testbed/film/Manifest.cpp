@@ -203,7 +203,7 @@ std::string DifferenceOf(const Manifest& a, const Manifest& b)
     }
     if (a.version != b.version)
     {
-        return "versions " + a.version + " and " + b.version + " of this program made them";
+        return "versions " + a.version + " and " + b.version + " of boxreel made them";
     }
     return "";
 }

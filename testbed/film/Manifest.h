@@ -22,7 +22,7 @@ struct Manifest
     std::vector<std::string> command; ///< what the user asked for, without where it goes
     Rational framesPerSecond;
     std::int64_t groupFrames = 100;
-    int plays = 0;               ///< how often an animation plays; 0: for ever
+    int plays = 0;               ///< how often an animation plays; 0: forever
     std::int64_t frameCount = 0; ///< of the whole film
     std::int64_t first = 0;      ///< number of this part's first frame
     std::int64_t end = 0;        ///< one more than that of its last
@@ -39,14 +39,14 @@ std::filesystem::path ManifestPath(const std::filesystem::path& film);
 /// Replaces what is there.
 Result<void> WriteManifest(const std::filesystem::path& film, const Manifest& manifest);
 
-/// An Error (Unusable) when there are none, or they are not readable. `remedy`: what to do then.
+/// Error (Unusable) if there is no manifest or it is not readable, with this `remedy`.
 Result<Manifest> ReadManifest(const std::filesystem::path& film, const std::string& remedy);
 
-/// The version of this program that left what lies where the manifest go, whether they are readable
-/// or not; empty when it is nothing of this program's.
+/// Returns the version of boxreel that wrote the file at the path of the manifest, even if the file
+/// is not readable as a manifest. Empty if boxreel did not write it.
 std::string WriterOfManifest(const std::filesystem::path& film);
 
-/// Of all bytes of a film and their number; nothing when it cannot be read or is no file.
+/// Returns the checksum of a film and its size; empty if it is not a readable file.
 std::string ChecksumOfFilm(const std::filesystem::path& film);
 
 /// The command without the options that do not change a frame: where it goes, how it is reported,

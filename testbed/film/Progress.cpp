@@ -17,8 +17,7 @@ namespace
 constexpr double kSecondsBetweenBars = 0.1;
 constexpr double kSecondsBetweenObjects = 0.5;
 
-// Steps between two frames of which nobody would see that something is done: a second, of a
-// pyramid.
+// Steps between two frames from which on progress is reported: a second of computing a pyramid.
 constexpr std::int64_t kLongWay = 1000;
 
 template <class... Values>

@@ -63,7 +63,7 @@ public:
     /// Writes when there is news: a few times a second, or once every tenth of the film.
     void Update(const RecordingProgress& progress);
 
-    /// Writes each tenth of a long way to a frame, whatever the time it takes.
+    /// Reports each tenth of a long simulation before a frame.
     void Simulate(const SimulationProgress& progress);
 
     /// Clears what a line feed has not ended yet, so that a message starts in a column of its own.

@@ -34,28 +34,25 @@ std::string DescribeDrawing(const RenderTotals& totals)
     char calls[32];
     std::snprintf(calls, sizeof calls, "%.1f a frame",
                   totals.frames > 0 ? double(totals.drawCalls) / double(totals.frames) : 0.0);
-    return "What was drawn:" +
+    return "Rendering:" +
            Line("frames", std::to_string(totals.frames),
                 std::to_string(whole) + " as a whole, " + std::to_string(totals.framesInPart) +
                     " in part, " + std::to_string(totals.framesUnchanged) + " unchanged") +
-           Line("pixels", Percent(totals.pixelsDrawn, totals.pixels),
-                "drawn, the rest left as it was") +
+           Line("pixels", Percent(totals.pixelsDrawn, totals.pixels), "drawn, the rest unchanged") +
            Line("items", std::to_string(totals.items),
                 Percent(totals.itemsDrawn, totals.items) + " drawn, " +
-                    Percent(leftAlone, totals.items) + " left as they were, " +
+                    Percent(leftAlone, totals.items) + " unchanged, " +
                     Percent(totals.itemsOutside, totals.items) + " outside the picture") +
-           Line("", Percent(totals.itemsReused, totals.items),
-                "known from the frame before, so not built anew") +
+           Line("", Percent(totals.itemsReused, totals.items), "reused from the frame before") +
            Line("draw calls", std::to_string(totals.drawCalls), calls);
 }
 
 std::string DescribeSimulation(const SimulationTotals& totals)
 {
-    return "What was simulated:" +
-           Line("steps", std::to_string(totals.steps),
-                totals.firstStep > 0
-                    ? "from the snapshot of step " + std::to_string(totals.firstStep) + " on"
-                    : "from the start");
+    return "Simulation:" + Line("steps", std::to_string(totals.steps),
+                                totals.firstStep > 0 ? "from the snapshot of step " +
+                                                           std::to_string(totals.firstStep) + " on"
+                                                     : "from the start");
 }
 
 } // namespace boxreel

@@ -80,7 +80,8 @@ double TicksPerSecond()
     return double(std::max(1L, sysconf(_SC_CLK_TCK)));
 }
 
-/// The stages in the order in which a frame goes through them, then what nobody timed.
+/// The stages in the order in which a frame goes through them, then the time that no stage
+/// measures.
 std::vector<Row> RowsOf(const StageTimes& stages, const FilmTimes& times)
 {
     std::vector<Row> rows{{"starting", "main", times.before.cpu, times.before.wall}};
@@ -141,7 +142,7 @@ double RasterSeconds()
 std::string DescribeStages(const StageTimes& stages, const FilmTimes& times)
 {
     const double perFrame = 1e3 / double(std::max<std::int64_t>(times.frames, 1));
-    std::string text = "Where the time of a frame went [ms]:\n"
+    std::string text = "Time per frame [ms]:\n"
                        "  stage                     thread         CPU      wall";
     for (const Row& row : RowsOf(stages, times))
     {

@@ -9,7 +9,7 @@ namespace boxreel
 namespace
 {
 
-// A broken pipe too: who reads the progress has gone, so nobody waits for the film.
+// SIGPIPE as well: the reader of the progress has ended, so the film is not needed.
 constexpr int kStopSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 
 // A handler may touch nothing but a lock-free atomic.

@@ -41,7 +41,7 @@ std::optional<std::vector<BodyRef>> ReadBodyRefs(std::string_view text);
 Result<void> FindNames(const std::string& option, const std::vector<BodyRef*>& bodies,
                        const std::map<std::uint32_t, std::string>& names);
 
-/// Their numbers.
+/// Returns the numbers of the bodies.
 std::vector<int> NumbersOf(const std::vector<BodyRef>& bodies);
 
 } // namespace boxreel

@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr std::int64_t kMaxSteps = 1'000'000'000;
-constexpr std::int64_t kMaxPoses = 100; // of an onion skin: more could not be told apart
+constexpr std::int64_t kMaxPoses = 100; // of an onion skin: more are indistinguishable
 constexpr std::size_t kMaxMoments = 64; // smaller pictures would show nothing
 constexpr double kFarthest = 1e6;       // [m], where single precision has steps of 6 cm
 

@@ -27,7 +27,7 @@ struct BodyChoice
 struct Interval
 {
     Duration time;
-    std::int64_t steps = 0; ///< above 0: these, whatever the time
+    std::int64_t steps = 0; ///< above 0: used instead of the time
     friend bool operator==(const Interval&, const Interval&) = default;
 };
 

@@ -35,7 +35,7 @@ View PictureView(const Camera& camera, const Theme& theme, double scale);
 /// How long arrows are.
 struct ArrowScales
 {
-    double velocitySeconds = 0.2;          ///< a velocity is as long as the way of so many seconds
+    double velocitySeconds = 0.2;          ///< a velocity is drawn as the displacement in this time
     std::optional<double> metersPerNewton; ///< none: what suits the world at the start, of joints
                                            ///< kForceShare and of contacts kImpulseShare
 };

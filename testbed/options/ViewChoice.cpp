@@ -69,8 +69,8 @@ std::string WhyNotFixed(std::string_view text)
         return "";
     }
     for (const std::string& why :
-         {WhyOutside("middle's x", parts[0], -kFarthest, kFarthest),
-          WhyOutside("middle's y", parts[1], -kFarthest, kFarthest), WhyOutsideHeights(parts[2])})
+         {WhyOutside("centre's x", parts[0], -kFarthest, kFarthest),
+          WhyOutside("centre's y", parts[1], -kFarthest, kFarthest), WhyOutsideHeights(parts[2])})
     {
         if (!why.empty())
         {

@@ -201,7 +201,7 @@ private:
     {
         if (!AreApart(edge.vertex1, edge.vertex2))
         {
-            return "the ends of the edge lie on each other";
+            return "the ends of the edge coincide";
         }
         b2EdgeShape shape;
         shape.Set(edge.vertex1, edge.vertex2);
@@ -258,13 +258,13 @@ private:
         }
         if (count < 2 || count > static_cast<std::size_t>(b2_maxPolygonVertices))
         {
-            return "a polygon has 3 to " + std::to_string(b2_maxPolygonVertices) +
+            return "a polygon must have 3 to " + std::to_string(b2_maxPolygonVertices) +
                    " vertices, this one has " + std::to_string(count);
         }
         const int32 asInt = static_cast<int32>(count);
         if (const char* why = b2PolygonShape::WhyNotConvex(polygon.vertices.data(), asInt))
         {
-            return std::string("the engine says of its vertices: ") + why;
+            return std::string("the engine refuses its vertices: ") + why;
         }
         b2PolygonShape shape;
         SetPolygon(polygon, shape);

@@ -16,7 +16,7 @@ namespace boxreel
 namespace
 {
 
-constexpr const char* kNoWord = "scene files cannot say this";
+constexpr const char* kNoWord = "scene files cannot contain this";
 
 /// A list of the engine's, which begins with the newest, in the order of creation.
 template <class Part>
@@ -422,7 +422,7 @@ private:
         else if (body.GetType() == b2_dynamicBody)
         {
             m_leftOut.push_back({"mass of " + NameOfBody(m_said, m_said.bodies.size() - 1),
-                                 "more than a scene file may give"});
+                                 "more than a scene file allows"});
         }
     }
 

@@ -145,8 +145,7 @@ Result<std::unique_ptr<Scene>> SceneOfText(std::string_view text, const std::str
     if (IsTooCrowded(scene->World()))
     {
         return Error{ErrorKind::Unusable, source,
-                     "has more than " + std::to_string(kMaxPairs) +
-                         " pairs of shapes that lie on each other",
+                     "has more than " + std::to_string(kMaxPairs) + " pairs of overlapping shapes",
                      "move its bodies apart"};
     }
     return std::unique_ptr<Scene>(std::move(scene));

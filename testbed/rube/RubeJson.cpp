@@ -128,12 +128,12 @@ Error SyntaxError(std::string_view text, std::size_t position, const std::string
     }
     if (position > text.size())
     {
-        return Unusable(source, "ends in the middle of its JSON text", kCopy);
+        return Unusable(source, "ends inside its JSON text", kCopy);
     }
     return Unusable(source + ":" + Place(text, position), "is not JSON", kExport);
 }
 
-// Long names would drown the message; control characters could garble the terminal.
+// Limits length and removes control characters.
 std::string Shortened(std::string_view text)
 {
     constexpr std::size_t kMost = 40;
@@ -146,8 +146,8 @@ std::string Shortened(std::string_view text)
     return text.size() > kMost ? result + "..." : result;
 }
 
-// The way from `from` down to `target`, e.g. ".body[3].angle". Looked for only when a message needs
-// it, so that reading need not keep track.
+// Appends the path from `from` to `target`, such as ".body[3].angle", and returns true if there is
+// one. Called only for messages, so that reading need not record paths.
 bool AppendPath(const json& from, const json* target, std::string& path)
 {
     if (&from == target)
@@ -242,7 +242,8 @@ Result<JsonDocument> JsonDocument::Parse(std::string_view text, std::string sour
     content->source = std::move(source);
     if (!content->root.is_object())
     {
-        return Unusable(content->source, "is not a scene file: its outermost value is no object",
+        return Unusable(content->source,
+                        "is not a scene file: its outermost value is not an object",
                         "name a R.U.B.E. export");
     }
     return JsonDocument(std::move(content));

@@ -70,9 +70,9 @@ public:
     JsonValue Item(std::size_t index) const;
 
     bool Bool(bool fallback) const;
-    /// A whole number in [least, most].
+    /// A whole number in [minimum, maximum].
     std::int64_t Integer(std::int64_t fallback, std::int64_t minimum, std::int64_t maximum) const;
-    /// A number, or a string with the eight hex digits of a float's bits; in [least, most].
+    /// A number, or a string with the eight hex digits of a float's bits; in [minimum, maximum].
     float Number(float fallback, float minimum, float maximum) const;
     std::string Text() const;
 

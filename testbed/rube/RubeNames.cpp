@@ -45,8 +45,8 @@ void AddNote(RubeNotes& notes, std::size_t& count, RubeNote note)
     notes.push_back({std::to_string(count - kMaxNotes) + " more parts", "not listed"});
 }
 
-// Names come from the file: long ones would drown the message, control characters could garble the
-// terminal. Bytes of other scripts pass; a name is cut between characters only.
+// Limits length and removes control characters. Bytes of other scripts are kept; names are cut
+// between characters.
 std::string QuotedName(const std::string& name)
 {
     constexpr std::size_t kMost = 60;

@@ -24,7 +24,7 @@ struct RubeNote
 /// In the order of the file, at most kMaxNotes and one that counts the others.
 using RubeNotes = std::vector<RubeNote>;
 
-constexpr std::size_t kMaxNotes = 1000; ///< nobody reads more, and memory stays bounded
+constexpr std::size_t kMaxNotes = 1000; ///< enough to read; bounds the memory
 
 /// Adds to notes of which there have been `count` so far.
 void AddNote(RubeNotes& notes, std::size_t& count, RubeNote note);

@@ -22,8 +22,8 @@ bool IsBox(const std::vector<b2Vec2>& vertices)
            vertices[1] == b2Vec2(half.x, -half.y) && vertices[3] == b2Vec2(-half.x, half.y);
 }
 
-/// Set begins with the rightmost corner. What was made with another one first, by SetAsBox aside of
-/// the origin, comes back as it was: contacts are told apart by the numbers of corners.
+/// Set begins with the rightmost vertex. A shape made with another first vertex, by SetAsBox with
+/// an offset, keeps it: contacts are identified by the numbers of vertices.
 void BeginWith(const b2Vec2& first, b2PolygonShape& shape)
 {
     const auto corners = shape.m_vertices;

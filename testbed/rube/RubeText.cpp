@@ -18,8 +18,9 @@ constexpr float32 kFarthest = 1e6f;   ///< coordinates and lengths: floats are 6
 constexpr float32 kFastest = 1e6f;    ///< velocities [m/s, rad/s]
 constexpr float32 kWidest = 1e6f;     ///< angles [rad]
 constexpr float32 kStrongest = 1e12f; ///< forces, torques, masses, densities
-constexpr float32 kStiffest = 1e25f;  ///< rotational inertia: the most mass, farthest [kg m^2]
-constexpr float32 kLargest = 1e6f;    ///< everything without a unit, damping and frequencies
+constexpr float32 kStiffest =
+    1e25f; ///< rotational inertia: maximum mass at maximum distance [kg m^2]
+constexpr float32 kLargest = 1e6f; ///< everything without a unit, damping and frequencies
 
 b2Vec2 ReadVector(const JsonValue& value, float32 maximum = kFarthest)
 {
@@ -401,7 +402,7 @@ Result<RubeScene> ParseRubeScene(std::string_view text, const std::string& sourc
     const JsonValue root = document.Root();
     RubeScene scene;
     ReadWorld(root, scene);
-    // Any JSON object would do as an empty scene; a foreign file is better told so.
+    // Without this, every JSON object would be read as an empty scene.
     const JsonValue bodies = root.Required("body");
     for (std::size_t i = 0; i < bodies.Count() && !root.IsHopeless(); ++i)
     {

@@ -29,14 +29,14 @@ public:
         const bool isDynamic = body.Member("type").Integer(0, 0, 2) == 2;
         if (isDynamic && !body.Member("awake").Exists())
         {
-            Note("does not say awake, so it sleeps until something touches it");
+            Note("has no awake member, so it sleeps until something touches it");
         }
         const bool hasMass = body.Member("massData-mass").Exists();
         if (!hasMass &&
             (body.Member("massData-center").Exists() || body.Member("massData-I").Exists()))
         {
-            Note("gives a centre of mass or an inertia without a mass; that of its fixtures is "
-                 "taken");
+            Note("has a centre of mass or an inertia without a mass; those of its fixtures are "
+                 "used");
         }
         const JsonValue fixtures = body.Member("fixture");
         bool weighs = hasMass;
@@ -59,16 +59,16 @@ public:
         m_who = Part("joint", index, joint);
         if (joint.Member("localAxis1").Exists() && !joint.Member("localAxisA").Exists())
         {
-            Note("its axis is called localAxis1, as in old files; it is taken");
+            Note("its axis is called localAxis1, as in old files; it is used");
         }
         if (joint.Member("type").Text() == "motor" && !joint.Member("linearOffset").Exists() &&
             joint.Member("anchorA").Exists())
         {
-            Note("its offset is called anchorA, as in files before 1.7; it is taken");
+            Note("its offset is called anchorA, as in files before 1.7; it is used");
         }
         if (joint.Member("jointSpeed").Exists())
         {
-            Note("jointSpeed says nothing that is not in the bodies' speeds; it is ignored");
+            Note("jointSpeed repeats the speeds of the bodies; it is ignored");
         }
     }
 
@@ -79,17 +79,18 @@ private:
     {
         if (!fixture.Member("friction").Exists() && !fixture.Member("sensor").Bool(false))
         {
-            Note("does not say friction, so it has none, not the engine's usual 0.2");
+            Note(
+                "has no friction member, so its friction is 0 instead of the engine's default 0.2");
         }
         const std::string taken = ShapeOf(fixture);
         if (taken == "loop")
         {
-            Note("is called loop, as in old files; a chain is made that closes itself");
+            Note("is called loop, as in old files; a closed chain is built");
         }
         if (taken == "polygon" &&
             fixture.Member("polygon").Member("vertices").Member("x").Count() == 2)
         {
-            Note("is a polygon of two vertices; an edge is made");
+            Note("is a polygon of two vertices; an edge is built");
         }
     }
 
@@ -105,7 +106,7 @@ private:
             }
             if (!taken.empty())
             {
-                Note("has more than one shape; its " + taken + " is taken");
+                Note("has more than one shape; its " + taken + " is used");
                 break;
             }
             taken = kind;

@@ -12,7 +12,7 @@ namespace
 
 constexpr float32 kHeight = 6.0f;      ///< of the platform [m]
 constexpr float32 kHalfLength = 5.0f;  ///< of the platform [m]
-constexpr float32 kReach = 8.0f;       ///< of its way, left and right [m]
+constexpr float32 kReach = 8.0f;       ///< of its path, left and right [m]
 constexpr float32 kSpeed = 2.0f;       ///< when it is kinematic [m/s]
 constexpr float32 kRamSpeed = 9.0f;    ///< [m/s]
 constexpr float32 kChangeEvery = 3.0f; ///< until a key is pressed [s]
@@ -21,9 +21,9 @@ constexpr KeyBinding kKeys[] = {{'d', "makes the platform dynamic"},
                                 {'s', "makes the platform static"},
                                 {'k', "makes the platform kinematic"}};
 
-/// A platform on a slide, with crates on it. Kinematic, it goes to and fro whatever lies on it;
-/// static, it stands; dynamic, it is pushed by what touches it, and rolls on with the speed that it
-/// has. By itself it goes through the three in turn.
+/// A platform on a slide, with crates on it. Kinematic, it moves to and fro under any load. Static,
+/// it stands. Dynamic, it is pushed by bodies that touch it and keeps its speed. The scene switches
+/// between the three types in turn.
 class BodyTypes : public Scene
 {
 public:
@@ -43,7 +43,7 @@ public:
             AddBox(m_world, b2Vec2(x, kHeight + 1.1f), 0.7f, 0.7f)
                 ->SetLinearVelocity(kSpeed * along);
         }
-        // Something that runs into it while it is dynamic.
+        // Hits the platform while it is dynamic.
         m_ram = AddBall(m_world, b2Vec2(-12.0f, kHeight), 0.8f, {.density = 4.0f});
         m_ram->SetGravityScale(0.0f);
     }

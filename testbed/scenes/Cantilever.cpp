@@ -36,7 +36,7 @@ class Cantilever : public Scene
 public:
     explicit Cantilever(const SceneSettings& settings) : Scene(settings)
     {
-        m_world.SetSubStepCount(4); // rigid is rigid: with one step a row of welds gives way
+        m_world.SetSubStepCount(4); // with one step, a row of welds bends
         AddGroundEdge(m_world, b2Vec2(-18.0f, 0.0f), b2Vec2(18.0f, 0.0f));
         AddOutOfTheWall();
         AddHanging();

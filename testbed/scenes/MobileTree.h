@@ -11,7 +11,7 @@ namespace boxreel
 /// The point of a rod that its string holds.
 enum class HeldAt
 {
-    Middle,  ///< whatever hangs from its ends
+    Middle,  ///< under any load
     Balance, ///< where both ends pull equally
 };
 

@@ -18,7 +18,7 @@ constexpr float32 kMaxTorque = 1000.0f; ///< [N m]
 
 constexpr KeyBinding kKeys[] = {{'s', "stops and goes on"}};
 
-/// A plate is driven along an eight and turned on its way, with no more than so much force: it
+/// A plate is driven along an eight and turned, with a limited force: it
 /// pushes light boxes aside. The cross is where it is asked to be.
 class MotorJoint : public Scene
 {
@@ -87,7 +87,7 @@ private:
 
     b2Joint* m_motor; ///< a motor joint
     bool m_stopped = false;
-    float32 m_time = 0.0f; ///< on the way [s]
+    float32 m_time = 0.0f; ///< along the path [s]
 };
 
 } // namespace

@@ -25,7 +25,7 @@ constexpr float32 kBeamHeight = 12.0f;  ///< of the points the strings hang from
 constexpr float32 kRaisedSine = 0.6f;
 constexpr float32 kRaisedCosine = 0.8f;
 
-// What keeps energy keeps the cradle going: nothing is lost in a collision, nothing rubs.
+// What keeps energy keeps the cradle going: collisions are elastic and without friction.
 constexpr Material kSteel{.density = 5.0f, .friction = 0.0f, .restitution = 1.0f};
 
 class NewtonsCradle : public Scene

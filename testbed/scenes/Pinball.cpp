@@ -32,7 +32,7 @@ constexpr float32 kStroke = 0.9f;   ///< how far it turns up from there [rad]
 constexpr float32 kFlipSpeed = 12.0f;    ///< [rad/s]
 constexpr float32 kFlipTorque = 4000.0f; ///< [N m]
 
-constexpr float32 kPush = 1.2f;      ///< way of the plunger [m]
+constexpr float32 kPush = 1.2f;      ///< displacement of the plunger [m]
 constexpr float32 kWeakest = 18.0f;  ///< of its speeds [m/s]
 constexpr float32 kHardest = 22.0f;  ///< of its speeds [m/s]
 constexpr float32 kReturn = 2.0f;    ///< on its way back [m/s]

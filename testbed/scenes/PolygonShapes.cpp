@@ -37,7 +37,7 @@ private:
     b2CircleShape m_probe;
 };
 
-/// The orange disc is no body: it only asks what overlaps it.
+/// The orange disc is not a body but an overlap query.
 class PolygonShapes : public SampleRain
 {
 public:

@@ -28,8 +28,8 @@ public:
     explicit Ragdoll(const SceneSettings& settings) : Scene(settings)
     {
         m_world.SetSubStepCount(4); // joints hold in a heap of limbs
-        // A limb that is stopped at its time of impact is turned beyond its joint's limit, and
-        // small steps are short enough that none passes through a step.
+        // A limb that is stopped at its time of impact is turned beyond its joint's limit.
+        // Sub-steps are short enough that no limb passes through a stair.
         m_world.SetContinuousPhysics(false);
         AddSteps();
         Random random(settings.seed);

@@ -65,7 +65,7 @@ private:
 };
 
 /// Three rays turn about the middle: the orange one asks for the closest shape, the blue one for
-/// any, the yellow one for all that lie on its way. None sees the discs.
+/// any, the yellow one for all on its path. None sees the discs.
 class RayCast : public Scene
 {
 public:

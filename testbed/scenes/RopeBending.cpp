@@ -19,7 +19,7 @@ constexpr float32 kSpringRow = 14.0f;  ///< height of the ropes with springs [m]
 constexpr float32 kLimitRow = 6.5f;    ///< height of the ropes with limits [m]
 constexpr Material kHemp{.density = 4.0f};
 
-// Sprung joints always give way, the less the stiffer they are; limited ones turn freely up to
+// Spring joints always bend, less if stiffer; limited ones turn freely up to
 // their limit and then not at all.
 constexpr float32 kHertz[] = {9.0f, 16.0f, 32.0f};
 constexpr float32 kLimits[] = {0.45f, 0.24f, 0.08f}; ///< to each side [rad]

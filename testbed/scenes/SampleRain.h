@@ -7,8 +7,8 @@
 namespace boxreel
 {
 
-/// Samples of all kinds fall one by one on whatever the scene has made for them, from a place by
-/// chance. The keys 1 to 5 drop one of a kind.
+/// Samples of all kinds fall one by one from random places onto the bodies of the scene. The keys 1
+/// to 5 drop one of a kind.
 class SampleRain : public Scene
 {
 public:

@@ -15,8 +15,8 @@
 #include <vector>
 
 /// What a scene is: a world it fills in its constructor and may steer around each step, by itself
-/// or as keys and the mouse say. Scenes use the engine only; whoever shows them (film, window,
-/// script, test) is none of their business.
+/// or as keys and the mouse say. Scenes use the engine only and do not depend on who shows
+/// them (film, window, script, test).
 namespace boxreel
 {
 

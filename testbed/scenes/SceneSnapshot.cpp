@@ -70,7 +70,7 @@ std::string RestoreScene(Scene& scene, std::span<const uint8> bytes)
     const std::span<const uint8> own = bytes.subspan(kHeaderBytes, NumberAt(bytes, 0));
     if (SumOf(own) != NumberAt(bytes, kLengthBytes))
     {
-        return "The snapshot of the scene is damaged: save it anew.";
+        return "The snapshot of the scene is damaged: save it again.";
     }
     const std::vector<uint8> before = SaveScene(scene);
     if (const char* why =

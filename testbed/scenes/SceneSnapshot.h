@@ -9,8 +9,8 @@
 #include <vector>
 
 /// A scene in the middle, as bytes: its world (b2Snapshot.h) and what it keeps beside it
-/// (SceneState.h). From there a scene that has been made anew goes on as the saved one does, to the
-/// last bit, so that a part of a film needs nothing of what was before.
+/// (SceneState.h). A newly created scene that restores it continues bit-exactly as the saved one,
+/// so that a part of a film does not need the steps before it.
 namespace boxreel
 {
 

@@ -37,8 +37,8 @@ SceneState::SceneState(b2World& world, std::span<const uint8> bytes) : SceneStat
     m_left = bytes;
 }
 
-// Eight bytes, the lowest first: whatever it is, a scene keeps few of them. A float's four bytes
-// lie lowest on every machine that this is built for.
+// Eight bytes, lowest first, for every type, because scenes save few values. The four bytes of a
+// float are the lowest on every supported machine.
 void SceneState::VisitBits(std::uint64_t& bits)
 {
     if (!m_restores)

@@ -33,8 +33,8 @@ constexpr float32 kPeriod = 14.0f; ///< [s]
 constexpr KeyBinding kKeys[] = {{'w', "raises the platform"}, {'s', "lowers the platform"}};
 
 /// Bars crossed in stages: a motor draws their feet together, and the platform rises with its load.
-/// The flatter the bars, the less way of the feet makes a way up: the motor is told to go at the
-/// pace that raises the platform evenly.
+/// The ratio of the platform's speed to that of the feet depends on the angle of the bars. The
+/// motor speed is set so that the platform rises evenly.
 class ScissorLift : public Scene
 {
 public:

@@ -14,7 +14,7 @@ constexpr float32 kHalfSize = 0.2f;    ///< [m]
 constexpr float32 kRamHalfSize = 2.0f; ///< [m]
 constexpr float32 kRamSpeed = 40.0f;   ///< [m/s]
 
-// All around, so that nothing flies away for good.
+// On all sides, so that no body leaves the arena.
 const b2Vec2 kMiddle(8.0f, 0.0f);      ///< [m]
 const b2Vec2 kHalfArena(30.0f, 16.5f); ///< [m]
 

@@ -16,7 +16,7 @@ constexpr int32 kBaseCount = 12;      ///< of the pyramid
 constexpr float32 kHalfSize = 0.5f;   ///< of its boxes [m]
 constexpr float32 kFallHeight = 3.0f; ///< [m]
 
-/// A ground of many small tiles, all fixtures of one body, carries a falling pyramid as one whole.
+/// A ground of many small tiles, all fixtures of one body, supports a falling pyramid.
 class Tiles : public Scene
 {
 public:

@@ -25,7 +25,7 @@ constexpr float32 kRowStep = 0.75f; ///< from box to box, room for a box turned 
 const b2Vec2 kBirthVelocity(0.0f, -3.0f);                                            ///< [m/s]
 const b2Vec2 kRowStart(-0.5f * kRowStep * static_cast<float32>(kPerRow - 1), 14.0f); ///< [m]
 
-/// The drum is kinematic: it turns evenly, whatever it carries.
+/// The drum is kinematic: it turns evenly under any load.
 class Tumbler : public Scene
 {
 public:
@@ -44,7 +44,7 @@ public:
 
     void Step(const StepSettings& settings) override
     {
-        // Due by now, however long a step is, so that the film at any rate shows the same pour.
+        // Depends on time, not on steps, so that films at every --hz show the same pour.
         const int32 rowsDue = 1 + static_cast<int32>(m_time * kRowsPerSecond);
         const int32 boxesDue = b2Min(rowsDue * kPerRow, kBoxCount);
         for (; m_boxes < boxesDue; ++m_boxes)

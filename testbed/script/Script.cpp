@@ -61,14 +61,14 @@ Result<ScriptMoment> TakeMoment(Words& words, const std::string& after)
 {
     if (words.IsEmpty())
     {
-        return Unusable(Quoted(after), "requires a time", "such as 1.5s or step 90");
+        return Unusable(Quoted(after), "requires a time", "for example 1.5s or step 90");
     }
     if (words.NextIs("step"))
     {
         words.Take();
         if (words.IsEmpty())
         {
-            return Unusable(Quoted("step"), "requires a number", "such as step 90");
+            return Unusable(Quoted("step"), "requires a number", "for example step 90");
         }
         const Result<std::int64_t> step = ParseWhole("step", words.Take(), 0, kMaxSteps);
         return step ? Result<ScriptMoment>(ScriptMoment{*step}) : step.GetError();
@@ -80,7 +80,8 @@ Result<ScriptMoment> TakeMoment(Words& words, const std::string& after)
 /// "3.5,-4": a point [m] or a velocity [m/s].
 Result<b2Vec2> TakePair(Words& words, const std::string& verb, const char* example)
 {
-    const Error wrong = Unusable(Quoted(verb), "requires X,Y", "such as " + verb + " " + example);
+    const Error wrong =
+        Unusable(Quoted(verb), "requires X,Y", "for example " + verb + " " + example);
     if (words.IsEmpty())
     {
         return wrong;
@@ -93,7 +94,7 @@ Result<b2Vec2> TakePair(Words& words, const std::string& verb, const char* examp
     }
     const Result<double> x = ParseNumber(verb, parts[0]);
     const Result<double> y = ParseNumber(verb, parts[1]);
-    // Beyond it, nothing of a world can be told apart.
+    // Beyond it, single precision cannot resolve a body.
     const auto isUsable = [](const Result<double>& number) {
         return number && *number >= -1e9 && *number <= 1e9;
     };
@@ -144,12 +145,12 @@ Result<void> Parser::TakeScene(Words& words)
     if (!m_script.scene.empty())
     {
         return Unusable(Quoted("scene"),
-                        "the scene is already in line " + std::to_string(m_script.sceneLine),
-                        "a script plays one");
+                        "the scene is already set in line " + std::to_string(m_script.sceneLine),
+                        "use one scene per script");
     }
     if (words.IsEmpty())
     {
-        return Unusable(Quoted("scene"), "requires a name or a file", "such as scene dominos");
+        return Unusable(Quoted("scene"), "requires a name or a file", "for example scene dominos");
     }
     m_script.scene = words.Take();
     m_script.sceneLine = m_line;
@@ -162,7 +163,7 @@ Result<void> Parser::TakeKey(const std::string& verb, ScriptMoment at, Words& wo
     const std::string key = words.IsEmpty() ? "" : words.Take();
     if (key.size() != 1)
     {
-        return Unusable(Quoted(verb), "requires a key", "such as " + verb + " d");
+        return Unusable(Quoted(verb), "requires a key", "for example " + verb + " d");
     }
     ScriptAction action;
     action.line = m_line;
@@ -208,7 +209,7 @@ Result<void> Parser::TakeBomb(ScriptAction action, Words& words)
         if (!velocity)
         {
             return Unusable(Quoted("bomb"), "requires a place and a velocity, or neither",
-                            "such as bomb 0,30 5,-40");
+                            "for example bomb 0,30 5,-40");
         }
         action.kind = ScriptAction::Kind::Sling;
         action.point = place;
@@ -236,11 +237,11 @@ Result<void> Parser::TakePanels(const std::string& verb, ScriptAction action, Wo
     action.kind = verb == "click" ? Kind::Click : verb == "type" ? Kind::Type : Kind::Hit;
     if (words.IsEmpty())
     {
-        return action.kind == Kind::Click
-                   ? Unusable(Quoted("click"), "requires a control", "such as click Solver/Sleep")
+        return action.kind == Kind::Click ? Unusable(Quoted("click"), "requires a control",
+                                                     "for example click Solver/Sleep")
                : action.kind == Kind::Type
-                   ? Unusable(Quoted("type"), "requires letters", "such as type dominos")
-                   : Unusable(Quoted("hit"), "requires a key", "such as hit ctrl+o");
+                   ? Unusable(Quoted("type"), "requires letters", "for example type dominos")
+                   : Unusable(Quoted("hit"), "requires a key", "for example hit ctrl+o");
     }
     action.name = words.Take();
     m_script.actions.push_back(action);
@@ -258,7 +259,7 @@ Result<void> Parser::TakeExpectation(ScriptMoment at, Words& words)
     }
     if (product.name.empty())
     {
-        return Unusable(Quoted("expect"), "requires a condition", "such as expect ball.y < 2");
+        return Unusable(Quoted("expect"), "requires a condition", "for example expect ball.y < 2");
     }
     m_script.products.push_back(std::move(product));
     return {};
@@ -271,7 +272,7 @@ Result<void> Parser::TakeCamera(const ScriptMoment& at, Words& words)
     if (time == nullptr)
     {
         return Unusable(Quoted("camera"), "requires a time, not a step",
-                        "such as at 1.5s camera 0,5,20");
+                        "for example at 1.5s camera 0,5,20");
     }
     if (!m_script.camera.empty() && *time <= m_lastCamera)
     {
@@ -283,7 +284,7 @@ Result<void> Parser::TakeCamera(const ScriptMoment& at, Words& words)
     if (!parsed || !std::holds_alternative<FixedView>(*parsed))
     {
         return Unusable(Quoted("camera"), "requires a centre and a height in metres",
-                        "such as camera 0,5,20");
+                        "for example camera 0,5,20");
     }
     m_lastCamera = *time;
     m_script.camera.push_back({TextOf(*time), view});
@@ -301,16 +302,16 @@ Result<void> Parser::TakeProduct(const std::string& verb, std::optional<ScriptMo
     {
         return product.kind == Kind::Golden
                    ? Unusable(Quoted("golden"), "requires the name of a reference",
-                              "such as golden ramp/2s")
+                              "for example golden ramp/2s")
                    : Unusable(Quoted(verb), "requires a file",
-                              "such as " + verb + (verb == "shot" ? " ramp.png" : " ramp.mp4"));
+                              "for example " + verb + (verb == "shot" ? " ramp.png" : " ramp.mp4"));
     }
     product.name = words.Take();
     product.options = words.TakeRest();
     if (product.kind == Kind::Golden && !at)
     {
         return Unusable(Quoted("golden"), "requires a moment",
-                        "such as at 2s golden " + product.name);
+                        "for example at 2s golden " + product.name);
     }
     if (product.kind == Kind::Shot && at)
     {
@@ -348,9 +349,9 @@ Result<void> Parser::TakeAt(Words& words)
     }
     if (hasEnd != (verb == "drag"))
     {
-        return hasEnd ? Unusable(Quoted(verb), "takes one moment", "leave 'to' out")
+        return hasEnd ? Unusable(Quoted(verb), "takes one moment", "remove 'to'")
                       : Unusable(Quoted("drag"), "requires a start and an end",
-                                 "such as at 1s to 2s drag 3.5,4");
+                                 "for example at 1s to 2s drag 3.5,4");
     }
     if (verb == "press" || verb == "release" || verb == "tap")
     {
@@ -523,7 +524,7 @@ Result<Script> ReadScript(const std::filesystem::path& file)
     }
     if (text->find('\0') != std::string::npos)
     {
-        return Error{ErrorKind::Unusable, file.string(), "is not a text", "name a script"};
+        return Error{ErrorKind::Unusable, file.string(), "is not a text file", "name a script"};
     }
     return ParseScript(*text, file);
 }

@@ -18,7 +18,7 @@
 namespace boxreel
 {
 
-/// A time or the number of a step; which step a time is hangs on the scene's rate.
+/// A time or the number of a step. The scene's rate converts a time to a step.
 struct ScriptMoment
 {
     std::variant<Duration, std::int64_t> when;
@@ -97,7 +97,7 @@ struct Script
     bool ThrowsBombs() const;
     bool UsesPanels() const;
 
-    /// The scene's, and the camera's way.
+    /// The options of the scene, and the camera's path.
     std::vector<std::string> SceneOptions() const;
 
     /// AtLine of its file.

@@ -66,7 +66,7 @@ Result<void> ScriptInput::Add(const Script& script, const ScriptAction& action,
     {
         return script.At(action.line,
                          Unusable("'drag'", last <= first
-                                                ? "must end at least a step after it begins"
+                                                ? "must end at least one step after it begins"
                                                 : "takes more than a million steps"));
     }
     for (std::int64_t step = first; step < last; ++step)

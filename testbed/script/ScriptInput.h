@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-/// What a script does to a scene, step by step. Which actions belong to a step hangs on the step
-/// alone, so a simulation that goes on from a saved state gets the same ones.
+/// What a script does to a scene, step by step. The actions of a step depend only on its
+/// number, so a simulation that continues from a saved state gets the same ones.
 namespace boxreel
 {
 
@@ -40,7 +40,7 @@ private:
     {
         std::int64_t step = 0;
         ScriptAction action;  ///< a Drag is many moves here
-        float32 share = 0.0f; ///< of the Drag's way, at the end of the step
+        float32 share = 0.0f; ///< of the Drag's path, at the end of the step
     };
 
     Result<void> Add(const Script& script, const ScriptAction& action,

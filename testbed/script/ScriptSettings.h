@@ -12,11 +12,10 @@
 namespace boxreel
 {
 
-/// The number that `text` stands for, 1 for on and 0 for off. Unusable: no such setting, with the
-/// nearest; no such value, with those that there are.
+/// Returns the value (on 1, off 0). Error: unknown setting or value.
 Result<int> ParseSetting(const std::string& name, const std::string& text);
 
-/// What ParseSetting accepted.
+/// Applies a value that ParseSetting returned.
 void ApplySetting(const std::string& name, int value, b2World& world, StepSettings& steps);
 
 } // namespace boxreel

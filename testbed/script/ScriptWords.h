@@ -10,9 +10,9 @@
 namespace boxreel
 {
 
-/// The words of one line of a script: between blanks; a word in double quotes may have blanks, and
-/// may be glued to what stands before it (--caption="two words"); from a # at the start of a word
-/// on it is a remark. An Error (Unusable) when a quote is not closed.
+/// Returns the words of one line of a script, separated by blanks. Double quotes keep blanks, also
+/// inside a word (--caption="two words"). A # at the start of a word begins a comment. Error
+/// (Unusable) if a quote is not closed.
 Result<std::vector<std::string>> WordsOf(std::string_view line);
 
 /// The words as one line that WordsOf takes apart again.

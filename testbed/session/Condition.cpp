@@ -91,7 +91,7 @@ Result<Condition> Condition::Parse(std::string_view option, std::string_view tex
     const std::size_t at = text.find_first_of("<>=!");
     if (at == std::string_view::npos)
     {
-        return Malformed(option, text, "compares nothing");
+        return Malformed(option, text, "has no comparison");
     }
     const bool isTwo = at + 1 < text.size() && text[at + 1] == '=';
     const std::string_view sign = text.substr(at, isTwo ? 2 : 1);
@@ -218,7 +218,7 @@ bool Condition::Compare(double value) const
     case Relation::Equal:
         return value == m_value;
     default:
-        return value < m_value || value > m_value; // not what is no number
+        return value < m_value || value > m_value; // false for NaN
     }
 }
 

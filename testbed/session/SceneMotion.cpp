@@ -156,7 +156,8 @@ Result<SceneMotion> SceneMotion::Create(const MotionLook& asked, SceneSession& s
     return motion;
 }
 
-/// The steps of the earlier poses, the oldest first. One more than the most is enough to say so.
+/// The steps of the earlier poses, the oldest first. One more than the maximum shows that it is
+/// exceeded.
 std::vector<std::int64_t> SceneMotion::PosesFor(std::int64_t moment,
                                                 const Rational& stepsPerSecond) const
 {

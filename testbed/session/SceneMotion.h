@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Watches a scene step by step and adds to its stills what a MotionLook asks for: trails, earlier
-/// poses, dimensions, the origin. Knows no files; never prints.
+/// poses, dimensions, the origin.
 namespace boxreel
 {
 
@@ -22,7 +22,7 @@ public:
     static Result<SceneMotion> Create(const MotionLook& look, SceneSession& session,
                                       const std::vector<std::int64_t>& moments);
 
-    /// Takes the session on to `step`, looking at every step on the way.
+    /// Advances the session to `step` and observes every step.
     void AdvanceTo(SceneSession& session, std::int64_t step);
 
     /// What lies over the picture of the session's step, but for labels: dimensions and the origin.

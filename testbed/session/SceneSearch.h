@@ -10,9 +10,8 @@
 #include <string_view>
 #include <vector>
 
-/// From what a user typed to a scene: a name whatever its case, spaces and punctuation, or a
-/// R.U.B.E. file. Never prints; what a file asked for and could not be built is handed back in
-/// words.
+/// Finds the scene that a user typed: a name, regardless of case, spaces and punctuation, or a
+/// R.U.B.E. file. Returns a note for each part of a file that cannot be built.
 namespace boxreel
 {
 

@@ -17,7 +17,7 @@ namespace boxreel
 namespace
 {
 
-/// A number with `decimals` digits after the point, whatever the locale of the program.
+/// A number with `decimals` digits after the point, independent of the locale.
 std::string Decimals(double value, int decimals)
 {
     char text[64];

@@ -70,11 +70,11 @@ class SceneSession
 public:
     static Result<SceneSession> Open(SceneSource source, const SceneLook& look);
 
-    /// Simulates up to `step` (0: as created). Steps that lie behind are no mistake: nothing
+    /// Simulates up to `step` (0: as created). Earlier steps are not an error: nothing
     /// happens.
     void AdvanceTo(std::int64_t step);
 
-    /// Simulates the step after `step` too, to show `fraction` of its way: 0 to below 1, where 0 is
+    /// Simulates the step after `step` too, to show `fraction` of it: 0 to below 1, where 0 is
     /// AdvanceTo. Moments must not go back.
     void AdvanceBetween(std::int64_t step, double fraction);
 
@@ -128,8 +128,8 @@ public:
     int UncoveredWidth() const;
     /// Of another size from now on, and covered so far by panels; the view shows as much as it did.
     void Resize(int width, int height, int covered);
-    /// Another scene, or the same anew, in the place of this one: steps go on being counted, and
-    /// what goes along stays. It is as it was when there is an Error.
+    /// Replaces the scene by another, or by a new one of the same name. The count of steps
+    /// continues, and companions stay. Unchanged if there is an Error.
     Result<void> Replace(SceneSource source, const SceneLook& look);
     void SetCompanion(std::shared_ptr<SessionCompanion> companion)
     {
@@ -175,7 +175,7 @@ private:
     std::shared_ptr<SessionCompanion> m_companion;
     b2PoseRecord m_posesBefore; // the last step, while what lies before its end is shown
     Camera m_viewBefore;
-    std::optional<double> m_fraction; // of the last step's way that is shown; none: its end
+    std::optional<double> m_fraction; // shown of the last step; none: its end
     double m_stepMilliseconds = 0.0;  // of the last step, smoothed
 };
 

@@ -191,9 +191,9 @@ void ScriptedPanels::Press(SceneSession& session, const ScriptAction& action)
     const std::optional<Vec2> place = m_panels.Controls().Find(action.name);
     if (!place)
     {
-        Fail(action, "no such control at this moment",
+        Fail(action, "unknown control at this moment",
              DidYouMean(action.name, m_panels.Controls().Names(),
-                        "give one such as Solver/Sleep or Run/Pause"));
+                        "use one such as Solver/Sleep or Run/Pause"));
         return;
     }
     m_pointer = *place;
@@ -212,7 +212,7 @@ void ScriptedPanels::Strike(SceneSession& session, const ScriptAction& action)
     const std::optional<Hit> hit = ParseHit(action.name);
     if (!hit)
     {
-        Fail(action, "unknown key", "give one such as enter, escape, down, tab, p or ctrl+o");
+        Fail(action, "unknown key", "use one such as enter, escape, down, tab, p or ctrl+o");
         return;
     }
     if (!m_panels.WantsKeys(m_choices))

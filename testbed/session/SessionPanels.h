@@ -7,7 +7,7 @@
 
 #include <memory>
 
-/// What is between a session and the panels, in a window and without one: facts one way, choices
+/// Connects a session with the panels, in a window and without one: facts in one direction, choices
 /// the other.
 namespace boxreel
 {

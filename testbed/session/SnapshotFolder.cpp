@@ -22,11 +22,11 @@ constexpr const char* kFormat = "boxreel snapshot 1";
 
 // Parts of a film begin with a group of frames, 100 unless the user says otherwise.
 constexpr std::int64_t kFirstGap = 100;
-// A gap is doubled when the way has so many of it. More: more files; fewer: more is simulated
-// again.
+// The gap is doubled when the simulation has so many gaps. More: more files; fewer: more is
+// simulated again.
 constexpr std::int64_t kGapsInWay = 32;
 
-// What says that it is larger is no snapshot: 100,000 bodies in a pile have some 100 MB.
+// A larger file is not a snapshot: 100,000 bodies in a contact island have about 100 MB.
 constexpr std::uintmax_t kMaxBytes = 4'000'000'000;
 
 constexpr const char* kExtension = ".snapshot";
@@ -182,11 +182,11 @@ std::string SnapshotFolder::WhyNot(SceneSession& session, std::int64_t step) con
     }
     if (!file.starts_with(heading.substr(0, versionEnds)))
     {
-        return "is no snapshot, or of another version of this program";
+        return "is not a snapshot of this version of boxreel";
     }
     if (!file.starts_with(heading))
     {
-        return "is of another film";
+        return "belongs to another film";
     }
     const std::size_t sumEnds = std::min(file.find('\n', heading.size()), file.size() - 1) + 1;
     const auto state = BytesOf(file).subspan(sumEnds);
@@ -214,7 +214,7 @@ void SnapshotFolder::Begin(SceneSession& session, std::int64_t latest)
         if (m_broken.empty())
         {
             WriteMessage("boxreel: " + PathOf(*step).string() + " " + why +
-                         ", so it is not used and will be written anew.");
+                         "; it is ignored and written again.");
         }
         m_broken.insert(*step);
     }
@@ -246,7 +246,7 @@ void SnapshotFolder::Offer(SceneSession& session)
     if (const Result<void> written = Write(session); !written)
     {
         WriteMessage("boxreel: " + written.GetError().Text() +
-                     " No more snapshots are written by this run.");
+                     " This run writes no more snapshots.");
         m_isFull = true;
     }
 }

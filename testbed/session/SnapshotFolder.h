@@ -53,7 +53,7 @@ private:
     std::optional<std::int64_t> m_every;
     std::string m_origin;            // what the states are of
     std::string m_name;              // of its files, but for the step
-    std::set<std::int64_t> m_broken; // steps whose files are to be written anew
+    std::set<std::int64_t> m_broken; // steps whose files are written again
     bool m_isFull = false;           // takes no more
 };
 

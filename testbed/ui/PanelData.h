@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// What goes between the panels and whoever has them: plain data both ways.
+/// Plain data exchanged between the panels and their owner, in both directions.
 namespace boxreel
 {
 
@@ -36,10 +36,10 @@ struct PanelFacts
     std::vector<KeyBinding> keys;                               ///< that the scene answers to
     std::vector<std::pair<std::string, std::string>> remarks;   ///< the scene's own
     std::optional<std::array<float, kStageNames.size()>> times; ///< of the last step [ms]; none:
-                                                                ///< they are nobody's business
-    bool isWindow = true;              ///< not in a film or a picture, which cannot write files
-    std::optional<double> filmSeconds; ///< of the film that is being made
-    std::string message;               ///< what was done last
+                                                                ///< not measured
+    bool isWindow = true;              ///< true in the window; films cannot write files
+    std::optional<double> filmSeconds; ///< of the film that is being recorded
+    std::string message;               ///< the last action
 };
 
 /// How the world is stepped.

@@ -60,7 +60,7 @@ constexpr KeyHelp kKeyHelp[] = {
 
 // Sections of the column that need no more than what they show.
 
-/// What the scene itself has to say; nothing of most.
+/// The scene's own texts; most scenes have none.
 void SceneSection(Widgets& widgets, const PanelFacts& facts)
 {
     for (const auto& [name, value] : facts.remarks)
@@ -88,7 +88,7 @@ void SolverSection(Widgets& widgets, PanelChoices& choices)
     widgets.Number("Hertz", solver.hertz, 5, 480);
     if (ImGui::IsItemHovered())
     {
-        widgets.Tip("Another rate begins the scene anew.");
+        widgets.Tip("Another rate restarts the scene.");
     }
     const float secondColumn = SecondColumn();
     widgets.Check("Sleep", solver.sleep);

@@ -27,8 +27,8 @@ public:
     /// What the last frame looks like.
     const Overlay& Picture() const { return m_picture; }
 
-    /// A step was simulated: what the plots show grows by it. Facts of another scene, or of an
-    /// earlier step, begin them anew.
+    /// Adds a simulated step to the plots. Facts of another scene, or of an earlier step, restart
+    /// them.
     void Observe(const PanelFacts& facts);
 
     void Resize(int width, int height);

@@ -110,8 +110,8 @@ Result<UiSettings> ReadUiSettings(const std::filesystem::path& file)
     {
         return settings;
     }
-    const Error unreadable{ErrorKind::Failed, file.string(), "holds no settings of boxreel",
-                           "it stays until settings are written again"};
+    const Error unreadable{ErrorKind::Failed, file.string(), "is not a settings file of boxreel",
+                           "it is replaced when settings are saved"};
     const Result<std::string> text = ReadWhole(file, kMaxBytes);
     const json object = text ? json::parse(*text, nullptr, false) : json();
     if (!object.is_object())
@@ -132,8 +132,8 @@ Result<void> WriteUiSettings(const std::filesystem::path& file, const UiSettings
     if (error)
     {
         return Error{ErrorKind::Unusable, file.parent_path().string(),
-                     "this folder cannot be created: " + error.message(),
-                     "set XDG_CONFIG_HOME to another"};
+                     "cannot be created: " + error.message(),
+                     "set XDG_CONFIG_HOME to another folder"};
     }
     // Scene files have names of any bytes; what is no UTF-8 would not be JSON.
     return WriteWhole(file, object.dump(1, ' ', false, json::error_handler_t::replace) + "\n",

@@ -26,11 +26,11 @@ struct UiSettings
 /// $XDG_CONFIG_HOME/boxreel/ui.json, else ~/.config/boxreel/ui.json; empty without a home.
 std::filesystem::path UiSettingsPath();
 
-/// As a new user has them when there is no such file; what it does not say, or says wrongly, is as
-/// a new user has it. An Error when it cannot be read or is no JSON.
+/// Returns the settings; defaults if there is no file. Missing and invalid values are defaults.
+/// Error if the file cannot be read or is not JSON.
 Result<UiSettings> ReadUiSettings(const std::filesystem::path& file);
 
-/// Whole or not at all; makes its folder.
+/// Writes atomically; creates the folder.
 Result<void> WriteUiSettings(const std::filesystem::path& file, const UiSettings& settings);
 
 } // namespace boxreel

@@ -31,7 +31,7 @@ public:
     /// Another scene is there: what was held of the one before is gone.
     void Forget();
 
-    /// While a bomb is pulled back, the way that it was.
+    /// While a bomb is pulled back, the path of the pull.
     void AddSling(const SceneWork& work, Vec2 pointer, DrawList& list) const;
 
 private:

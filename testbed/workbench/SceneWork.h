@@ -15,7 +15,7 @@ namespace boxreel
 class SceneWork
 {
 public:
-    /// Begin comes next.
+    /// Call Begin first.
     explicit SceneWork(SceneSession session) : m_session(std::move(session)) {}
 
     /// The session is at its start: a script begins, whose first actions make the solver `wanted`.

@@ -58,7 +58,7 @@ void Workbench::BeginScene()
     m_owed = 0.0;
 }
 
-/// To another scene, or the same one anew.
+/// Opens another scene, or the same one again.
 void Workbench::Change(const std::string& scene, bool isOther)
 {
     Result<SceneSource> source = OpenScene(scene);

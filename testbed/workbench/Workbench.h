@@ -45,7 +45,7 @@ public:
     void Resize(int width, int height); ///< of the picture [px], with the scale in it
 
     bool IsDone() const { return m_isDone; }
-    /// Nothing happens unless somebody does something.
+    /// True while paused: only user input changes the picture.
     bool IsResting() const { return m_choices.isPaused; }
     const PanelChoices& Choices() const { return m_choices; }
     SceneSession& Session() { return m_work.Session(); }

@@ -23,7 +23,7 @@ constexpr std::size_t kMaxLines = 700;
 /// behaviours.
 constexpr std::size_t kMaxTestName = 60;
 
-/// The folder of somebody's machine that a line names, or empty. A name inside a longer path
+/// Returns the folder of one machine that a line names, or empty. A name inside a longer path
 /// ("build/…", "${…}/…", an address of the web) does not count.
 std::string MachineFolder(const std::string& line)
 {

@@ -20,7 +20,7 @@ Findings CheckLayers(const std::filesystem::path& root);
 /// Foreign headers outside the one file (or family of files) that wraps the library.
 Findings CheckForeignLibraries(const std::filesystem::path& root);
 
-/// The licence line on top, at most 700 lines, no absolute path of somebody's machine.
+/// The licence line on top, at most 700 lines, no absolute path of one machine.
 Findings CheckFiles(const std::filesystem::path& root);
 
 /// Names of tests (`Suite.Name`, without program and parameter) of more than 60 characters.

@@ -28,7 +28,6 @@ struct Outcome
     std::string ending{}; ///< "falls", "bursts": what no error tells; empty: as it should
 };
 
-/// What a remark has to be for the case to be as good as it should.
 /// One run of a case: made, built, stepped and judged once.
 class Experiment
 {

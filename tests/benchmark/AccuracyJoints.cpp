@@ -144,7 +144,7 @@ public:
 
 protected:
     double WidestGap() const { return 1000.0 * m_widest; } // [mm]
-    /// At twice its length nobody takes it for a chain any more.
+    /// At twice its length the chain counts as failed.
     std::string Ending() const { return Stretch() < 100.0 ? "" : "bursts"; }
     double Stretch() const { return 100.0 * Worst(0.0, m_longest / kLinks - 1.0); } // [%]
 

@@ -53,7 +53,7 @@ inline double Worst(double a, double b)
     return a > b || std::isnan(a) ? a : b;
 }
 
-/// A case whose experiment is constructed from the given arguments, anew for each run.
+/// A case whose experiment is constructed from the given arguments, once for each run.
 template <typename Kind, typename... Arguments>
 AccuracyCase MakeCase(const char* name, const char* what, const char* unit, double seconds,
                       Arguments... arguments)

@@ -138,7 +138,7 @@ double Finite(double value)
     return std::isfinite(value) ? value : 0.0;
 }
 
-/// What nobody looked at, for the world burst before, is not zero.
+/// Not measured (not zero) if the simulation failed before.
 std::string ContactsText(const Likenesses& like)
 {
     char text[32];

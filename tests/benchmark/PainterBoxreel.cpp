@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ours, and the least that any picture through the same library takes: GL told to clear and to hand
-// over its pixels, with no Renderer in between.
+// Boxreel's renderer, and the minimum of every picture through the same library: GL clears and
+// returns its pixels, without a Renderer.
 #include "Painter.h"
 
 #include "Context.h"

@@ -28,7 +28,7 @@ std::string SizeText(int width, int height)
     return std::to_string(width) + "x" + std::to_string(height);
 }
 
-/// All that decides the film is said, so that it is the peer's whatever our defaults are.
+/// Every option that affects the film is given, so that it does not depend on our defaults.
 Words OurWords(const RecordCase& info, const std::string& program, const Film& film, double from)
 {
     const Words words{program,

@@ -59,7 +59,7 @@ Error SystemError(const std::string& what)
     return Failed(what + ": " + std::strerror(errno) + ".");
 }
 
-/// A file, or the end of a pipe, that is closed whatever happens.
+/// Owns a file or the end of a pipe and closes it.
 class Descriptor
 {
 public:
@@ -268,7 +268,7 @@ Result<void> DrawImmediately(const Take& take, int pipe)
 /// The encoder is started before anything is loaded, for a process counts what its parent had.
 Result<void> FilmImmediately(const Take& take, const std::string& film)
 {
-    signal(SIGPIPE, SIG_IGN); // an encoder that ends early is told about by its code
+    signal(SIGPIPE, SIG_IGN); // an encoder that ends early is reported by its exit code
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0)
     {

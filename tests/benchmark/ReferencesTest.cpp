@@ -45,7 +45,7 @@ TEST(References, TheSlideIsWhatWeightAndFrictionMakeOfIt)
     EXPECT_LT(std::abs(SlideDistance(kGravity, slope, friction, 2) - state[0]), 1e-14L);
 }
 
-/// Free fall in small steps; an impact is met by a step of just the time that is left.
+/// Free fall in short steps. The step before an impact lasts for the time that is left.
 Real HighestAfter(Real height, Real restitution, int impacts)
 {
     const auto fall = [](const std::array<Real, 2>& s) {

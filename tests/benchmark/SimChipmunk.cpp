@@ -23,8 +23,8 @@ double Share(double coefficient)
     return cpfsqrt(coefficient);
 }
 
-/// Debian's build warns in every step of some scenes, which would be timed and drown all else. To
-/// be called before the first space is made, for that already talks.
+/// Debian's build warns in every step of some scenes, which would add to the time. Call it before
+/// the first space is created, which also warns.
 cpSpace* MakeQuietSpace()
 {
     static const bool quiet = std::freopen("/dev/null", "w", stderr) != nullptr;

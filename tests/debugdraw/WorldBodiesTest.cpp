@@ -53,7 +53,7 @@ TEST_F(WorldBodies, EachCarriesItsNumberAtItsCentreOfMass)
         EXPECT_NEAR(corner.x, item.owner == 0 ? -2.5f : 7.5f, kHalfALabel);
         EXPECT_NEAR(corner.y, 2.0f, kHalfALabel);
     }
-    EXPECT_EQ(list.owner, kNoOwner) << "what follows belongs to nobody";
+    EXPECT_EQ(list.owner, kNoOwner) << "what follows has no owner";
 }
 
 TEST_F(WorldBodies, ANameTakesTheNumbersPlaceInTheMiddle)
@@ -61,7 +61,7 @@ TEST_F(WorldBodies, ANameTakesTheNumbersPlaceInTheMiddle)
     AddBodyNames(scene.world, ViewOfEverything(camera), {{1, "M\u00fchle"}, {0, ""}}, list);
     EXPECT_THAT(list.texts, testing::ElementsAre("0", "M\u00fchle"));
     EXPECT_NEAR(list.points[list.items[1].first].x, 7.5 - 0.005 * TextWidth("M\u00fchle"), 1e-4)
-        << "as wide as its letters are, whatever their bytes";
+        << "as wide as its letters, not its bytes";
 }
 
 TEST_F(WorldBodies, ALongNameIsCutBetweenLetters)
@@ -171,7 +171,7 @@ bool Holds(const Rect& box, const b2Vec2& point)
            point.y < box.upper.y;
 }
 
-/// That nobody takes a label for another body's, and that all can be read.
+/// Expects that each label is readable and nearest to its own body.
 void ExpectClear(const b2World& world, const DrawList& list, const Camera& camera)
 {
     const std::map<std::uint32_t, SeenLabel> labels = LabelsOf(list, camera.pixelsPerMeter);

@@ -61,8 +61,8 @@ TEST(Figures, HaveNoStaleOnesAmongThem)
     const std::set<std::string> current = DrawnNames(drawn / "");
     for (const std::string& name : DrawnNames(kFigures))
     {
-        EXPECT_TRUE(current.contains(name))
-            << "nobody draws docs/figures/" << name << "; remove it, or add it to FigureTable.cpp";
+        EXPECT_TRUE(current.contains(name)) << "no figure writes docs/figures/" << name
+                                            << "; remove it, or add it to FigureTable.cpp";
     }
 }
 

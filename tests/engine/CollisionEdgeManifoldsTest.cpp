@@ -87,8 +87,8 @@ float DistanceToEdge(const b2EdgeShape& edge, const b2Shape& shape, const b2Tran
 }
 } // namespace
 
-// The promise of chains: nothing but the ground's normal, whatever slides along, however it leans,
-// from either side, on edges drawn in either direction.
+// A flat chain gives only the normal of the ground: for every shape and angle, from either side, on
+// edges of either direction.
 TEST(EdgeManifold, NothingCatchesOnAFlatChain)
 {
     Random random(71);

@@ -8,7 +8,7 @@
 
 namespace
 {
-// A hit whose existence hangs on less than this says nothing [m].
+// Grazing hits within this distance are not compared [m].
 constexpr double kGrazing = 1.0e-4;
 
 struct Hit

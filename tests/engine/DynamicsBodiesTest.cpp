@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-/// What a body can be asked and told: mass, type, motion, forces.
+/// Getters and setters of a body: mass, type, motion, forces.
 namespace
 {
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <utility>
 
-/// Bullets have contacts only with what their ways come near. Nothing that touches may be missing,
-/// whatever is done to the bodies meanwhile.
+/// Bullets have contacts only with bodies near their paths. No touching pair may be missing after
+/// any user change.
 namespace
 {
 

@@ -14,8 +14,8 @@ namespace
 
 using namespace dynamics;
 
-/// Writes down what it is told, a letter for each event (b begins, e ends, p is before and q after
-/// the solver) and a bar between steps.
+/// Records a letter for each event (b begin, e end, p pre-solve, q post-solve) and a bar between
+/// steps.
 struct Recorder : b2ContactListener
 {
     void BeginContact(b2Contact* contact) override

@@ -557,8 +557,8 @@ struct Lullaby : public b2ContactListener
     void PostSolve(b2Contact*, const b2ContactImpulse*) override { Sing(2); }
 };
 
-// What hangs on a body that an impact has stopped is drawn back to it, but for what sleeps.
-TEST(DynamicsContinuous, ListenerMayPutBodyJoinedToHitToSleep)
+// After an impact stops a body, awake bodies joined to it are pulled back to it.
+TEST(DynamicsContinuous, ListenerMayPutJoinedBodyToSleep)
 {
     for (const int32 subSteps : {1, 2, 8})
     {

@@ -105,7 +105,7 @@ TEST(DynamicsDeterminism, SceneBitsAreIndependentOfAddresses)
     }
 }
 
-// Those of another build. Whoever changes what small steps compute changes this number.
+// The hash of another build. A change of what sub-steps compute changes it.
 TEST(DynamicsDeterminism, SubStepsGiveTheBitsOfEveryCompiler)
 {
     EXPECT_EQ(RunScene(false, 4), 16739910731634796023ull);

@@ -136,8 +136,8 @@ private:
         return Expect(count == m_world.proxies.Count(), "the count of proxies is wrong");
     }
 
-    /// A body's origin is rounded anew whenever its pose is taken up: the box of what has hardly
-    /// any size has no margin for that.
+    /// A body's origin is rounded again in each step. The box of a tiny shape has no margin for
+    /// that.
     static b2AABB Rounded(const b2AABB& box, const BodyData& body)
     {
         const float32 far = b2Abs(body.worldCenter.x) + b2Abs(body.worldCenter.y) + body.maxExtent;

@@ -302,7 +302,7 @@ TEST(DynamicsDistanceJoint, ACriticallyDampedOneDoesNotSwing)
     EXPECT_NEAR(ball->GetPosition().x, 5.0f, 1e-3f);
 }
 
-// What hangs on a spring hangs lower by g / omega^2.
+// A load sinks by g / omega^2 on a spring.
 TEST(DynamicsDistanceJoint, ASoftOneGivesUnderItsLoad)
 {
     Scene scene;

@@ -9,8 +9,8 @@
 
 #include <bit>
 
-/// Contacts stay in the blocks they are solved in while a colour's contacts and their forms stay,
-/// and nobody can tell.
+/// Contacts stay in their solver blocks while a colour's contacts and their forms stay. The results
+/// are those of rebuilt blocks.
 namespace
 {
 
@@ -67,7 +67,7 @@ std::uint64_t HashOf(const b2World& world)
 
 TEST(DynamicsKeptBlocks, GiveTheBitsOfBlocksRebuiltInEveryStep)
 {
-    Idle idle; // with a listener they are made anew
+    Idle idle; // with a listener they are rebuilt
     Scene kept, anew;
     FillHeap(kept);
     FillHeap(anew);

@@ -11,8 +11,8 @@
 #include <limits>
 #include <random>
 
-/// What a caller can get wrong. With asserts on each mistake ends the program with a sentence that
-/// says what was wrong; with asserts off it is ignored or mended, and the world stays whole.
+/// Misuse by the caller. With asserts, each mistake ends the program with a message. Without
+/// asserts, it is ignored or corrected, and the world stays valid.
 namespace
 {
 

@@ -14,8 +14,7 @@
 #include <string>
 #include <thread>
 
-/// A world moves the same to the last bit, and tells the same in the same order, whatever the
-/// number of threads that share its steps.
+/// A world gives the same bits and the same events in the same order for every number of threads.
 namespace
 {
 
@@ -176,8 +175,8 @@ TEST(DynamicsThreads, CanBeChangedBetweenSteps)
     EXPECT_EQ(pit.Hash(), one.Hash());
 }
 
-/// Writes down everything it is told. It also meddles as far as a listener may: it switches
-/// contacts off, makes a fixture a sensor, and lets bodies sleep.
+/// Records every event. It also changes what a listener may change: it disables contacts, makes a
+/// fixture a sensor, and puts bodies to sleep.
 class Recorder : public b2ContactListener, public b2ContactFilter
 {
 public:

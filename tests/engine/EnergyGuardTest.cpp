@@ -588,8 +588,8 @@ TEST(EnergyGuard, ChargesSpringEnergyOfImpactWithinStep)
     EXPECT_NEAR(data.energyDebt, 0.5f * data.inertia * omega * omega * 0.01f, 1e-3f);
 }
 
-/// The stiffness of a spring follows the pose. At the end of a way that an impact has taken back
-/// nobody has been.
+/// The stiffness of a spring depends on the pose. No body reached the end of a path that an impact
+/// shortened.
 TEST(EnergyGuard, GivesNoCreditForAWayThatAnImpactHasTakenBack)
 {
     Pair pair;

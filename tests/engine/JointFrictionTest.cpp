@@ -30,7 +30,7 @@ TEST(FrictionJoint, SlowsASlideByItsForce)
     EXPECT_NEAR(drag.load->GetLinearVelocity().x, 3.0f * 0.6f, 1e-3f);
     EXPECT_NEAR(drag.load->GetLinearVelocity().y, 4.0f * 0.6f, 1e-3f);
     const b2Vec2 force = drag.joint->GetReactionForce();
-    EXPECT_NEAR(force.x, -2.0f * 0.6f, 1e-3f) << "against the motion, whatever its direction";
+    EXPECT_NEAR(force.x, -2.0f * 0.6f, 1e-3f) << "against the motion in every direction";
     EXPECT_NEAR(force.y, -2.0f * 0.8f, 1e-3f);
     drag.Step(120);
     EXPECT_NEAR(drag.load->GetLinearVelocity().Length(), 0.0f, 1e-5f) << "and it stays stopped";

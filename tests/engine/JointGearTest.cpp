@@ -152,7 +152,7 @@ TEST(GearJoints, SetRatioTakesEffectFromThereOn)
     EXPECT_NEAR(g.Rate(0), 2.0f * g.Rate(1), 1e-3f);
 }
 
-// Whatever of it is destroyed, a gear never outlives what it is made of, and the program is told.
+// A gear is destroyed with any of its joints or bodies, and the listener is notified.
 TEST(GearJoints, GoWithTheJointsAndBodiesTheyAreMadeOf)
 {
     for (int what = 0; what < 6; ++what)

@@ -17,7 +17,8 @@
 #include <string>
 #include <vector>
 
-/// Joints that share no body are solved at one time, eight of a kind at once, and nobody can tell.
+/// Joints without common bodies are solved in parallel, eight of a kind at once, with equal
+/// results.
 namespace
 {
 
@@ -48,8 +49,8 @@ b2Joint* Join(Scene& scene, Definition def, b2Body* a, b2Body* b, const b2Vec2& 
     return scene.world.CreateJoint(&def);
 }
 
-/// The i-th joint of a machine between two bodies 1 m apart; what a kind can be told to do, some of
-/// them are told, and the fourth starts beyond its limit. Not for gears.
+/// Adds the i-th joint of a machine between two bodies 1 m apart. Some have limits, motors and
+/// springs, and the fourth starts beyond its limit. Not for gears.
 b2Joint* AddJoint(Scene& scene, b2JointType type, b2Body* a, b2Body* b, int i)
 {
     const b2Vec2 at(float32(i), 0.0f);

@@ -213,7 +213,7 @@ TEST(RowSystem, LeavesOutWhatWouldFillInTooMuch)
     Solve(cheap, system, 4);
     EXPECT_FALSE(system.IsExact());
     EXPECT_EQ(system.Iterative().size(), 190u);
-    EXPECT_EQ(system.Components(), 1); // the pair is solved all the same
+    EXPECT_EQ(system.Components(), 1); // the pair is still solved
     Frame frame(22);
     net(frame);
     Solve(frame, system, 400);

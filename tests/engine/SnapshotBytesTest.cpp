@@ -313,7 +313,7 @@ Bytes GoOnFrom(const Bytes& bytes)
     return b2SaveSnapshot(world);
 }
 
-/// The other run is of this very test, told by its environment; nothing lies where it lay here.
+/// The other run is the same test, selected by its environment, with other addresses.
 TEST(SnapshotBytes, GoOnInAnotherRunOfTheProgram)
 {
     if (const char* file = std::getenv(kFile))

@@ -11,7 +11,7 @@ namespace
 using namespace snapshots;
 using dynamics::Scene;
 
-/// Saves the scene, restores it elsewhere, and compares; by each number of small steps.
+/// Saves the scene, restores it in another world and compares, for each number of sub-steps.
 void ExpectGoesOn(const std::function<void(Scene&)>& build, const Steps& steps = {})
 {
     for (const int subSteps : {1, 2, 4})
@@ -181,7 +181,7 @@ TEST(SnapshotMoments, BetweenTheImpactsOfAStep)
     });
 }
 
-/// Enough static shapes for their tree to be built anew at some time after the snapshot.
+/// Enough static shapes that their tree is rebuilt after the snapshot.
 TEST(SnapshotMoments, WhileTheGroundGrows)
 {
     const auto grow = [](b2World& world, int step) {

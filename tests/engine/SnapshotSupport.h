@@ -31,7 +31,7 @@ inline std::vector<std::uint32_t> StateOf(const b2World& world)
     return state;
 }
 
-/// Everything that a listener is told, in its order.
+/// Records every call of a listener, in order.
 class EventLog : public b2ContactListener
 {
 public:

@@ -7,8 +7,8 @@
 #include <memory>
 #include <tuple>
 
-/// A world that goes on from a snapshot, beside the one that was saved: all kinds of worlds, at any
-/// step, with any number of small steps and threads.
+/// Compares a world that continues from a snapshot with the saved one: all kinds of worlds, at any
+/// step, with any number of sub-steps and threads.
 namespace
 {
 

@@ -5,9 +5,8 @@
 #include <cstdlib>
 #include <new>
 
-/// A world that has had what it needs for a while asks for no more memory, whatever moves in it and
-/// however many small steps a step has: neither of b2Alloc nor, as some of the standard library
-/// does, of operator new, which this program replaces to count.
+/// A world in steady state allocates no memory, with any number of sub-steps. The allocations are
+/// those of b2Alloc and of operator new, which this program replaces to count them.
 namespace
 {
 

@@ -383,7 +383,7 @@ TEST(SubStepsMachine, StaysSlowWithContradictoryJoints)
     EXPECT_NEAR(other->GetPosition().y, -2.0f, kHeld);
 }
 
-// The step's length, the number of small steps and the joints themselves may change at any time.
+// The step's length, the number of sub-steps and the joints themselves may change at any time.
 TEST(SubStepsMachine, FollowsChangesBetweenSteps)
 {
     SmallScene s;

@@ -217,7 +217,7 @@ Error MakeGear(SmallScene& s)
     };
 }
 
-/// A wheel that rolls along a rack which hangs on a spring.
+/// A wheel that rolls along a rack suspended by a spring.
 Error MakeRack(SmallScene& s)
 {
     b2Body* wheel = s.Part(0.0f, 0.0f, 0.5f, 0.5f);

@@ -23,7 +23,7 @@ constexpr char kSource[] = "scene.json"; ///< what messages call the text
 constexpr std::size_t kLongest = 700;    ///< of a line: two names, a path and reasons
 constexpr int kSteps = 3;
 
-/// Printable in one line, and not drowned in what the file says.
+/// True if printable and of limited length.
 bool IsLine(const std::string& text)
 {
     const bool isPrintable = std::none_of(text.begin(), text.end(), [](char c) {

@@ -431,8 +431,8 @@ TEST(CompareExact, FailsASingleBit)
 
 TEST(CompareExact, FailsABitThatNoEyeCouldSee)
 {
-    // More light than its opacity allows: white on any ground, whatever the last bit of opacity
-    // says.
+    // More light than its opacity allows: white on any background, with either last bit of
+    // opacity.
     const Frame expected = Filled(8, 8, {255, 255, 255, 255});
     const Frame actual = Filled(8, 8, {255, 255, 255, 254});
     EXPECT_EQ(Compare(expected, actual).largestDistance, 0.0);

@@ -76,7 +76,7 @@ TEST(Rational, RefusesWhatIsNoPositiveNumberAndNamesIt)
 TEST(Rational, RefusesAnEmptyTextAndShortensALongOne)
 {
     ASSERT_FALSE(Rational::Parse(""));
-    EXPECT_EQ(Rational::Parse("").GetError().culprit, "''");
+    EXPECT_EQ(Rational::Parse("").GetError().culprit, "number");
     const Result<Rational> parsed = Rational::Parse(std::string(100000, '9'));
     ASSERT_FALSE(parsed);
     EXPECT_LT(parsed.GetError().Text().size(), 200u);

@@ -236,7 +236,7 @@ TEST_P(Parts, AFrameThatIsHeldIsStoredFewTimes)
     const std::string extension = GetParam().extension;
     if (extension == ".webp")
     {
-        return; // its encoder stores no frame twice, whatever it is asked
+        return; // its encoder never stores a frame twice
     }
     VideoSettings settings = Settings();
     settings.constantRate = true;

@@ -54,7 +54,7 @@ TEST(StaleTiles, CopyNothingOfWhatIsUpToDate)
     stale.Mark({70, 40, 71, 41});
     stale.BringUpToDate(original, copy);
     EXPECT_EQ(copy.Pixel(70, 40)[1], 9);
-    EXPECT_EQ(copy.Pixel(0, 0)[1], 0) << "nobody said that it has changed";
+    EXPECT_EQ(copy.Pixel(0, 0)[1], 0) << "not marked as changed";
     EXPECT_EQ(copy.Pixel(63, 40)[1], 0) << "the next tile";
     Paint(original, {0, 0, kWidth, kHeight}, 17);
     stale.BringUpToDate(original, copy);

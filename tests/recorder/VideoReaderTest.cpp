@@ -217,7 +217,7 @@ TEST_F(VideoReaderTest, EqualFramesOfAnAnimatedPngKeepTheirTimes)
 
 TEST_F(VideoReaderTest, AMissingFilmAFolderAndAForeignFileAreNamed)
 {
-    WriteBytes(m_folder / "text.mp4", "this is no film, whatever its name says\n");
+    WriteBytes(m_folder / "text.mp4", "this is not a film\n");
     WriteBytes(m_folder / "empty.mp4", "");
     WriteBytes(m_folder / "noise.mkv",
                std::string(reinterpret_cast<const char*>(Noise(64, 64, 1).rgba.data()), 9999));

@@ -361,7 +361,7 @@ TEST_F(FakeEglLibrary, GoesOnToTheNextDeviceWhenOneFails)
 TEST_F(FakeEglLibrary, LooksAtWhoDrawsWhereDevicesCannotBeTold)
 {
     fake->extensions = "EGL_MESA_platform_surfaceless";
-    Add(kGpu); // nobody can ask for it
+    Add(kGpu); // without a way to select it
     fake->surfaceless = kSoftware;
     EXPECT_EQ(Drawing(Backend::Egl), &fake->surfaceless) << message;
     EXPECT_EQ(Drawing(Backend::EglGpu), nullptr);

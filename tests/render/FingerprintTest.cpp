@@ -60,7 +60,7 @@ TEST(Fingerprint, IsThatOfTheReferencesWithMesasWeKnow)
             return;
         }
     }
-    GTEST_SKIP() << "nobody has measured " << renderer->Description();
+    GTEST_SKIP() << "no measurement of " << renderer->Description();
 }
 
 TEST(Fingerprint, IsTheSameWhenThreadsAskAtOnce)

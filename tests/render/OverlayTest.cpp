@@ -58,7 +58,7 @@ TEST(Hud, IsTheSameForTheSameContent)
     ASSERT_TRUE(hud);
     const Overlay first = hud->Build(Usual());
     hud->Build({"other", {{"a", "b"}}});
-    EXPECT_TRUE(hud->Build(Usual()) == first) << "whatever was shown before";
+    EXPECT_TRUE(hud->Build(Usual()) == first) << "independent of what was shown before";
     EXPECT_TRUE(Built(640, 360, Usual()) == first) << "in any panel";
     Overlay elsewhere;
     std::thread([&] { elsewhere = Built(640, 360, Usual()); }).join();

@@ -65,7 +65,7 @@ void AddObstacles(Trial& trial)
 }
 
 /// In the room, after others have been put into it. With one step what a step may turn by at most,
-/// a quarter, slows down what tumbles, as the manual has it; small steps may turn further.
+/// a quarter, slows down what tumbles, as the manual has it; sub-steps may turn further.
 void JudgeGas(Trial& trial, int32 subSteps, const std::string& name, const b2Shape& shape,
               float32 speed)
 {

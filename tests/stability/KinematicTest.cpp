@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// Kinematic bodies push whatever stands in their way, against what does not move as well. No
-/// impulses hold that; what is jammed overlaps, and stays calm.
+/// Kinematic bodies push every body in their path, even against static ones. No impulse can prevent
+/// that: jammed bodies overlap and stay calm.
 namespace
 {
 

@@ -9,9 +9,9 @@ namespace stability
 {
 
 /// Three times the same, side by side, fourteen joints of all eleven kinds each: a motor turns a
-/// crank, which moves a piston and, over a gear, a wheel with an arm; a weight hangs on the arm by
-/// a spring and is held by a rope; two weights share a pulley, one slowed down by friction; a cart
-/// hangs on its suspension, a platform is moved to and fro, and a hand pulls something about.
+/// crank, which moves a piston and, over a gear, a wheel with an arm; a weight hangs from the arm
+/// by a spring and is held by a rope; two weights share a pulley, one slowed down by friction; a
+/// cart hangs on its suspension, a platform is moved to and fro, and a hand pulls something about.
 class FortyTwo
 {
 public:

@@ -2,7 +2,7 @@
 #include "Trial.h"
 
 /// What docs/accuracy.md says of the manual's limitations and no case of the benchmark measures:
-/// with one step as it is there, with small steps within bounds.
+/// with one step as stated there, with sub-steps within bounds.
 namespace
 {
 
@@ -53,7 +53,7 @@ TEST_P(ManualLimits, DampingDoesNotDependOnTheStep)
 }
 
 /// Ten boxes of 1 m whose skins touch, and so many times the earth's gravity: how far the top one
-/// sinks in 20 s. In small steps it rises, by what is left of the slop.
+/// sinks in 20 s. With sub-steps it rises, by what is left of the slop.
 TEST_P(ManualLimits, AStackBearsTenTimesTheGravity)
 {
     for (const float32 gravity : {10.0f, 100.0f})

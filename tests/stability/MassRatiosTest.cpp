@@ -184,7 +184,7 @@ b2Joint* TieWithRod(Trial& trial, b2Body* a, b2Body* b)
 }
 
 /// So many blocks and a ball of a mass, tied each to the next over a metre and let go level: light
-/// blocks sway between ropes and rods faster than small steps see, and ropes snap taut.
+/// blocks sway between ropes and rods faster than sub-steps resolve, and ropes snap taut.
 template <class Tie>
 void TryTied(int32 subSteps, const std::string& name, int32 blocks, float32 ratio, const Tie& tie)
 {

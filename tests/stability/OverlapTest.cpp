@@ -12,7 +12,7 @@ STABILITY_SUITE(Overlap);
 
 /// Slower than what falls a hand's breadth, so nothing is shot out [m/s].
 constexpr double kShotOut = 1.0;
-/// No jump [m a frame]: in small steps a contact pushes out by 3 m/s, 5 cm a frame. Where several
+/// No jump [m a frame]: with sub-steps a contact pushes out by 3 m/s, 5 cm a frame. Where several
 /// lie in a row, or in one place, they add up to four times that and no more.
 constexpr double kNoJump = 0.055;
 constexpr double kNoJumpInARow = 0.205;

@@ -306,7 +306,7 @@ void Planner::AddJoint()
     }
 }
 
-/// Anchors, limits, motors and springs, whatever the kind reads of them.
+/// Anchors, limits, motors and springs; each kind reads those that it has.
 void Planner::Join(PlannedJoint& joint)
 {
     const PlannedBody& b = m_plan.bodies[std::size_t(joint.bodyB)];

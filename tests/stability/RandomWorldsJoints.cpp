@@ -9,7 +9,7 @@ namespace stability
 namespace
 {
 
-constexpr float32 kRopeAbove = 3.0f; // [m] from a pulley to what hangs on it
+constexpr float32 kRopeAbove = 3.0f; // [m] from a pulley to its load
 
 // Shared pointers, for they delete what was made; joint definitions have no virtual destructor.
 std::shared_ptr<b2JointDef> Define(const PlannedJoint& plan, b2Body* a, b2Body* b, const b2Vec2& up)
@@ -125,7 +125,7 @@ void RandomWorld::BuildJoint(const PlannedJoint& joint)
     def->bodyA = a;
     def->bodyB = b;
     def->collideConnected =
-        joint.collide || joint.bodyA < 0; // what hangs on the walls stays within
+        joint.collide || joint.bodyA < 0; // bodies joined to the walls stay within
     m_joints.push_back(m_world.CreateJoint(def.get()));
 }
 

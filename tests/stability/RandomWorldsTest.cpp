@@ -97,8 +97,8 @@ TEST(RandomWorlds, GainNoEnergyAndStayInTheirContainers)
     }
 }
 
-/// Of kinds that once burst, each of a reason that was found and mended: impulses of an impact
-/// carried over to the next kick, a rope near its end, a motor that had more torque than it was
+/// Kinds that once diverged, each for a reason that was found and fixed: impulses of an impact
+/// warm-started in the next kick, a rope near its end, a motor that had more torque than it was
 /// given where its frame turned, one that pulled at a long lever across the way it slipped, bodies
 /// that another island's joints were taken for, rough rods thrown back at walls, springs wound up
 /// by corrections that turn light bodies on long levers, bodies held back by impacts again and

@@ -228,7 +228,7 @@ TEST_P(Sleep, ComesToMachinesAndChains)
     }
     // A bridge of planks that the air slows down, with some slack and with none at all. The second
     // is pulled so hard that it buzzes for ever, by some centimetres a second,
-    // but for the recommended number of small steps.
+    // but for the recommended number of sub-steps.
     for (const float32 slack : {0.5f, 0.0f})
     {
         Trial trial(GetParam());

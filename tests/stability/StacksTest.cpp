@@ -11,22 +11,22 @@ STABILITY_SUITE(Stacks);
 
 constexpr double kSeconds = 20.0;
 
-/// How far a box of 1 m may come from where it was put [m]. Not farther, and nobody sees that
-/// anything has moved; less than half a box, and it stands.
+/// Distance from its start within which a box of 1 m counts as unmoved [m]: too little to be
+/// visible. Within half a box, the stack stands.
 constexpr double kUnmoved = 0.05;
 constexpr double kStands = 0.5;
 /// How far a stack may sway when it has had ten seconds to settle [m]: less than shows in a picture
 /// of the whole.
 constexpr double kSway = 0.02;
 
-/// Eight small steps and more have a single sweep each.
+/// Eight sub-steps and more have a single iteration each.
 int CalmHeight(int32 subSteps)
 {
     return subSteps > kRecommended ? 20 : 30;
 }
 
-/// Two small steps share the iterations of a whole one and are less than they need for such
-/// heights; one step keeps straight stacks up only.
+/// Two sub-steps share the iterations of a whole step, which are too few for such heights. One step
+/// holds straight stacks only.
 double WayBound(int32 subSteps, int height, bool straight)
 {
     if (subSteps >= kRecommended)
@@ -153,8 +153,8 @@ TEST_P(Stacks, CardHouseStands)
 }
 
 /// The cards are put as if they had no skins, 2 to 4 cm deep in each other, and are pushed apart.
-/// Whether the house bears that hangs on the last digits: it is put to 24 places, a centimetre
-/// apart, and those are counted where it falls.
+/// The result depends on rounding, so the house is built at 24 places, a centimetre apart, and the
+/// falls are counted.
 TEST_P(Stacks, CardHouseThatIsTooTightStandsInMostPlaces)
 {
     constexpr int kPlaces = 24;

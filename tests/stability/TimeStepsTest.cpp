@@ -72,8 +72,8 @@ TEST_P(TimeSteps, KeepAChain)
             maximum = Worst(trial.KineticOfAll(), maximum);
         });
         const std::string name = std::string("chain of 10, steps of ") + rhythm.name;
-        // Four small steps of 1/15 s are what one step of 1/60 s is: links that whip turn by half a
-        // radian in one.
+        // Four sub-steps of 1/15 s are as long as one step of 1/60 s: links that whip turn by half
+        // a radian in one.
         const bool fine =
             GetParam() > kRecommended || (GetParam() == kRecommended && !rhythm.isLong);
         Judge(name + ", gap", GetParam(), 1000.0 * widest, "mm",

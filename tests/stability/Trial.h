@@ -22,7 +22,7 @@ inline constexpr int32 kRecommended = 4;
 /// For numbers that are shown and not held to anything.
 inline constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
-/// Prints one line (case, small steps, number, unit, bound), records it, and fails if the number
+/// Prints one line (case, sub-steps, number, unit, bound), records it, and fails if the number
 /// is above the bound or none.
 inline void Judge(const std::string& name, int32 subSteps, double value, const std::string& unit,
                   double bound)
@@ -40,7 +40,7 @@ inline void Judge(const std::string& name, int32 subSteps, double value, const s
                                 << unit << ", the bound is " << bound;
 }
 
-/// A bound for small steps, and one for the default scheme.
+/// One bound for sub-steps, and one for the default scheme.
 inline double FromRecommended(int32 subSteps, double bound)
 {
     return subSteps >= kRecommended ? bound : kNoBound;
@@ -56,8 +56,8 @@ inline double Worst(double a, double b)
     return a > b || std::isnan(a) ? a : b;
 }
 
-/// A world with so many small steps. Whatever happens in it: all stays finite, and its books in
-/// order; that is checked with every trial.
+/// A world with so many sub-steps. Every trial checks that all numbers stay finite and the data
+/// structures valid.
 class Trial : public SmallScene
 {
 public:

@@ -24,8 +24,9 @@ public:
         std::string pattern = (parent / "boxreel-XXXXXX").string();
         if (error || mkdtemp(pattern.data()) == nullptr)
         {
-            return Error{ErrorKind::Failed, "TMPDIR", "no folder for temporary files can be made",
-                         "set it to a folder that can be written"};
+            return Error{ErrorKind::Failed, "TMPDIR",
+                         "no folder for temporary files can be created",
+                         "set it to a writable folder"};
         }
         return WorkFolder(pattern);
     }

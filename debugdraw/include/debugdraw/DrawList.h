@@ -99,7 +99,7 @@ public:
     void AddSegment(Vec2 a, Vec2 b, const Paint& paint);
     /// Two axes of that length [m]; `xAxis` has the length 1.
     void AddTransform(Vec2 origin, Vec2 xAxis, float axisLength);
-    /// A dot, as large whatever the camera's scale is.
+    /// A dot of fixed size in pixels at every scale.
     void AddPoint(Vec2 center, float diameterPixels, const Paint& paint);
     /// Letters, UTF-8, below and right of a point of the world [m].
     void AddText(Vec2 topLeft, std::string_view text, const Paint& paint);

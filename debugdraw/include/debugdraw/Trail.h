@@ -25,7 +25,7 @@ struct TrailSettings
 void AddTrail(DrawList& list, const Camera& camera, std::span<const Vec2> way,
               const TrailSettings& settings = {});
 
-/// Colours that can be told apart, in every theme: the nth trail's.
+/// Returns the colour of the nth trail; distinguishable in every theme.
 Paint TrailColor(std::size_t n);
 
 } // namespace boxreel

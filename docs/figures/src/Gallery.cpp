@@ -15,7 +15,7 @@ std::string Gallery(const std::vector<FigureEntry>& table)
                        "lets them, and in `time-of-impact` and `time-of-impact-turning` a body is "
                        "put where it is at times\n"
                        "that are asked about, so those worlds take no step. To draw all of them "
-                       "anew, with the same bytes:\n"
+                       "again, with the same bytes:\n"
                        "\n"
                        "<!-- not run: tests/docs/FiguresTest.cpp draws them all, elsewhere -->\n"
                        "```\n"

@@ -33,7 +33,7 @@ Result<void> Write(const std::filesystem::path& folder, const figures::FigureEnt
     return {};
 }
 
-/// Those that are named, or all; an Error for a name that nobody has.
+/// Returns the named figures, or all. Error: unknown name.
 Result<std::vector<figures::FigureEntry>> Wanted(const std::vector<std::string_view>& names)
 {
     if (names.empty())

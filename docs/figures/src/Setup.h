@@ -34,7 +34,7 @@ std::vector<b2Vec2> SkinOf(const b2PolygonShape& shape, const b2Transform& place
 /// So many steps of 60 Hz.
 void Run(b2World& world, int steps = 1);
 
-/// With so many decimals, whatever the locale.
+/// With so many decimals, independent of the locale.
 std::string Text(double number, int decimals);
 
 } // namespace figures

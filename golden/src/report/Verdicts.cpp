@@ -24,7 +24,7 @@ using nlohmann::json;
 
 constexpr const char* kEnd = ".verdict.json";
 constexpr const char* kRemedy =
-    "run `boxreel golden verify`, or your tests, and name the folder that they write to";
+    "run `boxreel golden verify` or your tests, and name their output folder";
 constexpr std::uintmax_t kLargest = 1024 * 1024; // a message quotes a line or two of a draw list
 
 /// Returns the severity: if shards disagree, the worst is shown.
@@ -61,7 +61,7 @@ ReportedVerdict FromJson(const json& file)
     ReportedVerdict verdict;
     if (file.at("verdict") != 2)
     {
-        throw std::runtime_error("it has another version");
+        throw std::runtime_error("unknown version");
     }
     verdict.name = file.at("name");
     verdict.status = file.at("status");
@@ -71,7 +71,7 @@ ReportedVerdict FromJson(const json& file)
     verdict.limits = LimitsOf(file);
     if (FindStatus(verdict.status) == nullptr)
     {
-        throw std::runtime_error("its status is none that there is");
+        throw std::runtime_error("unknown status");
     }
     if (file.value("accepted", false))
     {
@@ -107,7 +107,7 @@ Result<ReportedVerdict> ReadVerdict(const fs::path& path)
     catch (const std::exception&)
     {
         return Unusable(path, "is not a verdict of a golden test",
-                        "remove it, or run the test again that left it");
+                        "remove it, or run its test again");
     }
 }
 
@@ -126,7 +126,7 @@ Result<std::vector<fs::path>> FindVerdicts(const fs::path& folder)
     std::error_code code;
     if (!fs::is_directory(folder, code))
     {
-        return Unusable(folder, "no such folder", kRemedy);
+        return Unusable(folder, "does not exist", kRemedy);
     }
     std::vector<fs::path> paths;
     for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end;
@@ -189,7 +189,7 @@ Result<std::vector<ReportedMoment>> CollectVerdicts(const std::vector<fs::path>&
         ASSIGN_OR_RETURN(const std::vector<fs::path> paths, FindVerdicts(folder));
         if (paths.empty())
         {
-            return Unusable(folder, "holds no verdict of a golden test", kRemedy);
+            return Unusable(folder, "contains no verdict of a golden test", kRemedy);
         }
         for (const fs::path& path : paths)
         {

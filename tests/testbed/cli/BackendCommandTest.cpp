@@ -127,7 +127,7 @@ TEST_F(BackendCommand, RefusesMissingBackendsBeforeSimulation)
     }
 }
 
-TEST_F(BackendCommand, WhatNeedsNoPixelsRunsWithoutGl)
+TEST_F(BackendCommand, RunsCommandsWithoutPixelsWithoutGl)
 {
     Break("libOSMesa.so.8");
     Break("libEGL.so.1");
@@ -144,7 +144,7 @@ TEST_F(BackendCommand, WhatNeedsNoPixelsRunsWithoutGl)
     }
 }
 
-TEST_F(BackendCommand, TheDoctorCountsOneBackEndAsEnough)
+TEST_F(BackendCommand, DoctorPassesWithOneWorkingBackend)
 {
     if (!Works(Backend::Egl))
     {
@@ -162,7 +162,7 @@ TEST_F(BackendCommand, TheDoctorCountsOneBackEndAsEnough)
                                    HasSubstr("ok    mp4"), HasSubstr("ok    engine")));
 }
 
-TEST_F(BackendCommand, DoctorFailsWhereTheVariableMakesDrawingFail)
+TEST_F(BackendCommand, DoctorFailsWhenVariableSelectsBrokenBackend)
 {
     const std::vector<std::string> shot{"shot", "bridge", "--step", "0", "-o", "b.png"};
     for (const auto& [name, code] : {std::pair{"foo", 1}, {"osmesa", 3}, {"egl-gpu", 3}})
@@ -184,7 +184,7 @@ TEST_F(BackendCommand, DoctorFailsWhereTheVariableMakesDrawingFail)
     }
 }
 
-TEST_F(BackendCommand, DoctorNamesWhatTheVariableDrawsWith)
+TEST_F(BackendCommand, DoctorReportsBackendOfVariable)
 {
     if (!Works(Backend::Egl))
     {
@@ -226,7 +226,7 @@ TEST_F(BackendCommand, LoadsOnlyTheLibraryThatDraws)
     }
 }
 
-TEST_F(BackendCommand, BothBackEndsWriteTheSameBytes)
+TEST_F(BackendCommand, BackendsWriteEqualBytes)
 {
     if (!Works(Backend::OSMesa) || !Works(Backend::Egl))
     {
@@ -322,7 +322,7 @@ TEST_F(BackendCommand, PrefersOptionToVariableToDefaultOrder)
     }
 }
 
-TEST_F(BackendCommand, UnknownBackEndsAreRefused)
+TEST_F(BackendCommand, RefusesUnknownBackends)
 {
     const std::vector<std::string> shot{"shot", "pyramid", "--step", "1000000000", "-o", "a.png"};
     std::vector<std::string> option = shot;

@@ -22,7 +22,7 @@ CompareSettings DiffSettings(const std::string& options)
     return Effective(std::get<DiffOptions>(*request).compare);
 }
 
-TEST(CommandLineCompare, TakesSameMachineUnlessToldOtherwise)
+TEST(CommandLineCompare, UsesSameMachinePresetByDefault)
 {
     const CompareSettings settings = DiffSettings("");
     EXPECT_EQ(settings.preset, "same-machine");
@@ -46,7 +46,7 @@ TEST(CommandLineCompare, AdaptsToARendererUnlessLimitsAreGiven)
     }
 }
 
-TEST(CommandLineCompare, ReplacesEveryLimitAndSaysSo)
+TEST(CommandLineCompare, ReplacesEveryLimitOfPreset)
 {
     const CompareSettings settings =
         DiffSettings("--tolerance 0.5 --edge-shift 0.25 --max-pixels 7 --max-ratio 0.2% "
@@ -65,7 +65,7 @@ TEST(CommandLineCompare, ReplacesEveryLimitAndSaysSo)
     EXPECT_EQ(DiffSettings("--max-ratio 0.25").maxRatio, 0.25);
 }
 
-TEST(CommandLineCompare, ReplacesALimitOnEitherSideOfThePreset)
+TEST(CommandLineCompare, ReplacesLimitBeforeAndAfterPreset)
 {
     for (const char* options :
          {"--max-in-window 3 --preset exact", "--preset exact --max-in-window 3"})
@@ -78,7 +78,7 @@ TEST(CommandLineCompare, ReplacesALimitOnEitherSideOfThePreset)
     }
 }
 
-TEST(CommandLineCompare, IsTheSameOfGoldenVerifyAndNoneOfAccept)
+TEST(CommandLineCompare, GoldenVerifyHasAllOptionsAndAcceptNone)
 {
     const Result<Request> request =
         Parse("golden verify pyramid --preset cross-machine --max-pixels 5 --ignore 0,0,5x6");
@@ -90,7 +90,7 @@ TEST(CommandLineCompare, IsTheSameOfGoldenVerifyAndNoneOfAccept)
     EXPECT_FALSE(Parse("golden accept pyramid --preset exact"));
 }
 
-TEST(CommandLineCompare, RefusesWhatIsNoLimit)
+TEST(CommandLineCompare, RefusesInvalidLimits)
 {
     const auto refusal = [](const std::string& options) {
         const Result<Request> request = Parse("diff a.png b.png " + options);

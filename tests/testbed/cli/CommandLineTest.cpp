@@ -107,7 +107,7 @@ TEST(CommandLine, ArrowsHaveScales)
                 !look.layers[DrawLayer::Shapes]);
 }
 
-TEST(CommandLine, MillisecondsOfAStepComeWithThePanel)
+TEST(CommandLine, HudMillisecondsShowThePanel)
 {
     EXPECT_TRUE(Parsed<ShotOptions>("shot bridge --at 1s -o a.png --hud-ms").look.hud);
 }
@@ -147,7 +147,7 @@ TEST(CommandLine, GoldenReportTakesFoldersAndAFile)
     EXPECT_EQ(Refusal("golden accept --report page.html"), "--report");
 }
 
-TEST(CommandLine, BackendIsOneOfTheNamesWhereverPicturesAreDrawn)
+TEST(CommandLine, AcceptsBackendNamesInEveryDrawingCommand)
 {
     EXPECT_EQ(Parsed<ShotOptions>("shot a --step 0 -o a.png").backend, Backend::Auto);
     EXPECT_EQ(Parsed<ShotOptions>("shot a --step 0 -o a.png --backend egl").backend, Backend::Egl);
@@ -168,7 +168,7 @@ TEST(CommandLine, DiffTakesTwoPicturesAndAPreset)
     EXPECT_EQ(Parsed<DiffOptions>("diff a.png b.png").compare.preset.preset, "same-machine");
 }
 
-TEST(CommandLine, ValuesOutOfRangeAreRefused)
+TEST(CommandLine, RefusesValuesOutOfRange)
 {
     const std::string record = "record pyramid -o a.mp4 ";
     for (const char* bad : {"--seconds 0",
@@ -360,13 +360,13 @@ TEST(CommandLine, AcceptsThePanelInTheSmallestPicture)
     EXPECT_TRUE(Parsed<ShotOptions>("shot pyramid --at 1s -o a.png --hud --size 200x130").look.hud);
 }
 
-TEST(CommandLine, NothingAtAllShowsTheHelp)
+TEST(CommandLine, ShowsHelpWithoutArguments)
 {
     EXPECT_THAT(Parsed<TextRequest>("").text, HasSubstr("record"));
 }
 
 // docs/golden.md is run by a test, so a build lies where it says.
-TEST(CommandLine, HelpNamesAnotherBuildWhereTheDocumentsDo)
+TEST(CommandLine, HelpNamesOtherBuildAsInDocumentation)
 {
     std::ifstream page(BOXREEL_GOLDEN_PAGE);
     const std::string text(std::istreambuf_iterator<char>(page), {});
@@ -379,7 +379,7 @@ TEST(CommandLine, HelpNamesAnotherBuildWhereTheDocumentsDo)
     }
 }
 
-TEST(CommandLine, HelpCommandShowsWhatTheHelpOptionShows)
+TEST(CommandLine, HelpCommandEqualsHelpOption)
 {
     for (const std::string command : {"record", "golden verify"})
     {
@@ -388,7 +388,7 @@ TEST(CommandLine, HelpCommandShowsWhatTheHelpOptionShows)
     }
 }
 
-TEST(CommandLine, UsageNamesTheWordsThatAreNeeded)
+TEST(CommandLine, UsageNamesRequiredArguments)
 {
     EXPECT_THAT(Parsed<TextRequest>("--help").text, HasSubstr("Usage: boxreel COMMAND\n"));
     EXPECT_THAT(Parsed<TextRequest>("record --help").text,

@@ -62,7 +62,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(Command, NamesWhatLacksAFileNameWhereOneIsEmpty)
+TEST_F(Command, NamesOptionOfEmptyFileName)
 {
     const struct
     {
@@ -93,7 +93,7 @@ TEST_F(Command, NamesWhatLacksAFileNameWhereOneIsEmpty)
     }
 }
 
-TEST_F(Command, ListNamesPrintsOneNameALineAndNothingElse)
+TEST_F(Command, ListNamesPrintsOneNamePerLine)
 {
     const Outcome outcome = Run({"list", "--names"});
     std::string expected;
@@ -106,7 +106,7 @@ TEST_F(Command, ListNamesPrintsOneNameALineAndNothingElse)
     EXPECT_EQ(outcome.errors, "");
 }
 
-TEST_F(Command, ListShowsCategoryNameAndSummaryWithoutColoursInAFile)
+TEST_F(Command, ListPrintsCategoryNameAndSummary)
 {
     const Outcome outcome = Run({"list"});
     EXPECT_EQ(outcome.code, 0);
@@ -130,7 +130,7 @@ TEST_F(Command, HelpAndVersionGoToStandardOutput)
     }
 }
 
-TEST_F(Command, ShotWritesAPictureOfTheSizeAsked)
+TEST_F(Command, ShotWritesPictureOfGivenSize)
 {
     const Outcome outcome =
         Run({"shot", "pyramid", "--step", "30", "-o", "a.png", "--size", "321x153", "--hud"});
@@ -143,7 +143,7 @@ TEST_F(Command, ShotWritesAPictureOfTheSizeAsked)
     EXPECT_EQ(frame->height, 153);
 }
 
-TEST_F(Command, ShotOfATimeIsTheShotOfItsStep)
+TEST_F(Command, ShotAtTimeEqualsShotAtStep)
 {
     for (const char* at : {"500ms", "0.5s", "0.5"})
     {
@@ -159,7 +159,7 @@ TEST_F(Command, ShotOfATimeIsTheShotOfItsStep)
     }
 }
 
-TEST_F(Command, ShotsMayHaveAnySize)
+TEST_F(Command, ShotAcceptsAnySize)
 {
     const std::pair<const char*, std::pair<int, int>> sizes[] = {
         {"1x1", {1, 1}}, {"33x17", {33, 17}}, {"8192x3", {8192, 3}}, {"3x8191", {3, 8191}}};
@@ -225,7 +225,7 @@ TEST_F(Command, RefusesUnknownExtensions)
     ExpectRefusal({"shot", "pyramid", "--at", "1s", "-o", "a.bmp"}, 1, "a.bmp");
 }
 
-TEST_F(Command, ColoursAreForTerminalsThatWantThem)
+TEST_F(Command, UsesColoursOnlyOnTerminals)
 {
     const auto onTerminal = [this](const std::string& line) {
         const std::string command = std::string(line).append(1, ' ');
@@ -248,14 +248,14 @@ TEST_F(Command, ColoursAreForTerminalsThatWantThem)
     EXPECT_THAT(Run({"lsit"}).errors, testing::Not(HasSubstr("\x1b"))) << "no terminal";
 }
 
-TEST_F(Command, UnknownScenesAreRefused)
+TEST_F(Command, RefusesUnknownScenes)
 {
     ExpectRefusal({"shot", "pyrmid", "--at", "1s", "-o", "a.png"}, 1, "'pyrmid'");
     ExpectRefusal({"record", "brigde", "-o", "a.mp4"}, 1, "'brigde'");
     ExpectRefusal({"golden", "verify", "xylophone", "--references", "."}, 1, "'xylophone'");
 }
 
-TEST_F(Command, ScenefilesThatAreNoneAreRefused)
+TEST_F(Command, RefusesInvalidSceneFiles)
 {
     ExpectRefusal({"shot", "missing.json", "--at", "1s", "-o", "a.png"}, 1, "missing.json");
     Write("truncated.json", R"({"body":[{"name":"a","type":2,"fixture":[{"circle":)");
@@ -294,7 +294,7 @@ TEST_F(Command, RefusesUnwritableOutputsBeforeSimulation)
     EXPECT_EQ(ReadFile(folder / "there.png"), "a picture");
 }
 
-TEST_F(Command, DescribesAMissingFileTheSameEverywhere)
+TEST_F(Command, ReportsMissingFileEquallyInEveryCommand)
 {
     const std::pair<std::vector<std::string>, std::string> cases[] = {
         {{"shot", "none.json", "--step", "1", "-o", "a.png"}, "none.json"},
@@ -312,7 +312,7 @@ TEST_F(Command, DescribesAMissingFileTheSameEverywhere)
     }
 }
 
-TEST_F(Command, DescribesAMissingFolderTheSameForPicturesAndFilms)
+TEST_F(Command, ReportsMissingFolderEquallyForPicturesAndFilms)
 {
     const Outcome picture = Run({"shot", "pyramid", "--step", "1", "-o", "none/a.png"});
     const Outcome film = Run({"record", "pyramid", "--frames", "2", "-o", "none/a.mp4"});
@@ -322,7 +322,7 @@ TEST_F(Command, DescribesAMissingFolderTheSameForPicturesAndFilms)
               film.errors.substr(film.errors.find(": cannot")));
 }
 
-TEST_F(Command, AFolderThatIsNotThereIsNamed)
+TEST_F(Command, NamesMissingFolder)
 {
     const Outcome outcome =
         Run({"record", "pyramid", "--frames", "10000000", "-o", "none/film.mp4"});
@@ -331,13 +331,13 @@ TEST_F(Command, AFolderThatIsNotThereIsNamed)
     EXPECT_THAT(folder.Files(), IsEmpty());
 }
 
-TEST_F(Command, OddSizesAreRefusedWhereTheFormatCannotHoldThem)
+TEST_F(Command, RefusesOddSizesOfFormatsWithEvenSizes)
 {
     ExpectRefusal({"record", "pyramid", "--frames", "2", "--size", "321x180", "-o", "a.mp4"}, 1,
                   "size 321x180");
 }
 
-TEST_F(Command, MistypedOptionsAndValuesAreRefused)
+TEST_F(Command, RefusesMistypedOptionsAndValues)
 {
     ExpectRefusal({"recrod"}, 1, "'recrod'");
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--secnds", "3"}, 1, "--secnds");
@@ -348,7 +348,7 @@ TEST_F(Command, MistypedOptionsAndValuesAreRefused)
                   "film");
 }
 
-TEST_F(Command, DiffTellsEqualFromDifferentFromUnreadable)
+TEST_F(Command, DiffExitCodeIsZeroOneOrTwo)
 {
     Picture("a.png", 64, 48, 100);
     Picture("same.png", 64, 48, 100);
@@ -365,7 +365,7 @@ TEST_F(Command, DiffTellsEqualFromDifferentFromUnreadable)
     ExpectRefusal({"diff", "a.png", "other.png", "--preset", "sloppy"}, 1, "--preset sloppy");
 }
 
-TEST_F(Command, DiffNeverWritesOverWhatItCompares)
+TEST_F(Command, DiffRefusesToOverwriteItsInputs)
 {
     Picture("a.png", 64, 48, 100);
     Picture("other.png", 64, 48, 140);
@@ -378,7 +378,7 @@ TEST_F(Command, DiffNeverWritesOverWhatItCompares)
     EXPECT_EQ(ReadFile(folder / "a.png"), before);
 }
 
-TEST_F(Command, DiffWritesThePictureOfTheDifferences)
+TEST_F(Command, DiffWritesDifferencePicture)
 {
     Picture("a.png", 64, 48, 100);
     Picture("other.png", 64, 48, 140);
@@ -389,7 +389,7 @@ TEST_F(Command, DiffWritesThePictureOfTheDifferences)
     ExpectRefusal({"diff", "a.png", "other.png", "-o", "diff.png"}, 1, "diff.png");
 }
 
-TEST_F(Command, StandardOutputThatIsFullIsAnError)
+TEST_F(Command, FailsWhenStandardOutputIsFull)
 {
     if (!std::filesystem::exists("/dev/full"))
     {

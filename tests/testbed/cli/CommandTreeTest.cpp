@@ -39,8 +39,8 @@ std::string HelpOf(const CommandText& command)
     return std::get<TextRequest>(*ParseCommandLine(words)).text;
 }
 
-/// A line of a shell as far as examples go: words, some in double quotes, before any pipe, remark
-/// or redirection.
+/// Splits a shell line of an example: words, some in double quotes, before any pipe, comment or
+/// redirection.
 std::vector<std::string> ShellWords(const std::string& line)
 {
     const std::string command = line.substr(
@@ -54,7 +54,7 @@ std::vector<std::string> ShellWords(const std::string& line)
     return words;
 }
 
-TEST(CommandTree, HasEachCommandAndOptionOfTheHelp)
+TEST(CommandTree, ContainsEveryCommandAndOptionOfHelp)
 {
     const CommandText program = DescribeProgram();
     EXPECT_GE(AllCommands(program).size(), 16u);
@@ -114,7 +114,7 @@ std::vector<std::string> LineFor(const CommandText& command)
     return line;
 }
 
-TEST(CommandTree, OffersOnlyWordsThatAreUnderstood)
+TEST(CommandTree, OffersOnlyValidValues)
 {
     int offered = 0;
     const CommandText program = DescribeProgram();
@@ -144,7 +144,7 @@ TEST(CommandTree, OffersOnlyWordsThatAreUnderstood)
     EXPECT_GE(offered, 60);
 }
 
-TEST(CommandTree, OffersEveryValueThatAHelpLists)
+TEST(CommandTree, OffersEveryValueListedInHelp)
 {
     // "Choose draft, standard, high, lossless (standard)" and the like: words with commas between
     // them, then the default.
@@ -170,7 +170,7 @@ TEST(CommandTree, OffersEveryValueThatAHelpLists)
     EXPECT_GE(lists, 14);
 }
 
-TEST(CommandTree, FilesHaveEndsAndFoldersAreFolders)
+TEST(CommandTree, CompletesFilesByExtension)
 {
     const CommandText program = DescribeProgram();
     for (const CommandText* command : AllCommands(program))
@@ -191,7 +191,7 @@ TEST(CommandTree, FilesHaveEndsAndFoldersAreFolders)
     }
 }
 
-TEST(CommandTree, TheManualPageHasEverything)
+TEST(CommandTree, ManualPageContainsEveryOption)
 {
     const CommandText program = DescribeProgram();
     const std::string page = ManualPage(program);

@@ -164,7 +164,7 @@ TEST_F(CompletionCommand, BashOffersEveryCommandAndOption)
     }
 }
 
-TEST_F(CompletionCommand, BashOffersScenesByNamesThatAreFound)
+TEST_F(CompletionCommand, BashOffersValidSceneNames)
 {
     const std::vector<std::string> offered = BashOffer("record ''");
     std::vector<std::string> slugs;
@@ -182,7 +182,7 @@ TEST_F(CompletionCommand, BashOffersScenesByNamesThatAreFound)
     }
 }
 
-TEST_F(CompletionCommand, BashOffersWhatStandsThere)
+TEST_F(CompletionCommand, BashOffersValuesOfPosition)
 {
     const std::pair<std::string, std::vector<std::string>> cases[] = {
         {"rec", {"record"}},
@@ -223,13 +223,13 @@ TEST_F(CompletionCommand, BashOffersWhatStandsThere)
     }
 }
 
-TEST_F(CompletionCommand, BashCompletesTheProgramWhereverItIs)
+TEST_F(CompletionCommand, BashRegistersCompletionByName)
 {
     const Outcome outcome = RunTool({"bash", "-c", ". ./bash; complete -p boxreel"}, folder.Path());
     EXPECT_EQ(outcome.output, "complete -F _boxreel boxreel\n");
 }
 
-TEST_F(CompletionCommand, ZshCompletesWhatStandsThere)
+TEST_F(CompletionCommand, ZshOffersValuesOfPosition)
 {
     const std::pair<std::string, std::string> cases[] = {
         {"boxreel rec", "boxreel record "},
@@ -258,7 +258,7 @@ TEST_F(CompletionCommand, ZshCompletesWhatStandsThere)
     EXPECT_EQ(ZshCompletes(lines, "autoload -Uz compinit; compinit -u -D; source ./zsh"), expected);
 }
 
-TEST_F(CompletionCommand, ZshAlsoFindsTheScriptInAFolderOfFunctions)
+TEST_F(CompletionCommand, ZshLoadsScriptFromFpath)
 {
     Write("_boxreel", ReadFile(folder / "zsh"));
     const std::string setup = "fpath=($PWD $fpath); autoload -Uz compinit; compinit -u -D";
@@ -266,7 +266,7 @@ TEST_F(CompletionCommand, ZshAlsoFindsTheScriptInAFolderOfFunctions)
               (std::vector<std::string>{"boxreel record ", "boxreel shot newtons-cradle "}));
 }
 
-TEST_F(CompletionCommand, OffersWhatTheScriptOfACheckoutCanDoToo)
+TEST_F(CompletionCommand, OffersCommandsOfCheckoutScript)
 {
     EXPECT_THAT(BashOffer("te"), testing::IsEmpty()) << "the program itself has no such command";
     CallThroughAScript();
@@ -278,7 +278,7 @@ TEST_F(CompletionCommand, OffersWhatTheScriptOfACheckoutCanDoToo)
               (std::vector<std::string>{"./boxreel test ", "./boxreel record "}));
 }
 
-TEST_F(CompletionCommand, TheScriptOfACheckoutBuildsNothingMeanwhile)
+TEST_F(CompletionCommand, CheckoutScriptDoesNotBuildForCompletion)
 {
     const std::string build = std::filesystem::path(BOXREEL_PROGRAM).parent_path().string();
     const auto ask = [&](const std::string& buildFolder) {
@@ -293,7 +293,7 @@ TEST_F(CompletionCommand, TheScriptOfACheckoutBuildsNothingMeanwhile)
     EXPECT_FALSE(std::filesystem::exists(folder / "none"));
 }
 
-TEST_F(CompletionCommand, GroffHasNothingToSayOfTheManualPage)
+TEST_F(CompletionCommand, ManualPageHasNoGroffWarnings)
 {
     const Outcome page = RunBoxreel({"man"}, folder.Path());
     EXPECT_EQ(page.code, 0);

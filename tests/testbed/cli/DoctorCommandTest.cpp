@@ -22,7 +22,7 @@ TEST(SelfTest, EndsInTheSameStateOnEveryMachine)
     EXPECT_EQ(RunSelfTest(), kSelfTestState);
 }
 
-TEST(DoctorCommand, SaysOfEachThingThatItWorks)
+TEST(DoctorCommand, ReportsEachWorkingFeature)
 {
     const TemporaryFolder folder;
     const Outcome outcome = RunBoxreel({"doctor"}, folder.Path());
@@ -37,7 +37,7 @@ TEST(DoctorCommand, SaysOfEachThingThatItWorks)
     EXPECT_TRUE(folder.Files().empty());
 }
 
-TEST(DoctorCommand, SaysThatADisplayThatIsNamedIsNotThere)
+TEST(DoctorCommand, ReportsMissingDisplay)
 {
     const TemporaryFolder folder;
     const Variable some("DISPLAY", ":4711");

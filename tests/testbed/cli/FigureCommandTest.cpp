@@ -56,7 +56,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(FigureCommand, TheExtensionDecidesWhatIsWritten)
+TEST_F(FigureCommand, ExtensionSelectsFormat)
 {
     const std::string svg = Written("a.svg", {"--labels"});
     EXPECT_THAT(svg, testing::StartsWith("<?xml"));
@@ -70,7 +70,7 @@ TEST_F(FigureCommand, TheExtensionDecidesWhatIsWritten)
     EXPECT_THAT(folder.Files(), ElementsAre("a.pdf", "a.png", "a.svg"));
 }
 
-TEST_F(FigureCommand, GroupsCarryTheNamesThatASceneFileGives)
+TEST_F(FigureCommand, NamesGroupsByBodiesOfSceneFile)
 {
     std::ofstream(folder / "named.json")
         << R"({"body":[{"name":"left plank","type":2,"fixture":[{"density":1,"circle":)"
@@ -93,7 +93,7 @@ TEST_F(FigureCommand, GroupsCarryTheNamesThatASceneFileGives)
     EXPECT_THAT(named, HasSubstr("class=\"centers-of-mass\""));
 }
 
-TEST_F(FigureCommand, BodiesAndJointsAreShownAndMeantByTheirNames)
+TEST_F(FigureCommand, ShowsAndSelectsBodiesByName)
 {
     std::ofstream(folder / "named.json")
         << R"({"gravity":{"x":0,"y":-10},"body":[{"name":"wall"},{"name":"left ball","type":2,"awake":true,"fixture":)"
@@ -126,7 +126,7 @@ TEST_F(FigureCommand, BodiesAndJointsAreShownAndMeantByTheirNames)
     }
 }
 
-TEST_F(FigureCommand, LettersThatPixelsCannotShowAreNamedOnce)
+TEST_F(FigureCommand, WarnsOnceOfMissingGlyphs)
 {
     const std::string caption = "Fig. \u6f22\u5b57\u6f22, \u00b5m";
     const Outcome png = Shot("a.png", {"--caption", caption, "--theme", "both"});
@@ -155,7 +155,7 @@ TEST_F(FigureCommand, FailsWithoutFileWhenSizeLimitIsReached)
     }
 }
 
-TEST_F(FigureCommand, SheetsOfManyPixelsAreForSvgAndPdf)
+TEST_F(FigureCommand, RefusesLargeSheetsAsPng)
 {
     const auto sheet = [&](const char* output) {
         return RunBoxreel(
@@ -171,7 +171,7 @@ TEST_F(FigureCommand, SheetsOfManyPixelsAreForSvgAndPdf)
     EXPECT_THAT(sheet("a.png").errors, HasSubstr("--size"));
 }
 
-TEST_F(FigureCommand, TheSameCommandGivesTheSameBytes)
+TEST_F(FigureCommand, WritesEqualBytesForEqualCommands)
 {
     for (const char* extension : {".svg", ".pdf", ".png"})
     {
@@ -215,7 +215,7 @@ TEST_F(FigureCommand, ThemesChangeColoursOnly)
     EXPECT_NE(Written("print.png", {"--theme", "print"}), Written("classic.png"));
 }
 
-TEST_F(FigureCommand, BothThemesAreTwins)
+TEST_F(FigureCommand, ThemeBothWritesLightAndDarkPicture)
 {
     for (const char* extension : {".svg", ".png"})
     {
@@ -235,7 +235,7 @@ TEST_F(FigureCommand, BothThemesAreTwins)
     EXPECT_EQ(ReadFile(folder / "twin-dark.svg"), "mine");
 }
 
-TEST_F(FigureCommand, WhatCannotBeIsRefusedBeforeAnythingIsSimulated)
+TEST_F(FigureCommand, RefusesInvalidOptionsBeforeSimulation)
 {
     const auto shot = [](const std::string& output, const std::vector<std::string>& extra) {
         std::vector<std::string> arguments{"shot", "pyramid", "--step", "1000000000", "-o", output};
@@ -261,7 +261,7 @@ TEST_F(FigureCommand, WhatCannotBeIsRefusedBeforeAnythingIsSimulated)
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--scale", "2"}, 1, "--scale");
 }
 
-TEST_F(FigureCommand, APdfWithoutCairoSaysWhatToInstall)
+TEST_F(FigureCommand, PdfWithoutCairoNamesPackageToInstall)
 {
     std::filesystem::create_directory(folder / "lib");
     std::ofstream(folder / "lib/libcairo.so.2") << "no library";
@@ -271,7 +271,7 @@ TEST_F(FigureCommand, APdfWithoutCairoSaysWhatToInstall)
     unsetenv("LD_LIBRARY_PATH");
 }
 
-TEST_F(FigureCommand, FilmsHaveThemesToo)
+TEST_F(FigureCommand, FilmsHaveThemes)
 {
     const auto film = [&](const std::string& theme) {
         const Outcome outcome =

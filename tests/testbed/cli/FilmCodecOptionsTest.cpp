@@ -58,7 +58,7 @@ TEST_F(FilmCodecOptions, RefusesOptionsUnknownToX264InAnyList)
               0);
 }
 
-TEST_F(FilmCodecOptions, LosslessIsNotMadeLessByAnOption)
+TEST_F(FilmCodecOptions, RefusesRateOptionsWithLossless)
 {
     const Outcome outcome = Run(
         {"record", "pyramid", "-o", "a.mp4", "--quality", "lossless", "--codec-option", "crf=20"});
@@ -66,7 +66,7 @@ TEST_F(FilmCodecOptions, LosslessIsNotMadeLessByAnOption)
     EXPECT_THAT(folder.Files(), IsEmpty());
 }
 
-TEST_F(FilmCodecOptions, IsLosslessInEveryCodecThatCanBe)
+TEST_F(FilmCodecOptions, IsLosslessInEveryLosslessCodec)
 {
     const auto record = [&](const std::string& name, const std::string& codec) {
         EXPECT_EQ(Run({"record", "dominos", "-o", name, "--codec", codec, "--quality", "lossless",

@@ -107,7 +107,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(FilmFailures, AFileThatMayNotGrowIsOneSentenceInEveryFormat)
+TEST_F(FilmFailures, FailsAtFileSizeLimitInEveryFormat)
 {
     for (const std::string& name : kEvery)
     {
@@ -122,7 +122,7 @@ TEST_F(FilmFailures, AFileThatMayNotGrowIsOneSentenceInEveryFormat)
     }
 }
 
-TEST_F(FilmFailures, AFullDiskIsOneSentenceInEveryFormat)
+TEST_F(FilmFailures, FailsOnFullDiskInEveryFormat)
 {
     const SmallDisk disk("size=64k");
     BOXREEL_NEEDS(disk);
@@ -138,7 +138,7 @@ TEST_F(FilmFailures, AFullDiskIsOneSentenceInEveryFormat)
     }
 }
 
-TEST_F(FilmFailures, ADiskWithoutRoomForTheManifestIsOneSentence)
+TEST_F(FilmFailures, FailsWhenManifestHasNoSpace)
 {
     const SmallDisk disk("size=64m,nr_inodes=2"); // the folder itself and the film
     BOXREEL_NEEDS(disk);
@@ -184,7 +184,7 @@ TEST_F(FilmFailures, RefusesContradictionsBeforeSimulation)
     }
 }
 
-TEST_F(FilmFailures, APartThatNothingCanBeJoinedToIsSaidToBeOne)
+TEST_F(FilmFailures, WarnsOfPartInsideGroup)
 {
     const auto errors = [this](const char* range, const char* output = "a.mkv") {
         const Outcome outcome =
@@ -260,9 +260,9 @@ int PipeToHead(const std::string& format, const TemporaryFolder& folder, std::st
     return std::atoi(ReadFile(folder / "code").c_str());
 }
 
-TEST_F(FilmFailures, APipeThatIsClosedIsOneSentence)
+TEST_F(FilmFailures, FailsWhenPipeIsClosed)
 {
-    // Often, for what is written after the first failure hangs on who is quicker.
+    // Repeated, because the output after the first failure depends on timing.
     for (const std::string format :
          {"y4m", "nut", "mkv", "webm", "y4m", "y4m", "y4m", "y4m", "nut"})
     {
@@ -275,7 +275,7 @@ TEST_F(FilmFailures, APipeThatIsClosedIsOneSentence)
     }
 }
 
-TEST_F(FilmFailures, TheStandardOutputOnAFullDiskIsOneSentence)
+TEST_F(FilmFailures, FailsWhenStandardOutputIsOnFullDisk)
 {
     const std::string command = "'" BOXREEL_PROGRAM
                                 "' record tumbler --frames 100 --size 320x180 -o - --format y4m "

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 using FilmParts = FilmFixture;
 
-TEST_F(FilmParts, PartsThatAreNotWhatTheirManifestSayAreNotJoined)
+TEST_F(FilmParts, RefusesPartsThatDifferFromManifest)
 {
     for (const std::string kind : {".mkv", ".mp4", ".webm", ".gif", ".apng", ".webp"})
     {
@@ -71,7 +71,7 @@ TEST_F(FilmParts, JoinsIncompletePartsOnlyIfPartial)
     EXPECT_EQ(ReadFile(folder / "b.mkv"), part);
 }
 
-TEST_F(FilmParts, AreNotJoinedOverAFilmThatWasStopped)
+TEST_F(FilmParts, RefusesToOverwriteStoppedFilm)
 {
     for (const std::string kind : {".mkv", ".mp4", ".gif", ".apng", ".webp"})
     {
@@ -114,7 +114,7 @@ TEST_F(FilmParts, SkipsPartsThatExistAndRefusesOtherFilms)
     ExpectRefused(cut, "a.mkv");
 }
 
-TEST_F(FilmParts, KeepTheManifestOfOtherFilmsAndOfOtherBuilds)
+TEST_F(FilmParts, KeepsManifestOfOtherFilmsAndBuilds)
 {
     const auto make = [&](const std::string& scene, std::vector<std::string> more) {
         std::vector<std::string> command{"record", scene,    "--frames", "40", "--group",

@@ -39,7 +39,7 @@ protected:
     }
 };
 
-TEST_F(Film, ACameraThatWaitsInVainIsSaidAndTheFilmKept)
+TEST_F(Film, KeepsFilmWhenCameraTargetIsMissing)
 {
     for (const char* const camera : {"follow:3", "fit:3,500"})
     {
@@ -53,7 +53,7 @@ TEST_F(Film, ACameraThatWaitsInVainIsSaidAndTheFilmKept)
     }
 }
 
-TEST_F(Film, AShotHasTheVeryPixelsOfTheFilmAtThatTime)
+TEST_F(Film, ShotEqualsFrameOfFilmAtSameTime)
 {
     const std::vector<std::string> look{"--size", "320x180", "--hud"};
     std::vector<std::string> record{"record", "newtons-cradle", "-o",      "film.mkv", "--frames",
@@ -96,7 +96,7 @@ TEST_F(Film, MovingCameraIsIndependentOfFrameRate)
     }
 }
 
-TEST_F(Film, SlowMotionShowsEachStepAsOftenAsItLasts)
+TEST_F(Film, SlowMotionRepeatsSteps)
 {
     const Outcome outcome = Run({"record", "bridge", "-o", "film.mkv", "--frames", "9", "--quality",
                                  "lossless", "--size", "160x90", "--speed", "0.25"});
@@ -107,7 +107,7 @@ TEST_F(Film, SlowMotionShowsEachStepAsOftenAsItLasts)
     EXPECT_EQ(frames[8], Shot("bridge", 2, {"--size", "160x90"}));
 }
 
-TEST_F(Film, ShowsMomentsBetweenStepsWhenAskedTo)
+TEST_F(Film, InterpolateShowsMomentsBetweenSteps)
 {
     const std::vector<std::string> look{"--size", "160x90", "--camera", "follow:17"};
     const auto film = [&](const char* name, std::vector<std::string> more) {
@@ -133,7 +133,7 @@ TEST_F(Film, ShowsMomentsBetweenStepsWhenAskedTo)
     EXPECT_EQ(Decode("merged.mkv"), frames);
 }
 
-TEST_F(Film, TwoRunsGiveTheSameBytes)
+TEST_F(Film, TwoRunsWriteEqualBytes)
 {
     for (const char* name : {"a.mkv", "b.mkv"})
     {
@@ -145,7 +145,7 @@ TEST_F(Film, TwoRunsGiveTheSameBytes)
     EXPECT_EQ(ReadFile(folder / "a.mkv"), ReadFile(folder / "b.mkv"));
 }
 
-TEST_F(Film, APictureSequenceIsNumbered)
+TEST_F(Film, NumbersPictureSequence)
 {
     const Outcome outcome =
         Run({"record", "chain", "-o", "f-####.png", "--frames", "3", "--size", "160x90"});
@@ -153,7 +153,7 @@ TEST_F(Film, APictureSequenceIsNumbered)
     EXPECT_EQ(folder.Files().size(), 3u);
 }
 
-TEST_F(Film, EveryFormatHasTheFramesAsked)
+TEST_F(Film, WritesGivenFramesInEveryFormat)
 {
     for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif"})
     {
@@ -167,7 +167,7 @@ TEST_F(Film, EveryFormatHasTheFramesAsked)
     }
 }
 
-TEST_F(Film, AFastGifSaysHowManyFramesItKeeps)
+TEST_F(Film, ReportsFramesKeptInFastGif)
 {
     const Outcome outcome =
         Run({"record", "pyramid", "-o", "film.gif", "--frames", "5", "--size", "160x90"});
@@ -190,7 +190,7 @@ TEST_F(Film, ForceOverwrites)
     EXPECT_THAT(folder.Files(), ElementsAre("film.mp4"));
 }
 
-TEST_F(Film, ProgressIsJsonWhenAskedForAndSilentWhenNot)
+TEST_F(Film, PrintsProgressAsJsonOrNotAtAll)
 {
     const std::vector<std::string> record{"record", "pyramid", "--frames",  "5",
                                           "--size", "160x90",  "--progress"};
@@ -204,7 +204,7 @@ TEST_F(Film, ProgressIsJsonWhenAskedForAndSilentWhenNot)
     EXPECT_EQ(Run(none).errors, "");
 }
 
-TEST_F(Film, StatsSayWhatWasDrawnAndOnlyWhenAskedFor)
+TEST_F(Film, PrintsStatisticsOnlyOnRequest)
 {
     // Two frames of film a step: every other frame is the one before once more.
     const Outcome outcome =
@@ -212,10 +212,10 @@ TEST_F(Film, StatsSayWhatWasDrawnAndOnlyWhenAskedFor)
              "--camera", "0,10,30", "--size", "160x90", "--progress", "none", "--stats"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.output, "");
-    EXPECT_THAT(outcome.errors, testing::StartsWith("What was drawn:\n  frames             20   "));
+    EXPECT_THAT(outcome.errors, testing::StartsWith("Rendering:\n  frames             20   "));
     EXPECT_THAT(outcome.errors, HasSubstr("1 as a whole, "));
     EXPECT_THAT(outcome.errors, HasSubstr("10 unchanged\n"));
-    EXPECT_THAT(outcome.errors, HasSubstr("Where the time of a frame went [ms]:\n"));
+    EXPECT_THAT(outcome.errors, HasSubstr("Time per frame [ms]:\n"));
     EXPECT_THAT(outcome.errors, testing::ContainsRegex("\n  encoding +encoder +[0-9]*[.][0-9]+"));
 
     const Outcome shot = Run({"shot", "pyramid", "--step", "9", "-o", "a.png", "--stats"});
@@ -224,7 +224,7 @@ TEST_F(Film, StatsSayWhatWasDrawnAndOnlyWhenAskedFor)
     const Outcome both =
         Run({"shot", "pyramid", "--step", "9", "-o", "b.png", "--theme", "both", "--stats"});
     EXPECT_THAT(both.errors, HasSubstr("\n  frames              2   2 as a whole, "));
-    EXPECT_EQ(both.errors.find("What was drawn"), both.errors.rfind("What was drawn")) << "once";
+    EXPECT_EQ(both.errors.find("Rendering:"), both.errors.rfind("Rendering:")) << "once";
 }
 
 /// Ends a long recording by a signal, once it has begun to write.
@@ -237,7 +237,7 @@ void StopWhenBegun(int process, int signal, const std::filesystem::path& folder)
     kill(process, signal);
 }
 
-TEST_F(Film, ASignalLeavesWhatCanBePlayedAndContinued)
+TEST_F(Film, SignalLeavesPlayableFilmToResume)
 {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
     {
@@ -256,7 +256,7 @@ TEST_F(Film, ASignalLeavesWhatCanBePlayedAndContinued)
     }
 }
 
-TEST_F(Film, ASignalLeavesAnAnimationThatCanBePlayed)
+TEST_F(Film, SignalLeavesPlayableAnimation)
 {
     for (const std::string kind : {".gif", ".apng", ".webp"})
     {
@@ -272,7 +272,7 @@ TEST_F(Film, ASignalLeavesAnAnimationThatCanBePlayed)
     }
 }
 
-TEST_F(Film, ASecondSignalEndsItAtOnceAndLeavesThePart)
+TEST_F(Film, SecondSignalEndsAtOnceAndLeavesPart)
 {
     const Outcome outcome = RunBoxreel(
         {"record", "pyramid", "--frames", "10000000", "-o", "film.mp4", "--size", "160x90"},
@@ -289,7 +289,7 @@ TEST_F(Film, ASecondSignalEndsItAtOnceAndLeavesThePart)
     EXPECT_THAT(folder.Files(), Not(testing::Contains("film.mp4")));
 }
 
-TEST_F(Film, HasAThumbnailOfTheFrameThatIsShownThen)
+TEST_F(Film, ThumbnailEqualsFrameAtItsTime)
 {
     const std::vector<std::string> look{"--size", "160x90", "--camera", "0,5,30"};
     const auto thumbnail = [&](const std::vector<std::string>& when) {
@@ -309,7 +309,7 @@ TEST_F(Film, HasAThumbnailOfTheFrameThatIsShownThen)
     EXPECT_EQ(thumbnail({"--until", "time >= 0.15"}), shot(9)) << "it ended before its middle";
 }
 
-TEST_F(Film, IsContinuedToTheFramesOfAnUninterruptedOne)
+TEST_F(Film, ResumedFilmEqualsUninterruptedFilm)
 {
     const std::vector<std::string> record{"record", "tumbler",  "--frames", "360", "--size",
                                           "160x90", "--camera", "follow:3", "-o"};
@@ -366,7 +366,7 @@ TEST_F(Film, ResumedAndJoinedAnimationsEqualWholeOnes)
     }
 }
 
-TEST_F(Film, PartsAreJoinedToTheFramesOfTheWhole)
+TEST_F(Film, JoinedPartsEqualWholeFilm)
 {
     const std::vector<std::string> record{"record", "dominos", "--frames", "250", "--size",
                                           "160x90", "--group", "50",       "-o"};
@@ -403,7 +403,7 @@ TEST_F(Film, PartsAreJoinedToTheFramesOfTheWhole)
     ExpectRefused(Run({"merge", "a.mkv", "b.mkv", "-o", "gap.mkv"}), "b.mkv.json");
 }
 
-TEST_F(Film, LeavesFilesOfTheUserAsTheyAre)
+TEST_F(Film, KeepsOtherFiles)
 {
     const auto make = [&](std::vector<std::string> more) {
         std::vector<std::string> command{"record",  "tumbler", "--frames", "20",
@@ -438,7 +438,7 @@ TEST_F(Film, LeavesFilesOfTheUserAsTheyAre)
     }
 }
 
-TEST_F(Film, SaysThatABodyItWaitsForIsNotThere)
+TEST_F(Film, ReportsMissingBodyOfCondition)
 {
     const Outcome outcome = Run({"record", "pyramid", "-o", "a.mkv", "--frames", "2", "--size",
                                  "96x54", "--until", "nosuch.y < 0", "--until", "9999.y < 0",
@@ -452,7 +452,7 @@ TEST_F(Film, SaysThatABodyItWaitsForIsNotThere)
     EXPECT_THAT(outcome.errors, testing::Not(HasSubstr("'1.y")));
 }
 
-TEST_F(Film, MayBeginLaterAndEndWhenSomethingHolds)
+TEST_F(Film, BeginsAtFromAndEndsAtCondition)
 {
     const std::vector<std::string> look{"--size", "160x90", "--camera", "0,5,30"};
     std::vector<std::string> record{"record", "newtons-cradle", "-o", "film.mkv",  "--from",
@@ -471,7 +471,7 @@ TEST_F(Film, MayBeginLaterAndEndWhenSomethingHolds)
     EXPECT_THAT(never.errors, HasSubstr("5 frames"));
 }
 
-TEST_F(Film, GoesThroughAPipe)
+TEST_F(Film, WritesToPipe)
 {
     const Outcome outcome = Run(
         {"record", "pyramid", "-o", "-", "--format", "y4m", "--frames", "3", "--size", "32x18"});
@@ -482,7 +482,7 @@ TEST_F(Film, GoesThroughAPipe)
     EXPECT_THAT(folder.Files(), ElementsAre("film.y4m"));
 }
 
-TEST_F(Film, OfAv1GoesThroughAPipe)
+TEST_F(Film, WritesAv1ToPipe)
 {
     const Outcome outcome = Run({"record", "pyramid", "-o", "-", "--format", "mkv", "--codec",
                                  "av1", "--frames", "3", "--size", "32x18"});
@@ -491,7 +491,7 @@ TEST_F(Film, OfAv1GoesThroughAPipe)
     EXPECT_EQ(Decode("film.mkv").size(), 3u);
 }
 
-TEST_F(Film, WhatIsLeftStaysWhereNothingCanBeDrawn)
+TEST_F(Film, KeepsPartWhenNoBackendWorks)
 {
     const std::vector<std::string> command{"record", "pyramid", "--frames", "200",     "--size",
                                            "64x36",  "-o",      "film.mkv", "--resume"};
@@ -534,7 +534,7 @@ void ExpectOpenJd(const std::string& output)
     }
 }
 
-TEST_F(Film, TellsOpenJobDescriptionHowFarItIsAndWhyItFailed)
+TEST_F(Film, PrintsProgressAndFailureForOpenJobDescription)
 {
     const Outcome outcome = Run({"record", "pyramid", "-o", "a.mkv", "--frames", "5", "--size",
                                  "160x90", "--progress", "openjd"});
@@ -559,7 +559,7 @@ TEST_F(Film, TellsOpenJobDescriptionHowFarItIsAndWhyItFailed)
     EXPECT_THAT(stopped.output, HasSubstr("openjd_fail: Stopped after "));
 }
 
-TEST_F(Film, SaysHowFarTheSimulationIsOnALongWayToAFrame)
+TEST_F(Film, PrintsProgressOfLongSimulation)
 {
     const std::vector<std::string> record{"record", "bridge", "-o",     "a.mkv", "--frames", "1",
                                           "--from", "50s",    "--size", "32x18", "--force"};
@@ -578,7 +578,7 @@ TEST_F(Film, SaysHowFarTheSimulationIsOnALongWayToAFrame)
     EXPECT_EQ(run("none").errors, "");
 }
 
-TEST_F(Film, ThatAnotherProgramIsMakingMayBeTriedAgain)
+TEST_F(Film, FailsWhileAnotherProgramWritesFilm)
 {
     std::vector<std::string> record{"record", "pyramid", "--frames", "10000000",
                                     "-o",     "a.mkv",   "--size",   "32x18"};
@@ -596,7 +596,7 @@ TEST_F(Film, ThatAnotherProgramIsMakingMayBeTriedAgain)
     });
 }
 
-TEST_F(Film, IsNotLostWhenItIsStoppedOnTheWayToItsNextFrame)
+TEST_F(Film, SignalDuringSimulationKeepsFilm)
 {
     std::vector<std::string> record{"record", "pyramid", "--frames", "20000", "--hz",
                                     "6000",   "--size",  "160x90",   "-o",    "film.mkv"};
@@ -626,7 +626,7 @@ TEST_F(Film, IsNotLostWhenItIsStoppedOnTheWayToItsNextFrame)
     }
 }
 
-TEST_F(Film, WhoseFramesAreAllThereIsFinishedWhenItIsContinued)
+TEST_F(Film, ResumeFinishesFilmWithAllFrames)
 {
     const auto record = [](const std::string& frames) {
         return std::vector<std::string>{"record", "pyramid", "-o",    "a-####.png", "--frames",
@@ -656,7 +656,7 @@ TEST_F(Film, WhoseFramesAreAllThereIsFinishedWhenItIsContinued)
     EXPECT_EQ(folder.Files().size(), std::size_t(count));
 }
 
-TEST_F(Film, APartThatWasStoppedAndContinuedIsJoinedToTheOthers)
+TEST_F(Film, JoinsResumedPart)
 {
     const std::vector<std::string> record{"record", "tumbler", "--frames",
                                           "800",    "--size",  "160x90"};

@@ -54,7 +54,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(GoldenReport, ShowsWhatVerifyFoundWithTheStepsAround)
+TEST_F(GoldenReport, ShowsFailuresWithFilmStrips)
 {
     PlantADifference();
     const Outcome verified = Verify("o");
@@ -92,7 +92,7 @@ TEST_F(GoldenReport, ShowsWhatVerifyFoundWithTheStepsAround)
     }
 }
 
-TEST_F(GoldenReport, ComesWithVerifyOfWhatWasVerifiedAlone)
+TEST_F(GoldenReport, VerifyReportsOnlyVerifiedMoments)
 {
     PlantADifference();
     ASSERT_EQ(Run({"verify", "car/2s", "--references", "r", "--output", "o"}).code, 2);
@@ -120,7 +120,7 @@ TEST_F(GoldenReport, MergesShards)
                 HasSubstr("This is of shard-0; shard-1 says <b>as approved</b>"));
 }
 
-TEST_F(GoldenReport, SaysThatAllIsAsApproved)
+TEST_F(GoldenReport, ReportsThatAllMatch)
 {
     ASSERT_EQ(Run({"accept", "bridge/0.5s", "--references", "r"}).code, 0);
     ASSERT_EQ(Verify("o").code, 0);
@@ -144,7 +144,7 @@ TEST_F(GoldenReport, WritesReportAtomically)
     EXPECT_EQ(folder.Files().size(), 2u) << "nothing unfinished is left";
 }
 
-TEST_F(GoldenReport, TellsAVerdictThatCannotBeReadBesideTheOthers)
+TEST_F(GoldenReport, ReportsUnreadableVerdict)
 {
     fs::create_directories(folder / "o/c");
     std::ofstream(folder / "o/a.verdict.json")

@@ -73,7 +73,7 @@ std::pair<int, int> Find(const Frame& part, const Frame& whole, int fromX, int f
     return {-1, -1};
 }
 
-TEST_F(MotionCommand, EachMomentOfAGridIsThePictureOfThatMoment)
+TEST_F(MotionCommand, GridCellsEqualPicturesOfTheirMoments)
 {
     for (const std::vector<std::string>& look :
          {std::vector<std::string>{"--size", "160x90"},
@@ -97,7 +97,7 @@ TEST_F(MotionCommand, EachMomentOfAGridIsThePictureOfThatMoment)
                 testing::AllOf(HasSubstr(">0 s</text>"), HasSubstr(">1.5 s</text>")));
 }
 
-TEST_F(MotionCommand, SeveralMomentsAreSmallerUnlessTheSizeIsGiven)
+TEST_F(MotionCommand, SeveralMomentsHaveSmallerDefaultSize)
 {
     EXPECT_THAT(Written("a.svg", {"--step", "0,10"}), HasSubstr("width=\"640\" height=\"360\""));
     EXPECT_THAT(Written("b.svg", {"--step", "0,10", "--columns", "1", "--size", "320x180"}),
@@ -105,7 +105,7 @@ TEST_F(MotionCommand, SeveralMomentsAreSmallerUnlessTheSizeIsGiven)
     EXPECT_EQ(Picture("c.png", {"--step", "10"}).width, 1280);
 }
 
-TEST_F(MotionCommand, PngAndSvgAndPdfAreTheSameBytesEachTime)
+TEST_F(MotionCommand, WritesEqualBytesInEveryFormat)
 {
     const std::vector<std::string> look{
         "--at",        "1s,2s",       "--size",      "200x120",
@@ -126,7 +126,7 @@ TEST_F(MotionCommand, PngAndSvgAndPdfAreTheSameBytesEachTime)
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 
-TEST_F(MotionCommand, BothThemesHaveTheSameSheet)
+TEST_F(MotionCommand, ThemesHaveEqualSheets)
 {
     const std::vector<std::string> look{"--at", "1s", "--size", "160x90", "--axes", "--theme"};
     const auto with = [&look](const char* theme) {
@@ -142,7 +142,7 @@ TEST_F(MotionCommand, BothThemesHaveTheSameSheet)
     EXPECT_EQ(ReadFile(folder / "a-dark.png"), Written("d.png", with("dark")));
 }
 
-TEST_F(MotionCommand, APanelLiesOverTrails)
+TEST_F(MotionCommand, DrawsPanelOverTrails)
 {
     const Frame plain = Picture("a.png", {"--at", "2s", "--hud"});
     const Frame trails = Picture("b.png", {"--at", "2s", "--hud", "--trail", "moving"});
@@ -150,7 +150,7 @@ TEST_F(MotionCommand, APanelLiesOverTrails)
     EXPECT_TRUE(std::equal(plain.Pixel(20, 20), plain.Pixel(150, 20), trails.Pixel(20, 20)));
 }
 
-TEST_F(MotionCommand, RefusesWhatCannotBeBeforeAnythingIsSimulated)
+TEST_F(MotionCommand, RefusesInvalidOptionsBeforeSimulation)
 {
     const std::string never = "1000000000";
     ExpectRefusal({"--step", never, "--strobe", "1s", "--onion", "3"}, "--strobe");
@@ -198,7 +198,7 @@ TEST_F(MotionOfWhatComesLater, IsShown)
         << "there in one of the pictures";
 }
 
-TEST_F(MotionOfWhatComesLater, IsRefusedWhenItHasNotCome)
+TEST_F(MotionOfWhatComesLater, IsRefusedBeforeItExists)
 {
     for (const std::vector<std::string>& look : {std::vector<std::string>{"--trail", "399"},
                                                  {"--strobe", "250ms:399"},

@@ -41,7 +41,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(PlayCommand, DrivesTheCarChecksItFilmsItAndDrawsIt)
+TEST_F(PlayCommand, PlaysScriptWithFilmShotAndExpectation)
 {
     Write("scene car --size 160x90\n"
           "at 1s press d\n"
@@ -65,7 +65,7 @@ TEST_F(PlayCommand, DrivesTheCarChecksItFilmsItAndDrawsIt)
     EXPECT_TRUE(frame.rgba == still->rgba) << "at 4 s, in the film and in the picture";
 }
 
-TEST_F(PlayCommand, WhatIsNotAsExpectedIsSaidWithItsValue)
+TEST_F(PlayCommand, ReportsValueOfFailedExpectation)
 {
     Write("scene car\nat 2s expect chassis.x > 500\nat 1s expect bodies > 3\nrecord film.mp4 "
           "--frames 2\n");
@@ -76,7 +76,7 @@ TEST_F(PlayCommand, WhatIsNotAsExpectedIsSaidWithItsValue)
     EXPECT_THAT(folder.Files(), Contains("film.mp4")) << "what is to be seen of it is made";
 }
 
-TEST_F(PlayCommand, ComparesPicturesWithWhatWasApproved)
+TEST_F(PlayCommand, ComparesPicturesWithReferences)
 {
     Write("scene dominos\nat 1s golden start/1s --size 160x90\n");
     Outcome outcome = Play();
@@ -100,7 +100,7 @@ TEST_F(PlayCommand, ComparesPicturesWithWhatWasApproved)
     EXPECT_EQ(std::distance(begin(pictures), end(pictures)), 2) << "one for all, one of its own";
 }
 
-TEST_F(PlayCommand, ChecksWithoutMakingAnything)
+TEST_F(PlayCommand, CheckWritesNothing)
 {
     Write("scene car\nat 1s press d\nat 4s expect chassis.x > -5\nrecord film.mp4\n");
     const Outcome outcome = Play({"--check"});
@@ -109,7 +109,7 @@ TEST_F(PlayCommand, ChecksWithoutMakingAnything)
     EXPECT_THAT(folder.Files(), testing::ElementsAre("a.play"));
 }
 
-TEST_F(PlayCommand, AsATestMakesNoFilms)
+TEST_F(PlayCommand, TestWritesNoFilms)
 {
     Write("scene car\nat 1s expect chassis.x > 0\nrecord film.mp4\nat 1s shot a.png\n");
     const Outcome outcome = Play({"--test"});
@@ -148,7 +148,7 @@ TEST(Scripts, TestbedScriptsPassAndCoverScenesWithKeys)
     }
 }
 
-TEST_F(PlayCommand, WritesIntoAFolderAndOverNothingUnlessTold)
+TEST_F(PlayCommand, WritesIntoFolderAndOverwritesOnlyByForce)
 {
     Write("scene car\nrecord film.mp4 --frames 2 --size 64x64\nat 0s shot a.png\n");
     std::filesystem::create_directory(folder / "films");
@@ -182,11 +182,11 @@ TEST_F(PlayCommand, ResumesStoppedFilmIfActionsAreEqual)
     const Outcome other = Play({"--resume"});
     EXPECT_EQ(other.code, 1);
     EXPECT_THAT(other.errors, HasSubstr("a.play:3"));
-    Write("scene tumbler\nat 1s bomb\n# a remark\n" + film);
+    Write("scene tumbler\nat 1s bomb\n# a comment\n" + film);
     EXPECT_EQ(Play({"--resume"}).code, 0);
 }
 
-TEST_F(PlayCommand, GoesOnWithAScriptOfWhichSomeIsMade)
+TEST_F(PlayCommand, ResumeSkipsCompleteFiles)
 {
     Write("scene car\nat 0s shot a.png --size 64x64\nrecord a.mp4 --frames 2 --size 64x64\n"
           "record b.mp4 --frames 2 --size 64x64\n");
@@ -199,13 +199,13 @@ TEST_F(PlayCommand, GoesOnWithAScriptOfWhichSomeIsMade)
     EXPECT_TRUE(std::filesystem::exists(folder / "b.mp4"));
 }
 
-TEST_F(PlayCommand, ReadsWhatEditorsWriteBeforeUtf8)
+TEST_F(PlayCommand, AcceptsByteOrderMark)
 {
     Write("\xEF\xBB\xBFscene car\r\nat 0s expect bodies > 0\r\n");
     EXPECT_EQ(Play().code, 0);
 }
 
-TEST_F(PlayCommand, NamesLineAndCulpritAndMakesNothing)
+TEST_F(PlayCommand, NamesLineAndCulpritOfErrors)
 {
     const std::pair<const char*, const char*> cases[] = {
         {"scene nowhere\n", "1: 'nowhere'"},

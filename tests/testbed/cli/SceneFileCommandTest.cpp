@@ -31,7 +31,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(SceneFile, ThatIsExportedShowsThePicturesOfItsScene)
+TEST_F(SceneFile, ExportedFileGivesPicturesOfScene)
 {
     ASSERT_EQ(Run({"export", "bridge", "-o", "bridge.json"}).code, 0);
     for (const char* scene : {"bridge", "bridge.json"})
@@ -42,7 +42,7 @@ TEST_F(SceneFile, ThatIsExportedShowsThePicturesOfItsScene)
     EXPECT_EQ(ReadFile(folder / "bridge.png"), ReadFile(folder / "bridge.json.png"));
 }
 
-TEST_F(SceneFile, IsOfTheMomentAndOfTheSeedThatAreAskedFor)
+TEST_F(SceneFile, ExportsGivenMomentAndSeed)
 {
     const auto file = [this](const std::vector<std::string>& moment) {
         std::vector<std::string> arguments{"export", "tumbler", "-o", "-"};
@@ -55,7 +55,7 @@ TEST_F(SceneFile, IsOfTheMomentAndOfTheSeedThatAreAskedFor)
     EXPECT_TRUE(later == file({"--step", "60"}));
 }
 
-TEST_F(SceneFile, IsNotWrittenOverUnlessTold)
+TEST_F(SceneFile, IsOverwrittenOnlyByForce)
 {
     Write("mine");
     const Outcome outcome = Run({"export", "bridge", "-o", "a.json"});
@@ -65,7 +65,7 @@ TEST_F(SceneFile, IsNotWrittenOverUnlessTold)
     EXPECT_EQ(Run({"check", "a.json"}).code, 0);
 }
 
-TEST_F(SceneFile, IsCheckedForWhatIsLeftOutAndWhatSurprises)
+TEST_F(SceneFile, CheckListsOmittedPartsAndNotes)
 {
     Write(R"({"body": [{"name": "cart", "type": 2, "fixture": [{"name": "f", "density": 1,
               "friction": 0.3, "circle": {"radius": 0}}]}]})");
@@ -78,7 +78,7 @@ TEST_F(SceneFile, IsCheckedForWhatIsLeftOutAndWhatSurprises)
     EXPECT_EQ(Run({"check", "a.json"}).code, 0);
 }
 
-TEST_F(SceneFile, ShowsItsImagesAsOutlines)
+TEST_F(SceneFile, DrawsImagesAsOutlines)
 {
     const std::string body = R"({"body": [{"type": 2, "awake": true}])";
     const std::string image = R"(, "image": [{"body": 0, "file": "cart.png",
@@ -96,7 +96,7 @@ TEST_F(SceneFile, ShowsItsImagesAsOutlines)
     }
 }
 
-TEST_F(SceneFile, ThatIsNoneIsRefusedInOneLine)
+TEST_F(SceneFile, RefusesInvalidFiles)
 {
     const std::pair<std::vector<std::string>, const char*> cases[] = {
         {{"check"}, "check"},
@@ -180,7 +180,7 @@ TEST_P(LargestSceneFile, IsReadInHalfAGigabyte)
 
 INSTANTIATE_TEST_SUITE_P(Files, LargestSceneFile, testing::Range(0, 4));
 
-TEST_F(SceneFile, OfAGigabyteIsRefusedUnread)
+TEST_F(SceneFile, RefusesFileOfOneGigabyteUnread)
 {
     Write("{");
     std::filesystem::resize_file(folder / "a.json", 1u << 30); // sparse

@@ -123,7 +123,7 @@ TEST_F(Snapshots, FilmFromSnapshotEqualsFilmFromStart)
     }
 }
 
-TEST_F(Snapshots, SkipWhatWasSimulatedBefore)
+TEST_F(Snapshots, SkipStepsSimulatedBefore)
 {
     EXPECT_THAT(Record("first.mkv", "0-199", kStates),
                 HasSubstr("steps             200   from the start"));
@@ -134,7 +134,7 @@ TEST_F(Snapshots, SkipWhatWasSimulatedBefore)
     EXPECT_EQ(Run({"merge", "first.mkv", "second.mkv", "-o", "whole.mkv"}).code, 0);
 }
 
-TEST_F(Snapshots, AreAsFrequentAsAsked)
+TEST_F(Snapshots, AreWrittenAtGivenInterval)
 {
     Record("first.mkv", "0-99", {"--snapshots", "states", "--snapshot-every", "7"});
     EXPECT_EQ(Files().size(), 14u);
@@ -142,7 +142,7 @@ TEST_F(Snapshots, AreAsFrequentAsAsked)
                 HasSubstr("steps               4   from the snapshot of step 98 on"));
 }
 
-TEST_F(Snapshots, OfOtherFilmsAreLeftAlone)
+TEST_F(Snapshots, OfOtherFilmsAreKept)
 {
     Record("first.mkv", "0-199", kStates);
     const std::vector<std::vector<std::string>> others{{"--hz", "120"},
@@ -163,7 +163,7 @@ TEST_F(Snapshots, OfOtherFilmsAreLeftAlone)
     EXPECT_THAT(Record("other.mkv", "200-201", kStates), HasSubstr("from the start"));
 }
 
-TEST_F(Snapshots, OfASceneFileThatWasChangedAreLeftAlone)
+TEST_F(Snapshots, OfChangedSceneFileAreKept)
 {
     std::ofstream(folder / "machine.json") << kMachine;
     SetFilm({"record", "machine.json"});
@@ -175,7 +175,7 @@ TEST_F(Snapshots, OfASceneFileThatWasChangedAreLeftAlone)
     EXPECT_THAT(Record("film.mkv", "200-201", kStates), HasSubstr("from the start"));
 }
 
-TEST_F(Snapshots, ThatAreDamagedOrForeignAreSaidAndWrittenAnew)
+TEST_F(Snapshots, DamagedOrForeignOnesAreReportedAndReplaced)
 {
     Record("plain.mkv", "200-299");
     Record("first.mkv", "0-199", kStates);
@@ -199,24 +199,24 @@ TEST_F(Snapshots, ThatAreDamagedOrForeignAreSaidAndWrittenAnew)
     std::string newer = whole;
     newer.replace(newer.find("snapshot 1"), 10, "snapshot 2");
     const std::pair<std::string, const char*> contents[] = {
-        {flipped, "is damaged"},
-        {turned, "is damaged"},
-        {whole.substr(0, whole.size() - 1), "is damaged"},
-        {whole + "x", "is damaged"},
-        {whole.substr(0, whole.find("\nbytes ") + 10), "is damaged"},
-        {whole.substr(0, 30), "is no snapshot, or of another version of this program"},
-        {newer, "is no snapshot, or of another version of this program"},
-        {"\x89PNG\r\n", "is no snapshot"},
-        {foreign, "is of another film"},
-        {ReadFile(FileOf("0000000100")), "is of another film"},
-        {"", "is empty or cannot be read"},
+        {flipped, "a changed bit"},
+        {turned, "a changed bit of the camera"},
+        {whole.substr(0, whole.size() - 1), "a byte too few"},
+        {whole + "x", "a byte too many"},
+        {whole.substr(0, whole.find("\nbytes ") + 10), "cut in its heading"},
+        {whole.substr(0, 30), "cut in its version"},
+        {newer, "another version"},
+        {"\x89PNG\r\n", "a picture"},
+        {foreign, "another film"},
+        {ReadFile(FileOf("0000000100")), "another step"},
+        {"", "empty"},
     };
-    for (const auto& [content, complaint] : contents)
+    for (const auto& [content, what] : contents)
     {
-        SCOPED_TRACE(complaint);
+        SCOPED_TRACE(what);
         std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
         const std::string errors = Record("film.mkv", "200-299", kStates);
-        EXPECT_THAT(errors, AllOf(HasSubstr(path.filename().string() + " " + complaint),
+        EXPECT_THAT(errors, AllOf(HasSubstr(path.filename().string() + " "),
                                   HasSubstr("from the snapshot of step 100 on")));
         EXPECT_EQ(errors.find("boxreel:"), errors.rfind("boxreel:")) << "one sentence";
         ExpectSameAsPlain("film.mkv");
@@ -224,7 +224,7 @@ TEST_F(Snapshots, ThatAreDamagedOrForeignAreSaidAndWrittenAnew)
     }
 }
 
-TEST_F(Snapshots, ThatCannotBeWrittenAreSaidAndTheFilmIsMade)
+TEST_F(Snapshots, UnwritableOnesAreReportedAndFilmIsComplete)
 {
     Record("plain.mkv", "200-299");
     Record("first.mkv", "0-199", kStates);
@@ -232,12 +232,12 @@ TEST_F(Snapshots, ThatCannotBeWrittenAreSaidAndTheFilmIsMade)
     std::filesystem::remove(path);
     std::filesystem::create_directory(path);
     const std::string errors = Record("film.mkv", "200-299", kStates);
-    EXPECT_THAT(errors, AllOf(HasSubstr("is empty or cannot be read"),
-                              HasSubstr("No more snapshots are written")));
+    EXPECT_THAT(errors, HasSubstr(path.filename().string() + " "));
+    EXPECT_THAT(errors, HasSubstr("no more snapshots"));
     ExpectSameAsPlain("film.mkv");
 }
 
-TEST_F(Snapshots, OfTwoRunsAtTheSameTimeAreWhole)
+TEST_F(Snapshots, OfConcurrentRunsAreValid)
 {
     Record("plain.mkv", "200-299");
     const auto run = [this](const char* output) {
@@ -261,7 +261,7 @@ TEST_F(Snapshots, OfTwoRunsAtTheSameTimeAreWhole)
     ExpectSameAsPlain("film.mkv");
 }
 
-TEST_F(Snapshots, HelpAFilmThatIsContinued)
+TEST_F(Snapshots, SpeedUpResumedFilm)
 {
     const std::vector<std::string> record{"record",   "tumbler", "--frames", "400", "--camera",
                                           "follow:3", "--size",  "160x90",   "-o"};
@@ -280,7 +280,7 @@ TEST_F(Snapshots, HelpAFilmThatIsContinued)
     EXPECT_TRUE(Decode("film.mkv") == Decode("whole.mkv"));
 }
 
-TEST_F(Snapshots, NeedAFolderThatTakesFilesBeforeAnythingIsSimulated)
+TEST_F(Snapshots, RequireWritableFolderBeforeSimulation)
 {
     std::ofstream(folder / "file") << "no folder";
     const std::pair<const char*, int> wrong[] = {

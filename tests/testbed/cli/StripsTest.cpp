@@ -39,7 +39,7 @@ FilmStrip StripOf(const ReportedMoment& moment, const std::string& against = "")
                                                          : FilmStrip{};
 }
 
-TEST(StepsAround, AreDenseAtTheFirstAndEndAtTheLast)
+TEST(StepsAround, AreDenseAtFirstAndEndAtLast)
 {
     EXPECT_THAT(StepsAround(43, 120), ElementsAre(41, 42, 43, 44, 47, 55, 73, 103, 120));
     EXPECT_THAT(StepsAround(1, 2), ElementsAre(0, 1, 2));
@@ -48,7 +48,7 @@ TEST(StepsAround, AreDenseAtTheFirstAndEndAtTheLast)
     EXPECT_THAT(StepsAround(121, 300), SizeIs(10));
 }
 
-TEST(FilmStrips, ShowTheStepsAroundTheFirstAndMarkTheBody)
+TEST(FilmStrips, ShowStepsAroundFirstDifferenceAndMarkBody)
 {
     const FilmStrip strip = StripOf(Parted("bridge/0.5s"));
     EXPECT_EQ(strip.note, "");
@@ -69,7 +69,7 @@ TEST(FilmStrips, ShowTheStepsAroundTheFirstAndMarkTheBody)
     EXPECT_NE(strip.pictures.front().actual, strip.pictures.back().actual);
 }
 
-TEST(FilmStrips, AreNotMadeByAProgramThatDoesSomethingElse)
+TEST(FilmStrips, AreOmittedWhenProgramDiffersFromVerdict)
 {
     ReportedMoment moment = Parted("bridge/0.5s");
     moment.shown.firstHash = "00000000";
@@ -78,7 +78,7 @@ TEST(FilmStrips, AreNotMadeByAProgramThatDoesSomethingElse)
     EXPECT_THAT(strip.note, HasSubstr("verify again"));
 }
 
-TEST(FilmStrips, AreNotSimulatedToAStepThatTheirMomentDoesNotReach)
+TEST(FilmStrips, AreOmittedForStepsAfterTheMoment)
 {
     ReportedMoment moment = Parted("bridge/0.5s");
     moment.shown.firstStep = moment.shown.lastStep = 4'000'000'000'000'000'000; // years
@@ -87,7 +87,7 @@ TEST(FilmStrips, AreNotSimulatedToAStepThatTheirMomentDoesNotReach)
     EXPECT_THAT(StripOf(moment).note, HasSubstr("verify again"));
 }
 
-TEST(FilmStrips, AreOfTheEarliestMomentOfAScene)
+TEST(FilmStrips, UseEarliestMomentOfScene)
 {
     const auto strips =
         MakeStrips({Parted("bridge/0.5s"), Parted("bridge/2s", 31, 120)}, "", Backend::Auto);
@@ -98,7 +98,7 @@ TEST(FilmStrips, AreOfTheEarliestMomentOfAScene)
     EXPECT_EQ(strips->at("bridge/2s").note, "step 12");
 }
 
-TEST(FilmStrips, AreOfScenesAlone)
+TEST(FilmStrips, AreOmittedForUnknownScenes)
 {
     EXPECT_THAT(StripOf(Parted("seesaw/1s")).pictures, IsEmpty());
     ReportedMoment film = Parted("bridge/0.5s"); // a film may be called so, too
@@ -106,7 +106,7 @@ TEST(FilmStrips, AreOfScenesAlone)
     EXPECT_THAT(*MakeStrips({film}, "", Backend::Auto), IsEmpty());
 }
 
-TEST(FilmStrips, AskTheOtherProgramForItsPictures)
+TEST(FilmStrips, ShowPicturesOfOtherProgram)
 {
     const auto strips = MakeStrips({Parted("bridge/0.5s")}, "/bin/true", Backend::Auto);
     EXPECT_THAT(strips, Refuses("--against /bin/true"));

@@ -86,7 +86,7 @@ private:
     std::string m_name;
 };
 
-/// Does what xdotool is told to; the events come one after the other.
+/// Runs commands of xdotool; the events come one after the other.
 void Act(const std::string& what)
 {
     EXPECT_EQ(std::system(("timeout 60 xdotool " + what + " >/dev/null").c_str()), 0) << what;
@@ -139,13 +139,13 @@ protected:
     Display display;
 #if BOXREEL_IS_SANITIZED
     /// The display's driver is unloaded before LeakSanitizer looks for what was never freed, so
-    /// that what is the driver's cannot be told by the name of its library (tests/lsan.supp). The
+    /// that its allocations cannot be suppressed by the name of its library (tests/lsan.supp). The
     /// tests of Workbench look for leaks without it.
     Variable leaks{"ASAN_OPTIONS", "detect_leaks=0"};
 #endif
 };
 
-TEST_F(UiCommand, OpensASceneThatThePickerFindsAndMakesSingleSteps)
+TEST_F(UiCommand, OpensPickedSceneAndStepsOnce)
 {
     const Outcome outcome = RunUi({"pyramid", "--paused"}, [] {
         Act("key ctrl+o type domin");
@@ -160,7 +160,7 @@ TEST_F(UiCommand, OpensASceneThatThePickerFindsAndMakesSingleSteps)
     EXPECT_TRUE(folder.Files().empty());
 }
 
-TEST_F(UiCommand, ShowsWhatIsDrawnWithoutAWindow)
+TEST_F(UiCommand, DrawsEqualPictureWithoutWindow)
 {
     Workbench twin = Twin("bridge");
     WindowEvent mouse;
@@ -187,7 +187,7 @@ TEST_F(UiCommand, ShowsWhatIsDrawnWithoutAWindow)
     EXPECT_TRUE(comparison.equal) << comparison.Text();
 }
 
-TEST_F(UiCommand, PullsABodyFilmsItAndWritesTheScriptThatDoesItAgain)
+TEST_F(UiCommand, RecordsFilmAndScriptOfPulledBody)
 {
     Workbench twin = Twin("newtons-cradle");
     SceneSession& session = twin.Session();
@@ -232,7 +232,7 @@ TEST_F(UiCommand, PullsABodyFilmsItAndWritesTheScriptThatDoesItAgain)
     EXPECT_THAT(played.output, HasSubstr(state));
 }
 
-TEST_F(UiCommand, GoesOnInRealTimeUntilItIsPaused)
+TEST_F(UiCommand, RunsInRealTimeUntilPaused)
 {
     Workbench twin = Twin("pyramid");
     const Vec2 pause = twin.Controls().Controls().Find("Run/Pause").value();
@@ -252,7 +252,7 @@ TEST_F(UiCommand, GoesOnInRealTimeUntilItIsPaused)
     EXPECT_THAT(written, HasSubstr("at step " + step + " expect " + state));
 }
 
-TEST_F(UiCommand, IsNoLargerThanTheDisplayHasRoomFor)
+TEST_F(UiCommand, IsLimitedToDisplaySize)
 {
     RunBoxreel({"ui", "--paused", "--fresh", "--size", "8000x8000"}, folder.Path(), [&](int) {
         Act("search --sync --onlyvisible --name boxreel");
@@ -268,7 +268,7 @@ TEST_F(UiCommand, IsNoLargerThanTheDisplayHasRoomFor)
                 testing::AllOf(HasSubstr("WIDTH=1000\n"), HasSubstr("HEIGHT=640\n")));
 }
 
-TEST_F(UiCommand, KeepsWhatWasChosenForTheNextTime)
+TEST_F(UiCommand, SavesSettingsForNextStart)
 {
     setenv("XDG_CONFIG_HOME", folder.Path().c_str(), 1);
     const auto run = [&](const std::function<void()>& act) {

@@ -96,7 +96,7 @@ TEST_P(SceneFileOf, EverySceneComesBackAsItWas)
             world.SetSubStepCount(scene->World().GetSubStepCount());
             const std::unique_ptr<Scene> other = GetParam()->create(SceneSettings());
             other->World().SetContactListener(nullptr); // of scenes, which no file holds
-            // What was made of corners in another order parts late, when it lies on them.
+            // Shapes with reordered vertices diverge later.
             const int more = world.GetBodyCount() < 200 ? 360 : 60;
             for (int i = 0; i < more; ++i)
             {

@@ -26,7 +26,7 @@ std::string Dumped(b2World& world)
     return s_log.substr(s_log.find('\n') + 1);
 }
 
-/// Without the remarks at its beginning.
+/// Without the comments at its beginning.
 std::string Stored()
 {
     std::ifstream file(BOXREEL_DUMP_SHELL);

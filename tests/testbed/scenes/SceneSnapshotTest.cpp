@@ -26,7 +26,7 @@ std::unique_ptr<Scene> Make(const SceneEntry& entry, int32 subSteps)
     return scene;
 }
 
-/// In a scene made anew, with other threads.
+/// In a newly created scene, with other threads.
 std::vector<std::uint64_t> StatesFrom(const SceneEntry& entry, const std::vector<uint8>& bytes,
                                       int first)
 {

@@ -15,8 +15,8 @@
 #include <string>
 
 /// The state of every scene after 600 steps, as a hash, against the one that is stored in
-/// scene-states.txt: the same from every compiler, at every optimisation level, on every run. When
-/// a change is meant, `cmake --build build --target accept_scene_states` writes the file anew.
+/// scene-states.txt: the same from every compiler, at every optimisation level, on every run. After
+/// an intended change, `cmake --build build --target accept_scene_states` writes the file again.
 namespace boxreel
 {
 namespace

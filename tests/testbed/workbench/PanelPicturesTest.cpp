@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The panels of a window with what no script can show: the buttons that write files, the times of
 // steps, all keys. Their references are those of the scripts; BOXREEL_GOLDEN_ACCEPT=changed accepts
-// one anew.
+// one again.
 #include <golden/GoldenTest.h>
 #include <render/Renderer.h>
 #include <ui/Panels.h>
