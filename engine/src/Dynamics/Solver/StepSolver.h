@@ -44,9 +44,6 @@ protected:
     void TurnAsSeen();
     void FindDeep();
     bool IsPushedOut(const BodyData& body) const;
-    float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
-    static bool IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep);
-    static bool IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep);
 
     // Blocks per part of a parallel loop.
     static constexpr int32 kBlockGrain = 8;

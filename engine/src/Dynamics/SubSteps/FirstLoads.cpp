@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "FirstLoads.h"
 
+#include "../Islands/SleepRule.h"
 #include "../Solver/SolverMemory.h"
 #include "../State/World.h"
 
@@ -25,9 +26,7 @@ std::size_t At(int32 index)
 
 bool IsAtRest(const BodyData& body)
 {
-    return body.linearVelocity.LengthSquared() <=
-               b2_linearSleepTolerance * b2_linearSleepTolerance &&
-           b2Abs(body.angularVelocity) <= b2_angularSleepTolerance && body.jointList == nullptr;
+    return IsSlow(body.linearVelocity, body.angularVelocity) && body.jointList == nullptr;
 }
 
 } // namespace
