@@ -58,7 +58,8 @@ Impact::Impact(World& world, float32 timeStep, int32 velocityIterations)
 /// time.
 b2Vec2 Impact::AccelerationOf(const BodyData& body) const
 {
-    const bool known = m_world.subStepCount > 1 && body.IsDynamic() && body.awakeIndex != -1 &&
+    const bool known = m_world.settings.subStepCount > 1 && body.IsDynamic() &&
+                       body.awakeIndex != -1 &&
                        std::size_t(body.awakeIndex) < m_world.subSteps->modes.size() &&
                        m_world.subSteps->modes[std::size_t(body.awakeIndex)] == BodyMode::Flies;
     return known ? m_world.subSteps->kicks[std::size_t(body.awakeIndex)].acceleration
@@ -147,7 +148,7 @@ float32 Impact::DepthOf(std::size_t contact, int32 point) const
 void Impact::NoteDepths()
 {
     m_depths.clear();
-    for (std::size_t i = 0; i < m_contacts.size() && m_world.subStepCount > 1; ++i)
+    for (std::size_t i = 0; i < m_contacts.size() && m_world.settings.subStepCount > 1; ++i)
     {
         for (int32 k = 0; k < 2; ++k)
         {
@@ -199,12 +200,12 @@ double Impact::CorrectBounce(std::size_t index)
 /// parabola.
 void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const
 {
-    if (m_world.subStepCount == 1)
+    if (m_world.settings.subStepCount == 1)
     {
         return MoveByVelocity(body, timeLeft, kMaxMove);
     }
     body.v += 0.5f * timeLeft * acceleration;
-    const int32 parts = m_world.subStepCount;
+    const int32 parts = m_world.settings.subStepCount;
     for (int32 i = 0; i < parts; ++i)
     {
         MoveByVelocity(body, timeLeft / float32(parts), kMaxSmallMove);
@@ -218,7 +219,7 @@ void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
 {
     const float32 maximum = kFarthestPush * m_timeStep;
     const float32 path = PushOf(SolverBody(), pushed, maxExtent);
-    if (m_world.subStepCount > 1 && path > maximum)
+    if (m_world.settings.subStepCount > 1 && path > maximum)
     {
         ShortenPush(SolverBody(), pushed, maximum / path);
     }
@@ -240,7 +241,7 @@ void Impact::PushApart(std::span<const OverlapConstraint> overlaps) const
 void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
 {
     m_ground = m_contacts.size();
-    if (m_world.subStepCount > 1)
+    if (m_world.settings.subStepCount > 1)
     {
         PutGroundLast();
     }
@@ -284,7 +285,7 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
 /// True if one body bounces between static ones; additional iterations are cheap there.
 bool Impact::IsInCorner() const
 {
-    return m_world.subStepCount > 1 && m_contacts.size() > 1 &&
+    return m_world.settings.subStepCount > 1 && m_contacts.size() > 1 &&
            std::count_if(m_bodies.begin(), m_bodies.end(),
                          [](const b2Body* body) { return Data(*body).IsDynamic(); }) == 1 &&
            std::any_of(m_memory.impulses.begin(), m_memory.impulses.end(), Bounces);

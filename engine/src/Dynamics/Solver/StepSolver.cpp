@@ -30,7 +30,7 @@ StepSolver::StepSolver(World& world, float32 timeStep)
     m_context.timeStep = timeStep;
     m_context.inverseStep = 1.0f / timeStep;
     m_context.stepRatio = b2Min(world.inverseStep * timeStep, kMaxStepRatio);
-    m_context.warmStarting = world.warmStarting;
+    m_context.warmStarting = world.settings.warmStarting;
     m_memory.deep.clear();
 }
 
@@ -77,7 +77,7 @@ SolverBody StepSolver::WithForces(const BodyData& body) const
     s.w = body.angularVelocity;
     if (body.IsDynamic())
     {
-        s.v += h * (body.gravityScale * m_world.gravity + body.invMass * body.force);
+        s.v += h * (body.gravityScale * m_world.settings.gravity + body.invMass * body.force);
         s.w += h * body.invInertia * body.torque;
         // dv/dt = -c v, one implicit step: stable for any c.
         s.v *= 1.0f / (1.0f + h * body.linearDamping);
@@ -330,8 +330,8 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     {
         s = SolverBody(); // stop instead of becoming non-finite
     }
-    body.sleepTime =
-        SleepTimeAfter(body, s, {m_context.timeStep, m_world.subStepCount > 1, IsPushedOut(body)});
+    body.sleepTime = SleepTimeAfter(
+        body, s, {m_context.timeStep, m_world.settings.subStepCount > 1, IsPushedOut(body)});
     body.linearVelocity = s.v;
     body.angularVelocity = s.w;
     body.previous = body.pose;
@@ -363,7 +363,7 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
 
 void StepSolver::LetRest()
 {
-    if (!m_world.allowSleep)
+    if (!m_world.settings.allowSleep)
     {
         return;
     }
