@@ -2,7 +2,7 @@
 #include "Impact.h"
 
 #include "../Energy/EnergyGuard.h"
-#include "../Solver/SolverMemory.h"
+#include "../Solver/StepSolver.h"
 #include "../State/Access.h"
 #include "../State/World.h"
 #include "../SubSteps/SubStepMemory.h"
@@ -48,11 +48,13 @@ bool Bounces(const ContactConstraint& c)
 } // namespace
 
 Impact::Impact(World& world, float32 timeStep, int32 velocityIterations)
-    : m_world(world), m_memory(*world.impacts), m_solver(*world.solver), m_timeStep(timeStep),
-      m_velocityIterations(velocityIterations), m_bodies(m_memory.bodies),
-      m_contacts(m_memory.contacts), m_bounced(m_memory.bounced),
+    : m_world(world), m_memory(*world.impacts), m_solver(*world.solver),
+      m_velocityIterations(velocityIterations), m_context(MakeContext(world, timeStep)),
+      m_bodies(m_memory.bodies), m_contacts(m_memory.contacts), m_bounced(m_memory.bounced),
       m_bouncedImpulses(m_memory.bouncedImpulses), m_depths(m_memory.depths)
-{}
+{
+    m_context.warmStarting = false;
+}
 
 /// With sub-steps a freely falling body's path is a parabola; only the velocity is known at every
 /// time.
@@ -120,7 +122,6 @@ void Impact::LoadBodies()
 
 void Impact::Prepare()
 {
-    m_context.warmStarting = false;
     LoadBodies();
     m_memory.impulses.resize(m_contacts.size());
     m_memory.overlaps.resize(m_contacts.size());
@@ -217,7 +218,7 @@ void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLe
 /// impacts of the step push the body as well.
 void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
 {
-    const float32 maximum = kFarthestPush * m_timeStep;
+    const float32 maximum = kFarthestPush * m_context.timeStep;
     const float32 path = PushOf(SolverBody(), pushed, maxExtent);
     if (m_world.settings.subStepCount > 1 && path > maximum)
     {
@@ -411,7 +412,7 @@ void Impact::MoveOn(std::size_t index, float32 time)
     if (!data.IsDynamic() || !IsSpent(body))
     {
         MoveOn(s, wasStopped ? AccelerationOf(data) : b2Vec2(0.0f, 0.0f),
-               (1.0f - time) * m_timeStep);
+               (1.0f - time) * m_context.timeStep);
     }
     if (!IsFinite(s))
     {
@@ -429,7 +430,7 @@ void Impact::MoveOn(std::size_t index, float32 time)
 EnergyGuard::Path Impact::PathOf(std::size_t index, float32 time) const
 {
     const BodyData& data = Data(*m_bodies[index]);
-    const b2Vec2 left = (1.0f - time) * m_timeStep * AccelerationOf(data);
+    const b2Vec2 left = (1.0f - time) * m_context.timeStep * AccelerationOf(data);
     const bool wasStopped = data.sweepStart == time;
     return {m_memory.before[index].pose, data.linearVelocity + (wasStopped ? left : b2Vec2_zero),
             data.angularVelocity};

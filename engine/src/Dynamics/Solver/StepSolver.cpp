@@ -24,13 +24,21 @@ constexpr float32 kMaxStepRatio = 10.0f;
 
 } // namespace
 
-StepSolver::StepSolver(World& world, float32 timeStep)
-    : m_world(world), m_memory(*world.solver), m_threads(world.threads.get())
+SolverContext MakeContext(const World& world, float32 timeStep)
 {
-    m_context.timeStep = timeStep;
-    m_context.inverseStep = 1.0f / timeStep;
-    m_context.stepRatio = b2Min(world.inverseStep * timeStep, kMaxStepRatio);
-    m_context.warmStarting = world.settings.warmStarting;
+    SolverContext context;
+    context.settings = world.settings;
+    context.timeStep = timeStep;
+    context.inverseStep = 1.0f / timeStep;
+    context.stepRatio = b2Min(world.inverseStep * timeStep, kMaxStepRatio);
+    context.warmStarting = world.settings.warmStarting;
+    return context;
+}
+
+StepSolver::StepSolver(World& world, float32 timeStep)
+    : m_world(world), m_memory(*world.solver), m_threads(world.threads.get()),
+      m_context(MakeContext(world, timeStep))
+{
     m_memory.deep.clear();
 }
 
