@@ -18,7 +18,7 @@ namespace
 
 /// Increase with every change of the stored data, its order or its meaning. Also when a step uses
 /// the data differently, because recordings that depend on a snapshot then change.
-constexpr uint32 kVersion = 4;
+constexpr uint32 kVersion = 5;
 
 /// The bytes before the content. The line ends in `magic` detect a file transferred as text.
 struct Header

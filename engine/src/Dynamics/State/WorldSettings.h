@@ -14,8 +14,9 @@ inline constexpr int32 kMaxSubSteps = 64;
 
 struct WorldSettings
 {
-    b2Vec2 gravity;         ///< [m/s^2]
-    int32 subStepCount = 1; ///< of a step, at most kMaxSubSteps
+    b2Vec2 gravity;                                      ///< [m/s^2]
+    float32 restitutionThreshold = b2_velocityThreshold; ///< slower impacts do not bounce [m/s]
+    int32 subStepCount = 1;                              ///< of a step, at most kMaxSubSteps
     bool allowSleep = true;
     bool warmStarting = true;
     bool continuousPhysics = true;
@@ -27,9 +28,10 @@ struct WorldSettings
 template <class Archive>
 void Visit(Archive& archive, WorldSettings& settings)
 {
-    auto& [gravity, subStepCount, allowSleep, warmStarting, continuousPhysics, subStepping,
-           autoClearForces] = settings;
-    archive(gravity);
+    auto& [gravity, restitutionThreshold, subStepCount, allowSleep, warmStarting, continuousPhysics,
+           subStepping, autoClearForces] = settings;
+    archive(gravity, restitutionThreshold);
+    archive.Require(b2IsValid(restitutionThreshold) && restitutionThreshold >= 0.0f);
     archive.Within(subStepCount, 1, kMaxSubSteps);
     archive(allowSleep, warmStarting, continuousPhysics, subStepping, autoClearForces);
 }
