@@ -307,6 +307,20 @@ b2Vec2 b2World::GetGravity() const
     return m_world->settings.gravity;
 }
 
+void b2World::SetRestitutionThreshold(float32 speed)
+{
+    if (B2_REQUIRE(b2IsValid(speed) && speed >= 0.0f,
+                   "A world's restitution threshold must be finite and not negative."))
+    {
+        m_world->settings.restitutionThreshold = speed;
+    }
+}
+
+float32 b2World::GetRestitutionThreshold() const
+{
+    return m_world->settings.restitutionThreshold;
+}
+
 bool b2World::IsLocked() const
 {
     return m_world->locked;
