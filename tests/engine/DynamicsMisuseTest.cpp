@@ -258,6 +258,10 @@ TEST_F(DynamicsMisuse, OfTheWorldsNumbers)
 {
     ExpectMisuse("gravity", [&] { scene.world.SetGravity(b2Vec2(kNaN, 0.0f)); });
     ExpectMisuse("gravity", [] { b2World world(b2Vec2(0.0f, kInfinity)); });
+    for (const float32 bad : {kNaN, kInfinity, -1.0f})
+    {
+        ExpectMisuse("restitution threshold", [&] { scene.world.SetRestitutionThreshold(bad); });
+    }
     ExpectMisuse("finite", [&] { scene.world.ShiftOrigin(b2Vec2(kNaN, 0.0f)); });
     ExpectMisuse("time step", [&] { scene.world.Step(kNaN, 8, 3); });
     ExpectMisuse("time step", [&] { scene.world.Step(kInfinity, 8, 3); });
@@ -265,6 +269,7 @@ TEST_F(DynamicsMisuse, OfTheWorldsNumbers)
     ExpectMisuse("iterations", [&] { scene.world.Step(kStep, -1, 3); });
     ExpectMisuse("iterations", [&] { scene.world.Step(kStep, 8, -1); });
     EXPECT_TRUE(scene.world.GetGravity().IsValid());
+    EXPECT_EQ(scene.world.GetRestitutionThreshold(), b2_velocityThreshold);
 }
 
 TEST_F(DynamicsMisuse, OfContactMaterials)

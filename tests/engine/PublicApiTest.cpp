@@ -39,6 +39,8 @@ static_assert(Is<void (b2World::*)(b2ContactFilter*)>(&b2World::SetContactFilter
 static_assert(Is<void (b2World::*)(b2ContactListener*)>(&b2World::SetContactListener));
 static_assert(Is<void (b2World::*)(b2Draw*)>(&b2World::SetDebugDraw));
 static_assert(Is<void (b2World::*)(bool)>(&b2World::SetSubStepping));
+static_assert(Is<void (b2World::*)(float32)>(&b2World::SetRestitutionThreshold));
+static_assert(Is<float32 (b2World::*)() const>(&b2World::GetRestitutionThreshold));
 static_assert(std::is_same_v<decltype(b2ContactManager::m_broadPhase), b2BroadPhase>);
 static_assert(std::is_same_v<b2Draw, b2DebugDraw>);
 

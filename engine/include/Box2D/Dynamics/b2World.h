@@ -148,6 +148,12 @@ public:
     /// changes nothing.
     void SetGravity(const b2Vec2& gravity);
     b2Vec2 GetGravity() const; ///< acceleration of all dynamic bodies [m/s^2]
+    /// Sets the restitution threshold [m/s], default b2_velocityThreshold: slower impacts do not
+    /// bounce. With 0 bodies with restitution hardly come to rest. A value that is negative or not
+    /// finite asserts and changes nothing. Snapshots save it. An addition to the manual's
+    /// interface.
+    void SetRestitutionThreshold(float32 speed);
+    float32 GetRestitutionThreshold() const; ///< slower impacts do not bounce [m/s]
     /// True while a callback of a step or query may run. Objects cannot be created or destroyed
     /// then.
     bool IsLocked() const;

@@ -148,7 +148,7 @@ void ContinuousCollision::Run()
             continue;
         }
         any = true;
-        if (m_world.subStepping)
+        if (m_world.settings.subStepping)
         {
             m_world.stepComplete = false;
             m_world.energyGuard->ChargeImpacts();
@@ -237,7 +237,7 @@ bool ContinuousCollision::Sinks(const ContactData& c) const
 {
     const BodyData& a = Data(*c.bodyA);
     const BodyData& b = Data(*c.bodyB);
-    if (m_world.subStepCount > 1 || (a.IsDynamic() && b.IsDynamic()) ||
+    if (m_world.settings.subStepCount > 1 || (a.IsDynamic() && b.IsDynamic()) ||
         PathLength(a) + PathLength(b) < kImpactTolerance)
     {
         return false;

@@ -2,7 +2,7 @@
 #include "Impact.h"
 
 #include "../Energy/EnergyGuard.h"
-#include "../Solver/SolverMemory.h"
+#include "../Solver/StepSolver.h"
 #include "../State/Access.h"
 #include "../State/World.h"
 #include "../SubSteps/SubStepMemory.h"
@@ -48,17 +48,20 @@ bool Bounces(const ContactConstraint& c)
 } // namespace
 
 Impact::Impact(World& world, float32 timeStep, int32 velocityIterations)
-    : m_world(world), m_memory(*world.impacts), m_solver(*world.solver), m_timeStep(timeStep),
-      m_velocityIterations(velocityIterations), m_bodies(m_memory.bodies),
-      m_contacts(m_memory.contacts), m_bounced(m_memory.bounced),
+    : m_world(world), m_memory(*world.impacts), m_solver(*world.solver),
+      m_velocityIterations(velocityIterations), m_context(MakeContext(world, timeStep)),
+      m_bodies(m_memory.bodies), m_contacts(m_memory.contacts), m_bounced(m_memory.bounced),
       m_bouncedImpulses(m_memory.bouncedImpulses), m_depths(m_memory.depths)
-{}
+{
+    m_context.warmStarting = false;
+}
 
 /// With sub-steps a freely falling body's path is a parabola; only the velocity is known at every
 /// time.
 b2Vec2 Impact::AccelerationOf(const BodyData& body) const
 {
-    const bool known = m_world.subStepCount > 1 && body.IsDynamic() && body.awakeIndex != -1 &&
+    const bool known = m_world.settings.subStepCount > 1 && body.IsDynamic() &&
+                       body.awakeIndex != -1 &&
                        std::size_t(body.awakeIndex) < m_world.subSteps->modes.size() &&
                        m_world.subSteps->modes[std::size_t(body.awakeIndex)] == BodyMode::Flies;
     return known ? m_world.subSteps->kicks[std::size_t(body.awakeIndex)].acceleration
@@ -119,7 +122,6 @@ void Impact::LoadBodies()
 
 void Impact::Prepare()
 {
-    m_context.warmStarting = false;
     LoadBodies();
     m_memory.impulses.resize(m_contacts.size());
     m_memory.overlaps.resize(m_contacts.size());
@@ -147,7 +149,7 @@ float32 Impact::DepthOf(std::size_t contact, int32 point) const
 void Impact::NoteDepths()
 {
     m_depths.clear();
-    for (std::size_t i = 0; i < m_contacts.size() && m_world.subStepCount > 1; ++i)
+    for (std::size_t i = 0; i < m_contacts.size() && m_world.settings.subStepCount > 1; ++i)
     {
         for (int32 k = 0; k < 2; ++k)
         {
@@ -199,12 +201,12 @@ double Impact::CorrectBounce(std::size_t index)
 /// parabola.
 void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const
 {
-    if (m_world.subStepCount == 1)
+    if (m_world.settings.subStepCount == 1)
     {
         return MoveByVelocity(body, timeLeft, kMaxMove);
     }
     body.v += 0.5f * timeLeft * acceleration;
-    const int32 parts = m_world.subStepCount;
+    const int32 parts = m_world.settings.subStepCount;
     for (int32 i = 0; i < parts; ++i)
     {
         MoveByVelocity(body, timeLeft / float32(parts), kMaxSmallMove);
@@ -216,9 +218,9 @@ void Impact::MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLe
 /// impacts of the step push the body as well.
 void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
 {
-    const float32 maximum = kFarthestPush * m_timeStep;
+    const float32 maximum = kFarthestPush * m_context.timeStep;
     const float32 path = PushOf(SolverBody(), pushed, maxExtent);
-    if (m_world.subStepCount > 1 && path > maximum)
+    if (m_world.settings.subStepCount > 1 && path > maximum)
     {
         ShortenPush(SolverBody(), pushed, maximum / path);
     }
@@ -240,7 +242,7 @@ void Impact::PushApart(std::span<const OverlapConstraint> overlaps) const
 void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
 {
     m_ground = m_contacts.size();
-    if (m_world.subStepCount > 1)
+    if (m_world.settings.subStepCount > 1)
     {
         PutGroundLast();
     }
@@ -284,7 +286,7 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
 /// True if one body bounces between static ones; additional iterations are cheap there.
 bool Impact::IsInCorner() const
 {
-    return m_world.subStepCount > 1 && m_contacts.size() > 1 &&
+    return m_world.settings.subStepCount > 1 && m_contacts.size() > 1 &&
            std::count_if(m_bodies.begin(), m_bodies.end(),
                          [](const b2Body* body) { return Data(*body).IsDynamic(); }) == 1 &&
            std::any_of(m_memory.impulses.begin(), m_memory.impulses.end(), Bounces);
@@ -410,7 +412,7 @@ void Impact::MoveOn(std::size_t index, float32 time)
     if (!data.IsDynamic() || !IsSpent(body))
     {
         MoveOn(s, wasStopped ? AccelerationOf(data) : b2Vec2(0.0f, 0.0f),
-               (1.0f - time) * m_timeStep);
+               (1.0f - time) * m_context.timeStep);
     }
     if (!IsFinite(s))
     {
@@ -428,7 +430,7 @@ void Impact::MoveOn(std::size_t index, float32 time)
 EnergyGuard::Path Impact::PathOf(std::size_t index, float32 time) const
 {
     const BodyData& data = Data(*m_bodies[index]);
-    const b2Vec2 left = (1.0f - time) * m_timeStep * AccelerationOf(data);
+    const b2Vec2 left = (1.0f - time) * m_context.timeStep * AccelerationOf(data);
     const bool wasStopped = data.sweepStart == time;
     return {m_memory.before[index].pose, data.linearVelocity + (wasStopped ? left : b2Vec2_zero),
             data.angularVelocity};

@@ -59,7 +59,6 @@ private:
     World& m_world;
     ImpactMemory& m_memory;
     SolverMemory& m_solver;
-    float32 m_timeStep;
     int32 m_velocityIterations;
     SolverContext m_context;
     Array<b2Body*>& m_bodies;

@@ -50,7 +50,7 @@ SolverContext ImpactJoints::ClearPaths() const
 
 void ImpactJoints::NoteStarts()
 {
-    if (m_noted || m_world.subStepCount == 1 || m_world.graph.Joints().empty())
+    if (m_noted || m_world.settings.subStepCount == 1 || m_world.graph.Joints().empty())
     {
         return;
     }
@@ -125,7 +125,7 @@ float32 ImpactJoints::ShareLeft(int32 part, const SolverContext& context) const
     double kinetic = 0.0;
     double lift = stored;
     m_world.subSteps->joints.ForBodies(part, [&](const BodyData& body) {
-        const b2Vec2 a = body.gravityScale * m_world.gravity + body.invMass * body.force;
+        const b2Vec2 a = body.gravityScale * m_world.settings.gravity + body.invMass * body.force;
         SolverBody s;
         s.v = body.linearVelocity;
         s.w = body.angularVelocity;

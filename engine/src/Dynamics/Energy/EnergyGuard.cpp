@@ -149,8 +149,8 @@ void EnergyGuard::Begin(const World& world, const SolverMemory& solver, float32 
         return;
     }
     m_timeStep = timeStep;
-    m_subSteps = world.subStepCount;
-    m_gravity = world.gravity;
+    m_subSteps = world.settings.subStepCount;
+    m_gravity = world.settings.gravity;
     m_leastFall = kMinFall * m_gravity.Length();
     // Cleared above only for islands with an account: most islands may be asleep.
     m_accountOf.resize(b2Max(m_accountOf.size(), std::size_t(world.islands.Size())), -1);
@@ -292,8 +292,8 @@ void EnergyGuard::AddJoints(const World& world, const SolverMemory& solver)
     }
     for (const Motor& motor : m_motors)
     {
-        const double after =
-            MostMotorWork(*motor.joint, solver.bodies.data(), m_timeStep, world.subStepCount);
+        const double after = MostMotorWork(*motor.joint, solver.bodies.data(), m_timeStep,
+                                           world.settings.subStepCount);
         m_accounts[std::size_t(motor.account)].debt -= std::max(motor.work, after);
     }
 }

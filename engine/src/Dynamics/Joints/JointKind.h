@@ -13,6 +13,7 @@
 ///   IsSound        whether a definition can be made into a joint; asserts say what it lacks
 ///   HasSpring, SpringOf, HasMotor, IsDriven, MaxPower   see JointEnergy.h
 ///   Visit          saves and restores it; see Snapshot/Archive.h
+/// and that of hinges IsFree (RevoluteKind.h).
 /// None of them has a default: a kind without a motor or a spring says so by NoMotor and NoSpring.
 namespace box2d
 {

@@ -24,10 +24,18 @@ struct JointAccess::Kind<b2RevoluteJoint>
                IsMotor(d.motorSpeed, d.maxMotorTorque);
     }
 
+    /// True if the joint holds its point and applies no torque. Only such hinges may be part of a
+    /// HingeTree; others are solved as rows.
+    static bool IsFree(const b2RevoluteJoint& j)
+    {
+        return !j.IsMotorEnabled() && !j.IsLimitEnabled();
+    }
+
     template <class Archive>
     static void Visit(Archive& archive, b2RevoluteJoint& j)
     {
-        static_assert(kHasSize<b2RevoluteJoint, 200>, "Say here what becomes of the new member.");
+        static_assert(kHasSize<b2RevoluteJoint, 200>,
+                      "Say here what becomes of the new member, and in IsFree.");
         archive(j.m_localAnchorA, j.m_localAnchorB, j.m_referenceAngle, j.m_enableLimit,
                 j.m_lowerAngle, j.m_upperAngle, j.m_enableMotor, j.m_motorSpeed,
                 j.m_maxMotorTorque);

@@ -18,7 +18,7 @@ namespace
 
 /// Increase with every change of the stored data, its order or its meaning. Also when a step uses
 /// the data differently, because recordings that depend on a snapshot then change.
-constexpr uint32 kVersion = 3;
+constexpr uint32 kVersion = 5;
 
 /// The bytes before the content. The line ends in `magic` detect a file transferred as text.
 struct Header
@@ -63,19 +63,16 @@ void VisitWorld(Archive& archive, World& world)
 {
     // Data of the program is kept: owner, filters, listeners, drawing, profile and threads. Counts
     // follow from the lists, pairs from the contacts; the rest is scratch.
-    auto& [owner, allocator, proxies, pairs, graph, islands, awakeBodies, awakeContacts,
-           oldManifolds, attention, solver, subSteps, energyGuard, impacts, threads, bodyList,
-           jointList, contactList, bodyCount, jointCount, gearCount, inactiveCount, contactCount,
-           bodyNumber, jointNumber, gravity, defaultFilter, filter, listener, destructionListener,
-           debugDraw, subStepCount, lastSubSteps, inverseStep, stepNumber, profile, contactManager,
-           profiling, allowSleep, warmStarting, continuousPhysics, subStepping, stepComplete,
-           autoClearForces, locked, forcesApplied, hasBullets, filtersChanged, directionReversed] =
-        world;
-    archive(bodyNumber, jointNumber, inactiveCount, gravity);
-    archive.Within(subStepCount, 1, kMaxSubSteps);
+    auto& [owner, settings, gravity, subStepCount, allowSleep, allocator, proxies, pairs, graph,
+           islands, awakeBodies, awakeContacts, oldManifolds, attention, solver, subSteps,
+           energyGuard, impacts, threads, bodyList, jointList, contactList, bodyCount, jointCount,
+           gearCount, inactiveCount, contactCount, bodyNumber, jointNumber, defaultFilter, filter,
+           listener, destructionListener, debugDraw, lastSubSteps, inverseStep, stepNumber, profile,
+           contactManager, profiling, stepComplete, locked, forcesApplied, hasBullets,
+           filtersChanged, directionReversed] = world;
+    archive(settings, bodyNumber, jointNumber, inactiveCount);
     archive.Within(lastSubSteps, 1, kMaxSubSteps);
-    archive(inverseStep, stepNumber, allowSleep, warmStarting, continuousPhysics, subStepping,
-            stepComplete, autoClearForces, forcesApplied, hasBullets, filtersChanged,
+    archive(inverseStep, stepNumber, stepComplete, forcesApplied, hasBullets, filtersChanged,
             directionReversed);
     SnapshotAccess::Visit(archive, proxies);
     VisitBodies(archive, world);
@@ -194,7 +191,7 @@ const char* b2RestoreSnapshot(b2World& world, const uint8* data, std::size_t siz
         return why;
     }
     std::unique_ptr<box2d::World>& old = box2d::SnapshotAccess::Of(world);
-    auto restored = std::make_unique<box2d::World>(world, old->gravity, true);
+    auto restored = std::make_unique<box2d::World>(world, old->settings.gravity, true);
     box2d::SnapshotReader reader(bytes.subspan(box2d::Header::kBytes));
     reader.lists.userData = userData;
     box2d::VisitWorld(reader, *restored);

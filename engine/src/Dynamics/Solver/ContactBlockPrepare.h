@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ContactBlockSolver.h"
+#include "Restitution.h"
 
 /// Computes both sides of a block from the gathered data of eight contacts, for numbers F of 4 or 8
 /// lanes. It matches PrepareContact of ContactSolver.cpp line by line, in the same order of
@@ -15,6 +16,7 @@ template <class F, OverlapKind kKind>
 struct BlockPreparer
 {
     const ContactLanes& from;
+    const SolverContext& context;
     ContactBlock& block;
     OverlapBlock& overlap;
     int lane; // first lane
@@ -40,8 +42,6 @@ struct BlockPreparer
     {
         return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y};
     }
-    /// Returns a < b; false if either is NaN.
-    static auto Less(F a, F b) { return And(AtLeast(b, a), Not(AtLeast(a, b))); }
     static F Inverse(F value)
     {
         const F zero = F::Set(0.0f);
@@ -116,8 +116,9 @@ struct BlockPreparer
         return g;
     }
 
-    void CopyImpulses(PointLanes& p, int i, float32 share) const
+    void CopyImpulses(PointLanes& p, int i) const
     {
+        const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
         const F zero = F::Set(0.0f);
         const F maximum = F::Set(b2_maxFloat);
         const F normal = At(from.normalImpulse[i]);
@@ -138,7 +139,6 @@ struct BlockPreparer
     void FillPoint(PointLanes& p, const Bodies& bodies, const Vector<F>& normal,
                    const Vector<F>& armA, const Vector<F>& armB) const
     {
-        const F zero = F::Set(0.0f);
         const Vector<F> tangent = {normal.y, -normal.x};
         const F mass = bodies.invMassA + bodies.invMassB;
         const F nA = Cross(armA, normal);
@@ -156,9 +156,7 @@ struct BlockPreparer
         const Vector<F> speed = {
             bodies.b[0] - bodies.b[2] * armB.y - bodies.a[0] + bodies.a[2] * armA.y,
             bodies.b[1] + bodies.b[2] * armB.x - bodies.a[1] - bodies.a[2] * armA.x};
-        const F approach = Dot(speed, normal);
-        const auto fast = Less(approach, F::Set(-b2_velocityThreshold));
-        Select(fast, -At(from.restitution) * approach, zero).Store(p.bias + lane);
+        BounceSpeed(Dot(speed, normal), At(from.restitution), context).Store(p.bias + lane);
     }
 
     void FillCoupling(const Bodies& bodies) const
@@ -181,8 +179,9 @@ struct BlockPreparer
         Select(coupled, F::Set(1.0f), F::Set(0.0f)).Store(block.coupled + lane);
     }
 
-    void Prepare(const float32* bodyNumbers, float32 share) const
+    void Prepare() const
     {
+        const auto* bodyNumbers = reinterpret_cast<const float32*>(context.bodies);
         FillOverlap();
         const Vector<F> offset = At(overlap.offsetX, overlap.offsetY);
         const Geometry g =
@@ -197,7 +196,7 @@ struct BlockPreparer
         bodies.invInertiaB = At(block.invInertiaB);
         for (int i = 0; i < block.pointCount; ++i)
         {
-            CopyImpulses(block.points[i], i, share);
+            CopyImpulses(block.points[i], i);
             FillPoint(block.points[i], bodies, g.normal, g.points[i],
                       Subtract(g.points[i], offset));
         }
@@ -210,26 +209,26 @@ struct BlockPreparer
 
 template <class F, OverlapKind kKind>
 void PrepareBlockOf(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
-                    const float32* bodies, float32 share)
+                    const SolverContext& context)
 {
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
-        BlockPreparer<F, kKind>{from, block, overlap, lane}.Prepare(bodies, share);
+        BlockPreparer<F, kKind>{from, context, block, overlap, lane}.Prepare();
     }
 }
 
 template <class F>
 void PrepareBlock(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
-                  const float32* bodies, float32 share)
+                  const SolverContext& context)
 {
     switch (overlap.kind)
     {
     case OverlapKind::FaceA:
-        return PrepareBlockOf<F, OverlapKind::FaceA>(from, block, overlap, bodies, share);
+        return PrepareBlockOf<F, OverlapKind::FaceA>(from, block, overlap, context);
     case OverlapKind::FaceB:
-        return PrepareBlockOf<F, OverlapKind::FaceB>(from, block, overlap, bodies, share);
+        return PrepareBlockOf<F, OverlapKind::FaceB>(from, block, overlap, context);
     default:
-        return PrepareBlockOf<F, OverlapKind::Centers>(from, block, overlap, bodies, share);
+        return PrepareBlockOf<F, OverlapKind::Centers>(from, block, overlap, context);
     }
 }
 

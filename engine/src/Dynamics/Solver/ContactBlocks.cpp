@@ -16,7 +16,7 @@ namespace box2d
 #if defined(BOX2D_AVX2)
 // ContactBlocksAvx2.cpp
 void PrepareBlockAvx2(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
-                      const float32* bodies, float32 share);
+                      const SolverContext& context);
 void WarmStartBlockAvx2(ContactBlock& block, float32* bodies);
 bool SolveBlockAvx2(ContactBlock& block, float32* bodies);
 float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, PushPace pace);
@@ -272,23 +272,21 @@ void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContex
 {
     ContactLanes lanes;
     Gatherer(block, overlap, lanes).Gather();
-    const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
-    const float32* bodies = Numbers(context.bodies);
     if (IsAlone(block))
     {
-        PrepareBlock<simd::Float1>(lanes, block, overlap, bodies, share);
+        PrepareBlock<simd::Float1>(lanes, block, overlap, context);
         FinishCoupling(block);
         return;
     }
 #if defined(BOX2D_AVX2)
     if (UsesWideInstructions())
     {
-        PrepareBlockAvx2(lanes, block, overlap, bodies, share);
+        PrepareBlockAvx2(lanes, block, overlap, context);
         FinishCoupling(block);
         return;
     }
 #endif
-    PrepareBlock<simd::Float4>(lanes, block, overlap, bodies, share);
+    PrepareBlock<simd::Float4>(lanes, block, overlap, context);
     FinishCoupling(block);
 }
 

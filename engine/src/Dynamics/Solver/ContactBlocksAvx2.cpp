@@ -9,9 +9,9 @@ namespace box2d
 {
 
 void PrepareBlockAvx2(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
-                      const float32* bodies, float32 share)
+                      const SolverContext& context)
 {
-    PrepareBlock<simd::Float8>(from, block, overlap, bodies, share);
+    PrepareBlock<simd::Float8>(from, block, overlap, context);
 }
 
 void WarmStartBlockAvx2(ContactBlock& block, float32* bodies)

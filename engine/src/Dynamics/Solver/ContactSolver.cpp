@@ -2,6 +2,7 @@
 #include "../State/Solver.h"
 
 #include "../State/World.h"
+#include "Restitution.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -117,8 +118,8 @@ void FillPoint(ContactConstraint& c, ContactPoint& p, const b2Vec2& armA, const 
     p.tangentMass = Inverse(mass + c.invInertiaA * tA * tA + c.invInertiaB * tB * tB);
     const SolverBody& a = context.bodies[c.bodyA];
     const SolverBody& b = context.bodies[c.bodyB];
-    const float32 approach = b2Dot(b.v + b2Cross(b.w, armB) - a.v - b2Cross(a.w, armA), c.normal);
-    p.bias = approach < -b2_velocityThreshold ? -restitution * approach : 0.0f;
+    const float32 speed = b2Dot(b.v + b2Cross(b.w, armB) - a.v - b2Cross(a.w, armA), c.normal);
+    p.bias = BounceSpeed(simd::Float1{speed}, simd::Float1{restitution}, context).v;
 }
 
 /// The motion of a contact's bodies along its normal and tangent. Only the difference of the centre

@@ -3,6 +3,7 @@
 
 #include "../Contacts/Boxes.h"
 #include "../Islands/Sleep.h"
+#include "../Islands/SleepRule.h"
 #include "../Joints/JointKinds.h"
 #include "../State/Access.h"
 
@@ -21,27 +22,23 @@ namespace
 /// after a very short step this much of them, and no more, is used for the warm start.
 constexpr float32 kMaxStepRatio = 10.0f;
 
-/// Of two polygons' skins and a slop [m]: such an overlap is not visible.
-constexpr float32 kUnseenOverlap = 2.0f * b2_polygonRadius + b2_linearSlop;
-constexpr float32 kLeftOverlap = 3.0f * b2_linearSlop; ///< what pushing may leave of any [m]
-/// A body that is pushed out of skins rests up to this multiple of the sleep tolerances, 10 cm/s.
-/// The skins of a pyramid are pushed out by 3 cm/s after 4 s (docs/notes/pyramid-load.md); with 3
-/// new pyramids take more than a second to sleep, with 30 no test fails.
-constexpr float32 kSkinsPace = 10.0f;
-/// For so long a body must not have gained speed before it rests [s]: three steps of 1/60 s,
-/// because rounding may slow down a single one. With 0.01 rods on their end sleep while they fall,
-/// with 0.16 bridges stay awake (docs/notes/tuned-constants.md).
-constexpr float32 kCalm = 0.04f;
-
 } // namespace
 
-StepSolver::StepSolver(World& world, float32 timeStep)
-    : m_world(world), m_memory(*world.solver), m_threads(world.threads.get())
+SolverContext MakeContext(const World& world, float32 timeStep)
 {
-    m_context.timeStep = timeStep;
-    m_context.inverseStep = 1.0f / timeStep;
-    m_context.stepRatio = b2Min(world.inverseStep * timeStep, kMaxStepRatio);
-    m_context.warmStarting = world.warmStarting;
+    SolverContext context;
+    context.settings = world.settings;
+    context.timeStep = timeStep;
+    context.inverseStep = 1.0f / timeStep;
+    context.stepRatio = b2Min(world.inverseStep * timeStep, kMaxStepRatio);
+    context.warmStarting = world.settings.warmStarting;
+    return context;
+}
+
+StepSolver::StepSolver(World& world, float32 timeStep)
+    : m_world(world), m_memory(*world.solver), m_threads(world.threads.get()),
+      m_context(MakeContext(world, timeStep))
+{
     m_memory.deep.clear();
 }
 
@@ -88,7 +85,7 @@ SolverBody StepSolver::WithForces(const BodyData& body) const
     s.w = body.angularVelocity;
     if (body.IsDynamic())
     {
-        s.v += h * (body.gravityScale * m_world.gravity + body.invMass * body.force);
+        s.v += h * (body.gravityScale * m_world.settings.gravity + body.invMass * body.force);
         s.w += h * body.invInertia * body.torque;
         // dv/dt = -c v, one implicit step: stable for any c.
         s.v *= 1.0f / (1.0f + h * body.linearDamping);
@@ -277,32 +274,7 @@ void StepSolver::IntegratePositions()
     });
 }
 
-// True for a pendulum at its turning point or a body thrown up in weak gravity: slow, but with
-// changing velocity. Bodies with contacts are not tested, because stacks tremble.
-bool StepSolver::IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep)
-{
-    constexpr float32 kMaxGain = 0.25f / b2_timeToSleep; // fraction of the tolerance, per second
-    const float32 linear = timeStep * kMaxGain * b2_linearSleepTolerance;
-    const float32 angular = timeStep * kMaxGain * b2_angularSleepTolerance;
-    return body.colorMask == 0 &&
-           ((moved.v - body.linearVelocity).LengthSquared() > linear * linear ||
-            b2Abs(moved.w - body.angularVelocity) > angular);
-}
-
-// True for a body that leaves an unstable balance, such as a rod on its end: slow for long, but
-// accelerating. Without sub-steps joints tremble more than that, and stacks always do.
-bool StepSolver::IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep)
-{
-    constexpr float32 kMinGain = 1.0f / 15.0f; // fraction of the tolerance, per second
-    const float32 linear = timeStep * kMinGain * b2_linearSleepTolerance;
-    const float32 angular = timeStep * kMinGain * b2_angularSleepTolerance;
-    return body.colorMask == 0 && (moved.v.Length() > body.linearVelocity.Length() + linear ||
-                                   b2Abs(moved.w) > b2Abs(body.angularVelocity) + angular);
-}
-
-/// Finds bodies that overlap by more than their skins. Bodies placed without space for their skins
-/// are pushed apart for minutes in large numbers, from the outside in. They may rest meanwhile,
-/// because skins are meant to overlap.
+/// Finds bodies that overlap by more than MaxRestOverlap.
 void StepSolver::FindDeep()
 {
     Array<uint8>& deep = m_memory.deep;
@@ -310,15 +282,14 @@ void StepSolver::FindDeep()
     ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
         const OverlapBlock& block = blocks.Overlaps(i);
         // A rate of 0 only measures.
-        if (SolveBlock(block, m_context.bodies, {0.0f}) >= -kLeftOverlap)
+        if (SolveBlock(block, m_context.bodies, {0.0f}) >= -kMinRestOverlap)
         {
             return;
         }
         for (int32 lane = 0; lane < block.count; ++lane)
         {
             const OverlapConstraint o = OverlapOf(block, lane);
-            const bool skins = o.radius <= 1.01f * 2.0f * b2_polygonRadius;
-            const float32 maximum = skins ? kUnseenOverlap : kLeftOverlap;
+            const float32 maximum = MaxRestOverlap(o.radius);
             for (int32 point = 0; point < o.pointCount; ++point)
             {
                 const float32 separation =
@@ -336,36 +307,6 @@ void StepSolver::FindDeep()
 bool StepSolver::IsPushedOut(const BodyData& body) const
 {
     return m_memory.deep.empty() || m_memory.deep[std::size_t(body.SolverIndex())] != 0;
-}
-
-// Slow means slow in both velocity and what position correction did: something that is still being
-// pushed out of an overlap does not sleep, unless the overlap is only one of skins. A platform is
-// moved by the user: it stays awake at any speed but zero.
-float32 StepSolver::SleepTimeAfter(const BodyData& body, const SolverBody& moved) const
-{
-    const float32 h = m_context.timeStep;
-    if (!body.IsDynamic())
-    {
-        const bool still = moved.v == b2Vec2(0.0f, 0.0f) && moved.w == 0.0f;
-        return still && (body.flags & kBodyAutoSleep) != 0 ? body.sleepTime + h : 0.0f;
-    }
-    const float32 pace = IsPushedOut(body) ? h : kSkinsPace * h;
-    const float32 linear = pace * b2_linearSleepTolerance;
-    const float32 angular = pace * b2_angularSleepTolerance;
-    const bool slow =
-        moved.v.LengthSquared() <= b2_linearSleepTolerance * b2_linearSleepTolerance &&
-        b2Abs(moved.w) <= b2_angularSleepTolerance && moved.d.LengthSquared() <= linear * linear &&
-        b2Abs(moved.angle) <= angular;
-    if (!slow || (body.flags & kBodyAutoSleep) == 0)
-    {
-        return 0.0f;
-    }
-    const float32 time = body.sleepTime + h;
-    if (m_world.subStepCount > 1 && body.sleepTime < b2_timeToSleep && IsSettingOff(body, moved, h))
-    {
-        return b2Min(time, b2_timeToSleep - kCalm);
-    }
-    return time >= b2_timeToSleep && IsTurning(body, moved, h) ? body.sleepTime : time;
 }
 
 void StepSolver::WriteBack()
@@ -397,7 +338,8 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     {
         s = SolverBody(); // stop instead of becoming non-finite
     }
-    body.sleepTime = SleepTimeAfter(body, s);
+    body.sleepTime = SleepTimeAfter(
+        body, s, {m_context.timeStep, m_world.settings.subStepCount > 1, IsPushedOut(body)});
     body.linearVelocity = s.v;
     body.angularVelocity = s.w;
     body.previous = body.pose;
@@ -429,7 +371,7 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
 
 void StepSolver::LetRest()
 {
-    if (!m_world.allowSleep)
+    if (!m_world.settings.allowSleep)
     {
         return;
     }

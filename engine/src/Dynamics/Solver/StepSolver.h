@@ -7,6 +7,10 @@
 namespace box2d
 {
 
+/// Returns the parameters of a step of `timeStep` [s] > 0, for the step, its sub-steps and its
+/// impacts. The bodies are assigned later.
+SolverContext MakeContext(const World& world, float32 timeStep);
+
 /// The stages of solving one step, in the order in which SolveAwake calls them, over arrays
 /// that the world lends.
 class StepSolver
@@ -44,9 +48,6 @@ protected:
     void TurnAsSeen();
     void FindDeep();
     bool IsPushedOut(const BodyData& body) const;
-    float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved) const;
-    static bool IsTurning(const BodyData& body, const SolverBody& moved, float32 timeStep);
-    static bool IsSettingOff(const BodyData& body, const SolverBody& moved, float32 timeStep);
 
     // Blocks per part of a parallel loop.
     static constexpr int32 kBlockGrain = 8;

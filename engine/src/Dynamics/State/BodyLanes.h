@@ -94,6 +94,12 @@ F Abs(F value)
 {
     return Max(value, -value);
 }
+/// True if a < b; false if either is NaN.
+template <class F>
+auto Less(F a, F b)
+{
+    return And(AtLeast(b, a), Not(AtLeast(a, b)));
+}
 /// Returns 1 / value, or 0 for value <= 0.
 template <class F>
 F InverseOrZero(F value)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "WorldSettings.h"
+
 #include <Box2D/Common/Array.h>
 #include <Box2D/Common/b2Math.h>
 #include <Box2D/Dynamics/Internal/BodyData.h>
@@ -67,14 +69,16 @@ inline bool IsFinite(const SolverBody& body)
     return b2IsValid(body.v.x + body.v.y + body.w + body.d.x + body.d.y + body.angle);
 }
 
-/// The parameters of the step for joints and contacts.
+/// The parameters of the step for joints and contacts. MakeContext (Solver/StepSolver.h) fills it;
+/// what only measures distances needs no more than the bodies.
 struct SolverContext
 {
+    WorldSettings settings;
     SolverBody* bodies = nullptr; ///< by BodyData::SolverIndex; 0 never moves
     float32 timeStep = 0.0f;      ///< [s]
     float32 inverseStep = 0.0f;   ///< [1/s]
     float32 stepRatio = 1.0f; ///< this step's length divided by the last one's, for warm starting
-    bool warmStarting = true;
+    bool warmStarting = true; ///< that of the settings; false at impacts
 };
 
 /// The levers are the moments about the centres of mass of a unit impulse at the point [m]: arm x

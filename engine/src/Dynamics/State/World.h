@@ -6,6 +6,7 @@
 #include "Islands.h"
 #include "PairSet.h"
 #include "Proxies.h"
+#include "WorldSettings.h"
 
 #include "../../Common/ThreadPool.h"
 
@@ -32,9 +33,6 @@ struct ImpactMemory;
 struct SolverMemory;
 struct SubStepMemory;
 
-/// Maximum of sub-steps per step.
-inline constexpr int32 kMaxSubSteps = 64;
-
 class World
 {
 public:
@@ -53,6 +51,12 @@ public:
     }
 
     b2World& owner;
+    WorldSettings settings;
+    // The names by which SubStepSolver.cpp reads settings.
+    const b2Vec2& gravity = settings.gravity;
+    const int32& subStepCount = settings.subStepCount;
+    const bool& allowSleep = settings.allowSleep;
+
     b2BlockAllocator allocator; ///< bodies, fixtures, shapes, joints, contacts
     Proxies proxies;
     PairSet pairs; ///< pairs with a contact
@@ -81,14 +85,12 @@ public:
     int32 bodyNumber = 0;  ///< of the next body
     int32 jointNumber = 0; ///< of the next joint
 
-    b2Vec2 gravity; ///< [m/s^2]
     b2ContactFilter defaultFilter;
     b2ContactFilter* filter = &defaultFilter; ///< never null
     b2ContactListener* listener = nullptr;
     b2DestructionListener* destructionListener = nullptr;
     b2Draw* debugDraw = nullptr;
 
-    int32 subStepCount = 1;                      ///< of a step
     int32 lastSubSteps = 1;                      ///< of the last step in which anything was solved
     float32 inverseStep = 0.0f;                  ///< of the last step [1/s], 0 before the first
     std::uint32_t stepNumber = kUserChangeSteps; ///< steps with a time above 0
@@ -97,12 +99,7 @@ public:
     mutable b2ContactManager contactManager{
         .m_broadPhase = b2BroadPhase(proxies.Trees(), Proxies::kTreeCount, Proxies::kTreeBits)};
     bool profiling = false;
-    bool allowSleep = true;
-    bool warmStarting = true;
-    bool continuousPhysics = true;
-    bool subStepping = false;
-    bool stepComplete = true; ///< false between the sub-steps of SetSubStepping
-    bool autoClearForces = true;
+    bool stepComplete = true;    ///< false between the sub-steps of SetSubStepping
     mutable bool locked = false; ///< a callback of the program may run: objects cannot be created
                                  ///< or destroyed
     bool forcesApplied = false;  ///< since the last ClearForces

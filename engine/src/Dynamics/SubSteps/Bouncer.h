@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../Solver/ContactBlocks.h"
+#include "../Solver/Restitution.h"
 
 namespace box2d
 {
@@ -11,9 +12,10 @@ namespace box2d
 class Bouncer
 {
 public:
-    Bouncer(ContactBlock& block, BlockTotals& totals, int32 lane, SolverBody* bodies)
-        : m_block(block), m_totals(totals), m_lane(lane), m_a(bodies[block.bodyA[lane]]),
-          m_b(bodies[block.bodyB[lane]]), m_normal(block.normalX[lane], block.normalY[lane])
+    Bouncer(ContactBlock& block, BlockTotals& totals, int32 lane, const SolverContext& context)
+        : m_context(context), m_block(block), m_totals(totals), m_lane(lane),
+          m_a(context.bodies[block.bodyA[lane]]), m_b(context.bodies[block.bodyB[lane]]),
+          m_normal(block.normalX[lane], block.normalY[lane])
     {}
 
     /// Applies restitution; false if the approach speed is too low. Never adds energy: an impulse x
@@ -29,7 +31,7 @@ public:
         for (int32 i = 0; i < count; ++i)
         {
             speeds[i] = NormalSpeed(i);
-            bounces = bounces || speeds[i] < -b2_velocityThreshold;
+            bounces = bounces || IsBouncing(simd::Float1{speeds[i]}, m_context).v;
         }
         if (!bounces)
         {
@@ -102,6 +104,7 @@ private:
         }
     }
 
+    const SolverContext& m_context;
     ContactBlock& m_block;
     BlockTotals& m_totals;
     int32 m_lane;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "FirstLoads.h"
 
+#include "../Islands/SleepRule.h"
 #include "../Solver/SolverMemory.h"
 #include "../State/World.h"
 
@@ -25,9 +26,7 @@ std::size_t At(int32 index)
 
 bool IsAtRest(const BodyData& body)
 {
-    return body.linearVelocity.LengthSquared() <=
-               b2_linearSleepTolerance * b2_linearSleepTolerance &&
-           b2Abs(body.angularVelocity) <= b2_angularSleepTolerance && body.jointList == nullptr;
+    return IsSlow(body.linearVelocity, body.angularVelocity) && body.jointList == nullptr;
 }
 
 } // namespace
@@ -35,7 +34,7 @@ bool IsAtRest(const BodyData& body)
 void FirstLoads::Find(const World& world, SolverMemory& arrays, float32 duration)
 {
     m_points.clear();
-    if (world.gravity.LengthSquared() > 0.0f)
+    if (world.settings.gravity.LengthSquared() > 0.0f)
     {
         GatherPoints(world, arrays);
     }
@@ -44,7 +43,7 @@ void FirstLoads::Find(const World& world, SolverMemory& arrays, float32 duration
         return;
     }
     SortFromTheTop(world);
-    const double weight = double(duration) * double(world.gravity.Length());
+    const double weight = double(duration) * double(world.settings.gravity.Length());
     for (const int32 index : m_order)
     {
         const BodyData& body = Data(*world.awakeBodies[At(index - 1)]);
@@ -82,7 +81,7 @@ void FirstLoads::GatherPoint(const World& world, ContactBlock& block, int32 lane
     {
         return;
     }
-    const b2Vec2& g = world.gravity;
+    const b2Vec2& g = world.settings.gravity;
     const double up =
         -(double(block.normalX[lane]) * double(g.x) + double(block.normalY[lane]) * double(g.y)) /
         double(g.Length());
@@ -108,7 +107,8 @@ void FirstLoads::SortFromTheTop(const World& world)
 {
     const auto depth = [&](int32 index) {
         const Pose& pose = Data(*world.awakeBodies[At(index - 1)]).pose;
-        return pose.x * double(world.gravity.x) + pose.y * double(world.gravity.y);
+        return pose.x * double(world.settings.gravity.x) +
+               pose.y * double(world.settings.gravity.y);
     };
     std::sort(m_points.begin(), m_points.end(), [](const Point& a, const Point& b) {
         return a.upper != b.upper ? a.upper < b.upper : a.order < b.order;

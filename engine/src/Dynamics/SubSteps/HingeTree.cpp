@@ -3,6 +3,7 @@
 
 #include "../Direct/RowPattern.h"
 #include "../Joints/JointFrame.h"
+#include "../Joints/RevoluteKind.h"
 #include "../State/Access.h"
 #include "Closing.h"
 
@@ -144,7 +145,7 @@ bool HingeTree::Begin(const SolverContext& context, const BodyKick* kicks)
         }
         const b2RevoluteJoint& joint = *link.joint;
         const bool moved = link.parent == -1 && link.above->SolverIndex() != 0;
-        if (joint.IsMotorEnabled() || joint.IsLimitEnabled() || moved)
+        if (!JointAccess::Kind<b2RevoluteJoint>::IsFree(joint) || moved)
         {
             return false;
         }

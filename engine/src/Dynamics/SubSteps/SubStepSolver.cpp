@@ -259,10 +259,9 @@ void SubStepSolver::Bounce()
             for (int32 lane = 0; lane < block.count; ++lane)
             {
                 const float32 restitution = Data(*block.contact[lane]).restitution;
-                any =
-                    (restitution > 0.0f && Bouncer(block, blocks.Totals(i), lane, m_context.bodies)
-                                               .Bounce(restitution)) ||
-                    any;
+                any = (restitution > 0.0f &&
+                       Bouncer(block, blocks.Totals(i), lane, m_context).Bounce(restitution)) ||
+                      any;
             }
         });
     }

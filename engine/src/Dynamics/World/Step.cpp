@@ -48,7 +48,7 @@ private:
 
 void SolveAwake(World& world, float32 timeStep, int32 velocityIterations, int32 positionIterations)
 {
-    if (world.subStepCount > 1)
+    if (world.settings.subStepCount > 1)
     {
         SolveInSubSteps(world, timeStep, velocityIterations, positionIterations);
         return;
@@ -122,13 +122,13 @@ void Step(World& world, float32 timeStep, int32 velocityIterations, int32 positi
     if (timeStep > 0.0f)
     {
         // Only impacts can be left of a step, so without continuous collision nothing is.
-        world.stepComplete = world.stepComplete || !world.continuousPhysics;
+        world.stepComplete = world.stepComplete || !world.settings.continuousPhysics;
         if (world.stepComplete)
         {
             ProfileScope solve(world.profiling, world.profile.solve);
             Solve(world, timeStep, velocityIterations, positionIterations);
         }
-        if (world.continuousPhysics)
+        if (world.settings.continuousPhysics)
         {
             ProfileScope solveTOI(world.profiling, world.profile.solveTOI);
             SolveContinuous(world, timeStep, velocityIterations);
@@ -136,7 +136,7 @@ void Step(World& world, float32 timeStep, int32 velocityIterations, int32 positi
         world.inverseStep = 1.0f / timeStep;
         ++world.stepNumber;
     }
-    if (world.autoClearForces)
+    if (world.settings.autoClearForces)
     {
         ClearForces(world);
     }

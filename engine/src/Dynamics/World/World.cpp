@@ -17,9 +17,11 @@ namespace box2d
 World::World(b2World& worldOwner, const b2Vec2& worldGravity, bool doSleep)
     : owner(worldOwner), solver(std::make_unique<SolverMemory>()),
       subSteps(std::make_unique<SubStepMemory>()), energyGuard(std::make_unique<EnergyGuard>()),
-      impacts(std::make_unique<ImpactMemory>()),
-      gravity(worldGravity.IsValid() ? worldGravity : b2Vec2(0.0f, 0.0f)), allowSleep(doSleep)
-{}
+      impacts(std::make_unique<ImpactMemory>())
+{
+    settings.gravity = worldGravity.IsValid() ? worldGravity : b2Vec2(0.0f, 0.0f);
+    settings.allowSleep = doSleep;
+}
 
 // No listener is called: who destroys a world knows that everything in it goes. Blocks above the
 // block allocator's sizes (long chains) are given back one by one, all others with its chunks.

@@ -178,12 +178,12 @@ void b2World::SetSubStepCount(int32 count)
     }
     (void)B2_REQUIRE(count >= 1 && count <= box2d::kMaxSubSteps,
                      "The number of sub-steps must be from 1 to 64.");
-    m_world->subStepCount = b2Clamp(count, 1, box2d::kMaxSubSteps);
+    m_world->settings.subStepCount = b2Clamp(count, 1, box2d::kMaxSubSteps);
 }
 
 int32 b2World::GetSubStepCount() const
 {
-    return m_world->subStepCount;
+    return m_world->settings.subStepCount;
 }
 
 void b2World::SetThreadCount(int32 count)
@@ -210,11 +210,11 @@ int32 b2World::GetThreadCount() const
 
 void b2World::SetAllowSleeping(bool flag)
 {
-    if (flag == m_world->allowSleep)
+    if (flag == m_world->settings.allowSleep)
     {
         return;
     }
-    m_world->allowSleep = flag;
+    m_world->settings.allowSleep = flag;
     if (!flag)
     {
         for (b2Body* body = GetBodyList(); body; body = body->GetNext())
@@ -226,37 +226,37 @@ void b2World::SetAllowSleeping(bool flag)
 
 bool b2World::GetAllowSleeping() const
 {
-    return m_world->allowSleep;
+    return m_world->settings.allowSleep;
 }
 
 void b2World::SetWarmStarting(bool flag)
 {
-    m_world->warmStarting = flag;
+    m_world->settings.warmStarting = flag;
 }
 
 bool b2World::GetWarmStarting() const
 {
-    return m_world->warmStarting;
+    return m_world->settings.warmStarting;
 }
 
 void b2World::SetContinuousPhysics(bool flag)
 {
-    m_world->continuousPhysics = flag;
+    m_world->settings.continuousPhysics = flag;
 }
 
 bool b2World::GetContinuousPhysics() const
 {
-    return m_world->continuousPhysics;
+    return m_world->settings.continuousPhysics;
 }
 
 void b2World::SetSubStepping(bool flag)
 {
-    m_world->subStepping = flag;
+    m_world->settings.subStepping = flag;
 }
 
 bool b2World::GetSubStepping() const
 {
-    return m_world->subStepping;
+    return m_world->settings.subStepping;
 }
 
 int32 b2World::GetProxyCount() const
@@ -298,13 +298,27 @@ void b2World::SetGravity(const b2Vec2& gravity)
 {
     if (B2_REQUIRE(gravity.IsValid(), "A world's gravity must be finite."))
     {
-        m_world->gravity = gravity;
+        m_world->settings.gravity = gravity;
     }
 }
 
 b2Vec2 b2World::GetGravity() const
 {
-    return m_world->gravity;
+    return m_world->settings.gravity;
+}
+
+void b2World::SetRestitutionThreshold(float32 speed)
+{
+    if (B2_REQUIRE(b2IsValid(speed) && speed >= 0.0f,
+                   "A world's restitution threshold must be finite and not negative."))
+    {
+        m_world->settings.restitutionThreshold = speed;
+    }
+}
+
+float32 b2World::GetRestitutionThreshold() const
+{
+    return m_world->settings.restitutionThreshold;
 }
 
 bool b2World::IsLocked() const
@@ -314,12 +328,12 @@ bool b2World::IsLocked() const
 
 void b2World::SetAutoClearForces(bool flag)
 {
-    m_world->autoClearForces = flag;
+    m_world->settings.autoClearForces = flag;
 }
 
 bool b2World::GetAutoClearForces() const
 {
-    return m_world->autoClearForces;
+    return m_world->settings.autoClearForces;
 }
 
 void b2World::ShiftOrigin(const b2Vec2& newOrigin)

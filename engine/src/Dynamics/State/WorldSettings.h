@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Common/b2Math.h>
+
+/// What a program sets of a world with the setters of b2World, as far as it affects results. The
+/// solver gets a copy (SolverContext). A new setting is a member here, named in Visit, and a pair
+/// of functions of b2World.
+namespace box2d
+{
+
+/// Maximum of sub-steps per step.
+inline constexpr int32 kMaxSubSteps = 64;
+
+struct WorldSettings
+{
+    b2Vec2 gravity;                                      ///< [m/s^2]
+    float32 restitutionThreshold = b2_velocityThreshold; ///< slower impacts do not bounce [m/s]
+    int32 subStepCount = 1;                              ///< of a step, at most kMaxSubSteps
+    bool allowSleep = true;
+    bool warmStarting = true;
+    bool continuousPhysics = true;
+    bool subStepping = false;
+    bool autoClearForces = true;
+};
+
+/// Saves and restores them, see Snapshot/Archive.h.
+template <class Archive>
+void Visit(Archive& archive, WorldSettings& settings)
+{
+    auto& [gravity, restitutionThreshold, subStepCount, allowSleep, warmStarting, continuousPhysics,
+           subStepping, autoClearForces] = settings;
+    archive(gravity, restitutionThreshold);
+    archive.Require(b2IsValid(restitutionThreshold) && restitutionThreshold >= 0.0f);
+    archive.Within(subStepCount, 1, kMaxSubSteps);
+    archive(allowSleep, warmStarting, continuousPhysics, subStepping, autoClearForces);
+}
+
+} // namespace box2d
