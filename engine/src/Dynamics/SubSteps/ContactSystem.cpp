@@ -275,8 +275,17 @@ void ContactSystem::Begin(SolverMemory& solver, JointSystem& joints)
         m_used.clear();
         return;
     }
-    m_contacts.assign(std::size_t(solver.islands.Count()), 0);
-    CountContacts(solver);
+    // Neither are islands with joints that are iterated over.
+    joints.ForIterated([&](b2Joint* joint) {
+        for (const b2Body* body : {joint->GetBodyA(), joint->GetBodyB()})
+        {
+            const int32 island = solver.islands.Of(Data(*body).SolverIndex());
+            if (island != -1)
+            {
+                m_contacts[std::size_t(island)] = kMaxContacts + 1;
+            }
+        }
+    });
     ChooseContactIslands(solver.islands);
     if (!m_used.empty())
     {
@@ -286,12 +295,18 @@ void ContactSystem::Begin(SolverMemory& solver, JointSystem& joints)
 
 void ContactSystem::CountContacts(SolverMemory& solver)
 {
+    m_contacts.assign(std::size_t(solver.islands.Count()), 0);
     ForContacts(solver, [this](int32 island, const Place&) {
         if (island != -1)
         {
             ++m_contacts[std::size_t(island)];
         }
     });
+}
+
+bool ContactSystem::IsLarge(int32 island) const
+{
+    return island != -1 && m_contacts[std::size_t(island)] > kMaxContacts;
 }
 
 /// An island keeps its contact system from step to step, so that its pattern and memory can be

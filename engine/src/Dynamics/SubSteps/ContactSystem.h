@@ -18,8 +18,11 @@ struct SolverMemory;
 class ContactSystem
 {
 public:
-    /// Call once per step, after the blocks were prepared, the joints have begun and, if there are
-    /// contacts, the awake islands were found. Selects the islands that are small enough.
+    /// Call once per step, after the blocks were prepared and the awake islands were found.
+    void CountContacts(SolverMemory& solver);
+    /// True if an island has too many contacts to be solved directly; a number of AwakeIslands.
+    bool IsLarge(int32 island) const;
+    /// Call after that, and after the joints have begun. Selects the islands that are small enough.
     void Begin(SolverMemory& solver, JointSystem& joints);
     /// Returns the number of selected islands.
     std::size_t Count() const { return m_used.size(); }
@@ -46,7 +49,6 @@ private:
         bool followed = false; // up to date in this step
     };
 
-    void CountContacts(SolverMemory& solver);
     void ChooseContactIslands(const AwakeIslands& islands);
     void Gather(SolverMemory& solver, JointSystem& joints);
     bool Follow(ContactIsland& island, SolverMemory& solver, JointSystem& joints);

@@ -229,11 +229,18 @@ void SubStepSolver::Begin(int32 count)
     FindFlying();
     m_context.inverseStep *= float32(count);
     m_subSteps.joints.Update(m_world.graph);
-    m_subSteps.joints.Begin(m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
-                            m_world.inverseStep, m_subSteps.kicks.data());
-    if (AnyHeld())
+    if (m_memory.colorCount > 0 || !m_subSteps.joints.IsEmpty())
     {
         m_memory.islands.Find(m_world);
+        m_subSteps.contacts.CountContacts(m_memory);
+    }
+    m_subSteps.joints.Begin(
+        m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f, m_world.inverseStep,
+        m_subSteps.kicks.data(), m_threads, [this](const BodyData& body) {
+            return m_subSteps.contacts.IsLarge(m_memory.islands.Of(body.SolverIndex()));
+        });
+    if (AnyHeld())
+    {
         m_subSteps.warmStartGuard.Begin(m_memory, m_subSteps.joints);
     }
     m_subSteps.contacts.Begin(m_memory, m_subSteps.joints);

@@ -93,9 +93,14 @@ void WarmStartGuard::Begin(SolverMemory& solver, const JointSystem& joints)
         Exempt(a, belt || (b == -1 && moves(block.bodyB[lane])));
         Exempt(b, belt || (a == -1 && moves(block.bodyA[lane])));
     });
+    joints.ForIterated([&](b2Joint* joint) {
+        for (const b2Body* body : {joint->GetBodyA(), joint->GetBodyB()})
+        {
+            Exempt(islands.Of(Data(*body).SolverIndex()), true);
+        }
+    });
     joints.ForRowed([&](std::size_t joint, const JointRows&) {
         const int32 island = IslandOf(solver, joints.Sides(joint));
-        Exempt(island, !joints.IsExact(joint));
         for (b2Body* body : {joints.At(joint).GetBodyA(), joints.At(joint).GetBodyB()})
         {
             const int32 index = Data(*body).SolverIndex();
