@@ -41,7 +41,7 @@ double KineticEnergyOf(const BodyData& body, const SolverBody& state)
 
 } // namespace
 
-void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep, int32 iterations,
+void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep,
                                  const BodyKick* kicks)
 {
     for (const std::size_t i : m_rowed)
@@ -60,10 +60,6 @@ void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep,
     }
     AddTotals();
     m_iterated.AddImpulses();
-    for (int32 i = 0; i < iterations && !m_iterated.IsEmpty(); ++i)
-    {
-        (void)m_iterated.SolvePositionsInStep(context, m_threads);
-    }
 }
 
 double JointSystem::ComplianceOf(int32 part) const
@@ -332,7 +328,7 @@ bool JointSystem::HasMoved(int32 part, const SolverContext& context) const
     return any;
 }
 
-void JointSystem::CloseAfterPushes(const SolverContext& context)
+void JointSystem::CloseAfterPushes(const SolverContext& context, int32 iterations)
 {
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
@@ -342,6 +338,10 @@ void JointSystem::CloseAfterPushes(const SolverContext& context)
             ShortenPushes(i, context);
             ClosePoses(i, context);
         }
+    }
+    for (int32 i = 0; i < iterations && !m_iterated.IsEmpty(); ++i)
+    {
+        (void)m_iterated.SolvePositionsInStep(context, m_threads);
     }
 }
 

@@ -119,10 +119,10 @@ public:
     /// Call after the bodies moved for `timeStep`. Closes the joints by impulses along the rows of
     /// Prepare, which change velocities and displacements. (RATTLE: Andersen, "Rattle: a 'velocity'
     /// version of the Shake algorithm", 1983.) The kicks are by awake body.
-    void SolvePositions(const SolverContext& context, float32 timeStep, int32 iterations,
-                        const BodyKick* kicks);
+    void SolvePositions(const SolverContext& context, float32 timeStep, const BodyKick* kicks);
     /// Call after position correction of overlaps: closes what it opened since SolvePositions.
-    void CloseAfterPushes(const SolverContext& context);
+    /// Joints that are iterated over are closed here alone.
+    void CloseAfterPushes(const SolverContext& context, int32 iterations);
     /// Call after write-back and before an impact within the step: records the gaps of joints.
     void NoteOpen(const ConstraintGraph& graph, const SolverContext& context);
     /// Call after impacts within the step, which moved some bodies. Closes the components of bodies

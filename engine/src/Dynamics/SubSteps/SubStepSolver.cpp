@@ -169,9 +169,9 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
     {
         {
             ProfileScope position(world.profiling, world.profile.solvePosition);
-            solve.Drift(h, kickIterations);
+            solve.Drift(h);
             solve.MoveApart(h, pushIterations, rate);
-            solve.CloseAfterPushes();
+            solve.CloseAfterPushes(pushIterations);
         }
         const bool last = i == count;
         // From half a kick to a whole one, and back.
@@ -386,7 +386,7 @@ void SubStepSolver::Fly(std::size_t index)
     s.w = Bounded(s.w + (0.5f * h) * alpha);
 }
 
-void SubStepSolver::Drift(float32 timeStep, int32 iterations)
+void SubStepSolver::Drift(float32 timeStep)
 {
     m_subSteps.joints.NotePoses(m_context);
     ForBodies([&](std::size_t i) {
@@ -395,7 +395,7 @@ void SubStepSolver::Drift(float32 timeStep, int32 iterations)
             MoveByVelocity(m_memory.bodies[i + 1], timeStep, kMaxSmallMove);
         }
     });
-    m_subSteps.joints.SolvePositions(m_context, timeStep, iterations, m_subSteps.kicks.data());
+    m_subSteps.joints.SolvePositions(m_context, timeStep, m_subSteps.kicks.data());
     m_subSteps.joints.NotePoses(m_context);
 }
 
