@@ -18,6 +18,10 @@ struct SolverMemory;
 class ContactSystem
 {
 public:
+    /// Overlaps that iterations leave above this are brought to less [m]: under any load less than
+    /// a slop is left.
+    static constexpr float32 kMaxOverlap = 0.95f * b2_linearSlop;
+
     /// Call once per step, after the blocks were prepared and the awake islands were found.
     void CountContacts(SolverMemory& solver);
     /// True if an island has too many contacts to be solved directly; a number of AwakeIslands.
@@ -30,7 +34,7 @@ public:
     /// normal speed is off by more than `tolerance` [m/s].
     void SolveVelocities(SolverMemory& solver, JointSystem& joints, const SolverContext& context,
                          float32 tolerance);
-    /// As above, for overlaps.
+    /// As above, for islands with overlaps deeper than kMaxOverlap.
     void SolveOverlaps(SolverMemory& solver, JointSystem& joints, const SolverContext& context,
                        PushPace pace);
 
@@ -46,7 +50,8 @@ private:
         Array<int32> joints;   // indices in the JointSystem
         Array<RowSides> sides; // constraints of the current system
         BoundedSystem system;
-        bool followed = false; // up to date in this step
+        bool followed = false;   // up to date in this step
+        float32 residual = 0.0f; // of the last kick's iterations [m/s]
     };
 
     void ChooseContactIslands(const AwakeIslands& islands);
@@ -56,6 +61,7 @@ private:
                          const SolverContext& context, float32 tolerance);
     void SolveOverlaps(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
                        const SolverContext& context, PushPace pace);
+    void FindResiduals(const SolverMemory& solver, const SolverBody* bodies);
     int32 TakeContactIsland();
     void FindRoom(ContactIsland& island);
     template <class Function>
