@@ -88,16 +88,18 @@ PlannedShape MakeCircle(float32 radius, const b2Vec2& center = b2Vec2(0.0f, 0.0f
 class Planner
 {
 public:
-    explicit Planner(int number) : m_dice(std::uint64_t(number) * 7919u + 20140401u)
+    Planner(int number, int crowd) : m_dice(std::uint64_t(number) * 7919u + 20140401u)
     {
         m_plan.number = number;
+        m_plan.crowd = crowd;
         m_plan.subSteps = kSubSteps[number % 5];
     }
 
     WorldPlan Plan()
     {
         PlanSetting();
-        const int bodies = m_dice.Integer(5, 60);
+        m_plan.half = b2Sqrt(float32(m_plan.crowd)) * m_plan.half;
+        const int bodies = m_plan.crowd * m_dice.Integer(5, 60);
         for (int i = 0; i < bodies; ++i)
         {
             AddBody();
@@ -106,7 +108,7 @@ public:
             int(m_dice.OneOf({0.0f, 0.3f, 0.6f, 0.9f}) * float32(m_plan.bodies.size()));
         m_group.resize(m_plan.bodies.size() + 1);
         std::iota(m_group.begin(), m_group.end(), 0);
-        for (int i = 0; i < kMaxTries && int(m_plan.joints.size()) < joints; ++i)
+        for (int i = 0; i < kMaxTries * m_plan.crowd && int(m_plan.joints.size()) < joints; ++i)
         {
             AddJoint();
         }
@@ -393,9 +395,9 @@ void Planner::AddMouse(PlannedJoint& joint)
 
 } // namespace
 
-WorldPlan PlanWorld(int number)
+WorldPlan PlanWorld(int number, int crowd)
 {
-    return Planner(number).Plan();
+    return Planner(number, crowd).Plan();
 }
 
 void WorldPlan::RemoveBody(int index)

@@ -74,6 +74,7 @@ struct WorldPlan
         Chain
     };
     int number = 0;
+    int crowd = 1;
     int subSteps = 1;
     int velocityIterations = 8;
     int positionIterations = 3;
@@ -94,7 +95,8 @@ struct WorldPlan
     void RemoveJoint(int index);
 };
 
-WorldPlan PlanWorld(int number);
+/// `crowd`: times as many bodies and joints, in as many times the area.
+WorldPlan PlanWorld(int number, int crowd = 1);
 
 /// For people: a line for the world, each body and each joint.
 std::string Describe(const WorldPlan& plan);

@@ -142,36 +142,6 @@ double OwnOf(const JointRows& rows, int32 row)
     return sum;
 }
 
-/// Returns the factors of J M^-1 J^T of one item's active rows.
-Block3 FactorsOfOwn(const JointRows& rows, uint8 active)
-{
-    const auto holds = [&](int32 row) { return row < rows.rows && (active >> row & 1) != 0; };
-    Block3 m{};
-    for (int32 side = 0; side < rows.bodies; ++side)
-    {
-        const JointRows::Column& c = rows.columns[side];
-        for (int32 i = 0; i < rows.rows; ++i)
-        {
-            const Vector3 u{{double(c.invMass) * double(c.x[i]), double(c.invMass) * double(c.y[i]),
-                             double(c.invInertia) * double(c.w[i])}};
-            for (int32 k = 0; k < rows.rows && holds(i); ++k)
-            {
-                m.at[i][k] += holds(k) ? u.at[0] * double(c.x[k]) + u.at[1] * double(c.y[k]) +
-                                             u.at[2] * double(c.w[k])
-                                       : 0.0;
-            }
-        }
-    }
-    for (int32 i = 0; i < 3; ++i)
-    {
-        double& own = m.at[i][i];
-        own =
-            own > 0.0 ? (1.0 + RowSystem::kCompliance) * own + double(rows.laws[i].softness) : 1.0;
-    }
-    FactorInPlace(m);
-    return m;
-}
-
 } // namespace
 
 void RowSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination)
@@ -190,16 +160,10 @@ void RowSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Eliminati
     assign(m_weights, sides.size(), Vector3{});
     resize(m_residuals, sides.size());
     assign(m_found, sides.size(), Vector3{});
-    resize(m_own, sides.size());
     assign(m_sides, m_pattern.sides.size(), Side{});
     resize(m_diagonal, m_pattern.columns.size() - 1);
     resize(m_x, m_diagonal.size());
     assign(m_addedMass, m_diagonal.size(), AddedMass());
-    assign(m_exact, sides.size(), uint8(1));
-    for (const int32 item : m_pattern.iterative)
-    {
-        m_exact[std::size_t(item)] = 0;
-    }
     resize(m_stiffness, m_diagonal.size());
     resize(m_entries, m_pattern.rows.size());
 }
@@ -257,11 +221,6 @@ void RowSystem::Stiffness::AddLine(const JointRows& rows, const JointRows::Colum
     const double across = 2.0 * pull / double(rows.length);
     swaying += across;
     turning += pull * reach + across * reach * reach;
-}
-
-void RowSystem::FactorIterative(std::size_t item)
-{
-    m_own[item] = FactorsOfOwn(m_rows[item], m_active[item]);
 }
 
 void RowSystem::Factor(int32 component, double compliance)
@@ -473,19 +432,6 @@ void RowSystem::Apply(int32 component, const SolverContext& context, float32 tim
     {
         Apply(component, context);
     }
-}
-
-void RowSystem::SolveIterative(std::size_t item)
-{
-    Vector3& found = m_found[item];
-    for (int32 row = 0; row < 3; ++row)
-    {
-        const bool holds = row < m_rows[item].rows && (m_active[item] >> row & 1) != 0;
-        found.at[row] = holds ? m_residuals[item].at[row] : 0.0;
-    }
-    DivideByLower(found, m_own[item]);
-    found = DividedByDiagonal(found, m_own[item]);
-    DivideByUpper(found, m_own[item]);
 }
 
 Vector3 SpeedOf(const SolverContext& context, const JointRows& rows)

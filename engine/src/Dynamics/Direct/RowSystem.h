@@ -14,7 +14,7 @@
 /// This matrix has a block per body and one per pair of joined bodies. It is positive definite for
 /// any constraints, including redundant ones. Its factors L D L^T take linear time for chains and
 /// trees (as in Baraff, "Linear-Time Dynamics using Lagrange Multipliers", SIGGRAPH 1996); loops
-/// add fill-in. Components above a cost limit use Gauss-Seidel iterations instead.
+/// add fill-in. Components above a cost limit are left out.
 namespace box2d
 {
 
@@ -73,9 +73,6 @@ public:
             function(*m_pattern.columns[std::size_t(i)].body, std::size_t(i));
         }
     }
-    /// True if an item is solved directly, false if iteratively.
-    bool IsExact(std::size_t item) const { return m_exact[item] != 0; }
-
     /// Which rows of an item are to hold, a bit each [all, after Build].
     void SetActive(std::size_t item, uint8 rows) { m_active[item] = rows; }
 
@@ -105,10 +102,8 @@ public:
     /// impulses and velocities are not stored.
     void Apply(int32 component, const SolverContext& context, float32 timeStep, bool keep);
 
-    /// Returns the constraints that are solved iteratively instead; call after Factor.
+    /// Returns the constraints of components above the cost limit, which are left out.
     const Array<int32>& Iterative() const { return m_pattern.iterative; }
-    void FactorIterative(std::size_t item);
-    void SolveIterative(std::size_t item);
 
 private:
     friend struct SnapshotAccess;
@@ -142,13 +137,11 @@ private:
     Array<Vector3> m_weights; // 1 / e of its rows, 0 if inactive
     Array<Vector3> m_residuals, m_found;
     Array<Side> m_sides;
-    Array<uint8> m_exact;                 // per item
     mutable Array<Stiffness> m_stiffness; // by index
     Array<Vector3> m_x;                   // by index: right-hand side, then change of velocity
     Array<Block3> m_diagonal;             // by index; factors after elimination
     Array<Block3> m_entries;
     Array<AddedMass> m_addedMass; // by index
-    Array<Block3> m_own;          // per iterative item: the factors of J M^-1 J^T
 };
 
 } // namespace box2d

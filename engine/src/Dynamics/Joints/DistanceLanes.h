@@ -28,7 +28,8 @@ struct DistanceLanes
         kLimitedForm, ///< limits, with or without a spring
     };
 
-    F impulse; ///< of the rod or spring, along the axis [N s]
+    F impulse;                    ///< of the rod or spring, along the axis [N s]
+    F lowerImpulse, upperImpulse; ///< of the limits [N s], >= 0
     Vector<F> axis;
     Vector<F> armA, armB; ///< at the start of the step [m]
     Vector<F> offset;     ///< from centre of mass A to B [m]
@@ -40,16 +41,15 @@ struct DistanceLanes
     /// Only for lanes with limits.
     struct Limits
     {
-        F lowerImpulse, upperImpulse; ///< [N s], >= 0
-        F mass;                       ///< effective mass along the axis
-        F lower, upper;               ///< [m]
-        F lowerSpeed, upperSpeed;     ///< that reach the limits in this step [m/s]
+        F mass;                   ///< effective mass along the axis
+        F lower, upper;           ///< [m]
+        F lowerSpeed, upperSpeed; ///< that reach the limits in this step [m/s]
     };
     Limits limits;
     static constexpr int kLimitNumbers = int(sizeof(Limits) / sizeof(F));
-    static constexpr int kPlainNumbers = 14; ///< before the limits
+    static constexpr int kPlainNumbers = 16; ///< before the limits
     static constexpr int kPlainImpulses = 1;
-    static constexpr int kImpulses = kPlainNumbers + 2; ///< the last two are those of the limits
+    static constexpr int kImpulses = 3;
 
     auto HasLimits() const { return AtLeast(form, F::Set(float32(kLimitedForm))); }
 
@@ -58,7 +58,7 @@ struct DistanceLanes
         F all = impulse;
         if ((features & kLimits) != 0)
         {
-            all = Select(HasLimits(), all + (limits.lowerImpulse - limits.upperImpulse), all);
+            all = Select(HasLimits(), all + (lowerImpulse - upperImpulse), all);
         }
         pair.Apply(all * axis, armA, armB);
     }
@@ -80,13 +80,13 @@ struct DistanceLanes
         const auto active = HasLimits();
         const F zero = F::Set(0.0f);
         const F inwards = Dot(axis, pair.PointSpeed(armA, armB)) + limits.lowerSpeed;
-        const F up = Max(limits.lowerImpulse - limits.mass * inwards, zero);
-        ApplyAlongAxis(pair, up - limits.lowerImpulse);
-        limits.lowerImpulse = Select(active, up, limits.lowerImpulse);
+        const F up = Max(lowerImpulse - limits.mass * inwards, zero);
+        ApplyAlongAxis(pair, up - lowerImpulse);
+        lowerImpulse = Select(active, up, lowerImpulse);
         const F outwards = limits.upperSpeed - Dot(axis, pair.PointSpeed(armA, armB));
-        const F down = Max(limits.upperImpulse - limits.mass * outwards, zero);
-        ApplyAlongAxis(pair, limits.upperImpulse - down);
-        limits.upperImpulse = Select(active, down, limits.upperImpulse);
+        const F down = Max(upperImpulse - limits.mass * outwards, zero);
+        ApplyAlongAxis(pair, upperImpulse - down);
+        upperImpulse = Select(active, down, upperImpulse);
     }
 
     /// Applies the limits, if there are any.

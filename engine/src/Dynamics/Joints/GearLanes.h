@@ -19,6 +19,7 @@ template <class F>
 struct GearLanes
 {
     using Kernels = GearKernels<F>;
+    static constexpr int kImpulses = 1;
 
     /// One of the two joints: how its coordinate follows from its frame (A) and its body (B).
     struct Side

@@ -76,14 +76,26 @@ struct JointLane
     float32 operator[](int32 number) const { return first[number * stride]; }
 };
 
+/// A velocity update in a step with sub-steps.
+struct Kick
+{
+    float32 share;        ///< duration over that of a sub-step
+    float32 inverseDrift; ///< [1/s], one over the duration of the next drift
+};
+
 /// The functions for blocks of one type and width.
 struct JointKernels
 {
     int32 numberCount;
+    int32 impulseCount; ///< the first numbers behind the masses
     void (*warmStart)(const JointRun& run, float32* bodies);
     void (*solveVelocities)(const JointRun& run, float32* bodies);
     /// Returns true if all errors are below the tolerance.
     bool (*solvePositions)(const JointRun& run, float32* bodies);
+    /// In sub-steps: computes what velocities are solved with from `atStart`, the numbers at the
+    /// start of the step, at the present poses. Null: the joints fill their lanes again.
+    void (*turn)(const JointRun& run, const JointRun& atStart, const float32* bodies,
+                 const Kick& kick);
 };
 
 /// Returns the functions for the widest instructions of this processor; see UseWideInstructions.

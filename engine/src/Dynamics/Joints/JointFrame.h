@@ -8,7 +8,8 @@
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 #include <Box2D/Dynamics/b2Body.h>
 
-/// The two bodies of a joint: solver indices and inverse masses. Temporary, never stored.
+/// The two bodies of a joint after the displacements so far in the step, and their inverse masses.
+/// Temporary, never stored.
 namespace box2d
 {
 
@@ -23,13 +24,21 @@ struct JointFrame
     /// Returns the vector from the centre of mass to a point in the body's frame, in world axes.
     b2Vec2 ArmA(const b2Vec2& local) const
     {
-        return b2Mul(dataA.rotation, local - dataA.localCenter);
+        return b2Mul(a.q, b2Mul(dataA.rotation, local - dataA.localCenter));
     }
     b2Vec2 ArmB(const b2Vec2& local) const
     {
-        return b2Mul(dataB.rotation, local - dataB.localCenter);
+        return b2Mul(b.q, b2Mul(dataB.rotation, local - dataB.localCenter));
     }
-    b2Vec2 Offset() const { return CenterOffset(dataA, dataB); }
+    /// Returns a direction that is fixed to A, in world axes.
+    b2Vec2 AxisOfA(const b2Vec2& local) const { return b2Mul(a.q, b2Mul(dataA.rotation, local)); }
+    /// Returns the vector from the centre of mass A to that of B.
+    b2Vec2 Offset() const { return CenterOffset(dataA, dataB) + b.d - a.d; }
+    /// Returns the angle of B relative to A [rad].
+    double Angle() const
+    {
+        return dataB.pose.angle - dataA.pose.angle + double(b.angle) - double(a.angle);
+    }
 
     const BodyData& dataA;
     const BodyData& dataB;

@@ -105,6 +105,25 @@ struct PairKernels
         }
         return joined;
     }
+    static void Turn(const JointRun& run, const JointRun& atStart, const float32* bodies,
+                     const Kick& kick)
+    {
+        for (const JointBlock& block : run)
+        {
+            float32* numbers = run.NumbersOf(block);
+            const float32* start = atStart.NumbersOf(block);
+            for (int lane = 0; lane < block.count; lane += F::kLanes)
+            {
+                const PlacedPair<F> pair =
+                    LoadPlaced<F>(block.bodyA + lane, block.bodyB + lane, start + lane, bodies);
+                Joints joints = LoadNumbers<Joints, F>(numbers + kFirst + lane);
+                joints.Turn(pair, LoadNumbers<Joints, F>(start + kFirst + lane), block.features,
+                            kick);
+                StoreNumbers<int(sizeof(Joints) / sizeof(F)), Joints, F>(numbers + kFirst + lane,
+                                                                         joints);
+            }
+        }
+    }
     BOX2D_INLINE static bool SolvePositions(const JointBlock& block, float32* numbers,
                                             float32* bodies, uint8 features)
     {
@@ -138,13 +157,25 @@ constexpr JointKernels MakeKernels()
     if constexpr (requires { typename Lanes::Kernels; })
     {
         using Kernels = typename Lanes::Kernels;
-        return {numbers, Kernels::WarmStart, Kernels::SolveVelocities, Kernels::SolvePositions};
+        return {numbers,
+                Lanes::kImpulses,
+                Kernels::WarmStart,
+                Kernels::SolveVelocities,
+                Kernels::SolvePositions,
+                nullptr};
     }
     else
     {
         using Kernels = PairKernels<Lanes, F>;
-        JointKernels kernels = {numbers, Kernels::WarmStart, Kernels::SolveVelocities,
-                                HoldsNoPositions};
+        JointKernels kernels = {
+            numbers,          Lanes::kImpulses, Kernels::WarmStart, Kernels::SolveVelocities,
+            HoldsNoPositions, nullptr};
+        if constexpr (requires(Lanes lanes, PlacedPair<F> pair, Kick kick) {
+                          lanes.Turn(pair, lanes, uint8(0), kick);
+                      })
+        {
+            kernels.turn = Kernels::Turn;
+        }
         if constexpr (Lanes::kHoldsPositions)
         {
             kernels.solvePositions = Kernels::SolvePositions;

@@ -42,6 +42,12 @@ struct PairMasses
             return {scale * (b.x * k22 - b.y * k12), scale * (k11 * b.y - k12 * b.x)};
         }
         F Determinant() const { return k11 * k22 - k12 * k12; }
+        /// Zero where it is singular.
+        BOX2D_INLINE Matrix Inverse() const
+        {
+            const F scale = InverseUnlessZero(Determinant());
+            return {scale * k22, -(scale * k12), scale * k11};
+        }
     };
     BOX2D_INLINE Matrix PointMatrix(const Vector<F>& armA, const Vector<F>& armB) const
     {

@@ -120,17 +120,6 @@ struct RowFiller
           b(rows.Of(f.dataB))
     {}
 
-    // As in JointFrame, but after the displacements so far in the step.
-
-    b2Vec2 ArmA(const b2Vec2& local) const { return b2Mul(f.a.q, f.ArmA(local)); }
-    b2Vec2 ArmB(const b2Vec2& local) const { return b2Mul(f.b.q, f.ArmB(local)); }
-    b2Vec2 Offset() const { return f.Offset() + f.b.d - f.a.d; }
-    /// Returns the angle of B relative to A [rad].
-    double Angle() const
-    {
-        return f.dataB.pose.angle - f.dataA.pose.angle + double(f.b.angle) - double(f.a.angle);
-    }
-
     /// The vector from the joint's point of A to that of B.
     struct Line
     {
@@ -140,8 +129,8 @@ struct RowFiller
     };
     Line Between(const b2Vec2& localAnchorA, const b2Vec2& localAnchorB) const
     {
-        Line line{ArmA(localAnchorA), ArmB(localAnchorB), {}, 0.0f};
-        line.axis = Offset() + line.armB - line.armA;
+        Line line{f.ArmA(localAnchorA), f.ArmB(localAnchorB), {}, 0.0f};
+        line.axis = f.Offset() + line.armB - line.armA;
         line.length = line.axis.Normalize();
         if (line.length == 0.0f)
         {
@@ -161,10 +150,10 @@ struct RowFiller
     Slide AddSlide(const b2Vec2& localAnchorA, const b2Vec2& localAnchorB, const b2Vec2& localAxisA)
     {
         Slide slide;
-        slide.armB = ArmB(localAnchorB);
-        slide.reachA = Offset() + slide.armB;
-        slide.axis = b2Mul(f.a.q, b2Mul(f.dataA.rotation, localAxisA));
-        const b2Vec2 apart = slide.reachA - ArmA(localAnchorA);
+        slide.armB = f.ArmB(localAnchorB);
+        slide.reachA = f.Offset() + slide.armB;
+        slide.axis = f.AxisOfA(localAxisA);
+        const b2Vec2 apart = slide.reachA - f.ArmA(localAnchorA);
         const b2Vec2 across = b2Cross(1.0f, slide.axis);
         AddAlong(across, slide.reachA, slide.armB, b2Dot(across, apart));
         slide.translation = b2Dot(slide.axis, apart);

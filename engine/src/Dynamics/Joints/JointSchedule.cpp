@@ -60,6 +60,15 @@ void JointSchedule::Update(const ConstraintGraph& graph)
     }
 }
 
+void JointSchedule::Update(const Array<b2Joint*>& joints)
+{
+    if (m_joints != joints)
+    {
+        m_joints = joints;
+        Build(joints);
+    }
+}
+
 Array<Array<b2Joint*>> JointSchedule::Levels() const
 {
     Array<Array<b2Joint*>> levels;
@@ -183,7 +192,7 @@ void JointSchedule::ForBlocks(int32 begin, int32 end, ThreadPool* threads, Funct
 
 /// Calls `one` with runs, in order; on several threads, the runs of a level concurrently.
 template <class Function>
-void JointSchedule::ForRuns(ThreadPool* threads, Function&& one)
+void JointSchedule::ForRuns(float32* numbers, ThreadPool* threads, Function&& one)
 {
     const auto forRuns = [&](const JointBlock* begin, const JointBlock* end) {
         while (begin != end)
@@ -193,7 +202,7 @@ void JointSchedule::ForRuns(ThreadPool* threads, Function&& one)
             {
                 ++last;
             }
-            one(*begin->kernels, JointRun{begin, last, m_numbers.data()});
+            one(*begin->kernels, JointRun{begin, last, numbers});
             begin = last;
         }
     };
@@ -262,7 +271,7 @@ void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
     ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock* begin, JointBlock* end) {
         std::for_each(begin, end, [&](JointBlock& block) { Fill(block, context); });
     });
-    ForRuns(threads, [&](const JointKernels& kernels, const JointRun& run) {
+    ForRuns(m_numbers.data(), threads, [&](const JointKernels& kernels, const JointRun& run) {
         kernels.warmStart(run, bodies);
     });
 }
@@ -270,7 +279,7 @@ void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
 void JointSchedule::SolveVelocities(const SolverContext& context, ThreadPool* threads)
 {
     float32* bodies = reinterpret_cast<float32*>(context.bodies);
-    ForRuns(threads, [&](const JointKernels& kernels, const JointRun& run) {
+    ForRuns(m_numbers.data(), threads, [&](const JointKernels& kernels, const JointRun& run) {
         kernels.solveVelocities(run, bodies);
     });
 }
@@ -294,15 +303,99 @@ void JointSchedule::Keep(const JointBlock& block)
 
 bool JointSchedule::SolvePositions(const SolverContext& context, ThreadPool* threads)
 {
+    return SolvePositions(m_numbers.data(), context, threads);
+}
+
+bool JointSchedule::SolvePositions(float32* numbers, const SolverContext& context,
+                                   ThreadPool* threads)
+{
     float32* bodies = reinterpret_cast<float32*>(context.bodies);
     std::atomic<bool> joined = true;
-    ForRuns(threads, [&](const JointKernels& kernels, const JointRun& run) {
+    ForRuns(numbers, threads, [&](const JointKernels& kernels, const JointRun& run) {
         if (!kernels.solvePositions(run, bodies) && joined.load(std::memory_order_relaxed))
         {
             joined.store(false, std::memory_order_relaxed);
         }
     });
     return joined;
+}
+
+void JointSchedule::Begin(const SolverContext& context, ThreadPool* threads)
+{
+    ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock* begin, JointBlock* end) {
+        std::for_each(begin, end, [&](JointBlock& block) { Fill(block, context); });
+    });
+    m_atStart = m_numbers;
+    m_sums.assign(m_numbers.size(), 0.0f);
+}
+
+/// Calls the function with the impulses of each block: their index, and how many.
+template <class Function>
+void JointSchedule::ForImpulses(Function&& function)
+{
+    for (const JointBlock& block : m_blocks)
+    {
+        function(block.numbers + std::size_t(kMassNumbers * block.width),
+                 std::size_t(block.kernels->impulseCount * block.width));
+    }
+}
+
+void JointSchedule::Kick(const SolverContext& context, float32 share, ThreadPool* threads)
+{
+    float32* bodies = reinterpret_cast<float32*>(context.bodies);
+    const box2d::Kick kick = {context.timeStep * context.inverseStep, context.inverseStep};
+    if (share != 1.0f)
+    {
+        ForImpulses([&](std::size_t first, std::size_t count) {
+            for (std::size_t i = first; i < first + count; ++i)
+            {
+                m_numbers[i] *= share;
+            }
+        });
+    }
+    SolverContext scaled = context; // impulses are scaled already
+    scaled.stepRatio = 1.0f;
+    scaled.warmStarting = true;
+    ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock* begin, JointBlock* end) {
+        std::for_each(begin, end, [&](JointBlock& block) {
+            if (block.kernels->turn == nullptr)
+            {
+                Keep(block);
+                Fill(block, scaled);
+            }
+        });
+    });
+    ForRuns(m_numbers.data(), threads, [&](const JointKernels& kernels, const JointRun& run) {
+        if (kernels.turn != nullptr)
+        {
+            kernels.turn(run, JointRun{run.first, run.last, m_atStart.data()}, bodies, kick);
+        }
+        kernels.warmStart(run, bodies);
+    });
+}
+
+void JointSchedule::AddImpulses()
+{
+    ForImpulses([this](std::size_t first, std::size_t count) {
+        for (std::size_t i = first; i < first + count; ++i)
+        {
+            m_sums[i] += m_numbers[i];
+        }
+    });
+}
+
+bool JointSchedule::SolvePositionsInStep(const SolverContext& context, ThreadPool* threads)
+{
+    return SolvePositions(m_atStart.data(), context, threads);
+}
+
+void JointSchedule::End(ThreadPool* threads)
+{
+    ForImpulses([this](std::size_t first, std::size_t count) {
+        std::copy_n(m_sums.begin() + std::ptrdiff_t(first), count,
+                    m_numbers.begin() + std::ptrdiff_t(first));
+    });
+    StoreImpulses(threads);
 }
 
 } // namespace box2d

@@ -21,6 +21,8 @@ class JointSchedule
 public:
     /// Follows the graph's list of joints; free while that is unchanged.
     void Update(const ConstraintGraph& graph);
+    /// Follows a list of joints; cheap while that is unchanged.
+    void Update(const Array<b2Joint*>& joints);
     bool IsEmpty() const { return m_levels.empty(); }
     /// Returns the joints, level by level.
     Array<Array<b2Joint*>> Levels() const;
@@ -33,6 +35,20 @@ public:
     /// One iteration; whether all errors were below the tolerance.
     bool SolvePositions(const SolverContext& context, ThreadPool* threads);
 
+    // In sub-steps.
+
+    /// Call at the start of a step. The context has the duration of a sub-step.
+    void Begin(const SolverContext& context, ThreadPool* threads);
+    /// Call in each kick, which the context describes: computes the rows at the present poses, and
+    /// applies the impulses of the last kick times `share`.
+    void Kick(const SolverContext& context, float32 share, ThreadPool* threads);
+    /// Call after a kick was solved: adds its impulses to those of the step.
+    void AddImpulses();
+    /// One iteration; whether all errors were below the tolerance.
+    bool SolvePositionsInStep(const SolverContext& context, ThreadPool* threads);
+    /// Stores the sums of the step's impulses in the joints.
+    void End(ThreadPool* threads);
+
 private:
     void Build(const Array<b2Joint*>& joints);
     void SortInto(const Array<b2Joint*>& joints);
@@ -41,13 +57,19 @@ private:
     template <class Function>
     void ForBlocks(int32 begin, int32 end, ThreadPool* threads, Function&& some);
     template <class Function>
-    void ForRuns(ThreadPool* threads, Function&& one);
+    void ForRuns(float32* numbers, ThreadPool* threads, Function&& one);
+    template <class Function>
+    void ForImpulses(Function&& function);
+    bool SolvePositions(float32* numbers, const SolverContext& context, ThreadPool* threads);
     void Fill(JointBlock& block, const SolverContext& context);
     void Keep(const JointBlock& block);
     float32* NumbersOf(const JointBlock& block) { return m_numbers.data() + block.numbers; }
 
     Array<JointBlock> m_blocks; // level by level
     Array<float32> m_numbers;   // of the blocks
+    Array<float32> m_atStart;   // in sub-steps: those at the start of the step
+    Array<float32> m_sums;      // likewise, at the places of impulses: their sums over the kicks
+    Array<b2Joint*> m_joints;   // the list that was followed
     Array<int32> m_levels;      // first block of each level, with one more for the end
     int32 m_version = -1;       // version of the graph's list
     // Scratch of Build, kept because joints change whenever islands wake and sleep.

@@ -47,6 +47,26 @@ struct RevoluteLanes
         pair.ApplyAngular(motorImpulse + limitImpulse);
     }
 
+    /// Takes the arms, and what follows from them, from the present poses.
+    void Turn(const PlacedPair<F>& pair, const RevoluteLanes& start, uint8 features,
+              const Kick& kick)
+    {
+        armA = pair.a.Turn(start.armA);
+        armB = pair.b.Turn(start.armB);
+        inverse = pair.PointMatrix(armA, armB).Inverse();
+        if (features == 0)
+        {
+            return;
+        }
+        axial.row = HeldRow<F>::AngleOfPoint(pair, armA, armB);
+        axial.mostMotor = F::Set(kick.share) * start.axial.mostMotor;
+        const F zero = F::Set(0.0f);
+        const F rate = F::Set(kick.inverseDrift);
+        const F angle = start.axial.angle + pair.b.angle - pair.a.angle;
+        axial.lowerSpeed = Max(angle - axial.lower, zero) * rate;
+        axial.upperSpeed = Max(axial.upper - angle, zero) * rate;
+    }
+
     void SolveVelocity(MovingPair<F>& pair, uint8 features)
     {
         const Vector<F> change = inverse * -pair.PointSpeed(armA, armB);

@@ -81,6 +81,7 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     lane.features = isSpring ? Lanes::kSpring : 0;
     Lanes lanes;
     lanes.impulse = m_impulse;
+    lanes.lowerImpulse = lanes.upperImpulse = 0.0f;
     lanes.axis = box2d::InLanes(m_axis);
     lanes.armA = box2d::InLanes(armA);
     lanes.armB = box2d::InLanes(armB);
@@ -106,9 +107,9 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     {
         lanes.impulse = lanes.mass = 0.0f;
     }
-    lanes.limits = {.lowerImpulse = m_lowerImpulse,
-                    .upperImpulse = m_upperImpulse,
-                    .mass = length > 0.0f ? box2d::InverseOrZero(k) : 0.0f,
+    lanes.lowerImpulse = m_lowerImpulse;
+    lanes.upperImpulse = m_upperImpulse;
+    lanes.limits = {.mass = length > 0.0f ? box2d::InverseOrZero(k) : 0.0f,
                     .lower = m_minLength,
                     .upper = m_maxLength,
                     .lowerSpeed = toLower * context.inverseStep,
@@ -121,9 +122,8 @@ void b2DistanceJoint::KeepImpulses(const box2d::JointLane& lane)
     m_impulse = lane[0];
     if (m_isLimited)
     {
-        using Lanes = box2d::DistanceLanes<float32>;
-        m_lowerImpulse = lane[Lanes::kPlainNumbers];
-        m_upperImpulse = lane[Lanes::kPlainNumbers + 1];
+        m_lowerImpulse = lane[1];
+        m_upperImpulse = lane[2];
     }
 }
 

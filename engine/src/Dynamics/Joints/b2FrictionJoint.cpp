@@ -50,8 +50,8 @@ void b2FrictionJoint::KeepImpulses(const box2d::JointLane& lane)
 void b2FrictionJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armA = row.ArmA(m_localAnchorA);
-    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    const b2Vec2 armA = row.f.ArmA(m_localAnchorA);
+    const b2Vec2 armB = row.f.ArmB(m_localAnchorB);
     row.AddPoint(armA, armB, b2Vec2(0.0f, 0.0f));
     row.GiveToFriction(m_maxForce, m_maxTorque);
 }

@@ -274,8 +274,8 @@ void b2GearJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane
     for (Side* side : {&m_side1, &m_side2})
     {
         const int index = side == &m_side1 ? 0 : 1;
-        Measure(*side, nullptr);
-        coordinate[index] = Coordinate(*side, nullptr);
+        Measure(*side, &context);
+        coordinate[index] = Coordinate(*side, &context);
         box2d::GearLanes<float32>::Side& to = gear.sides[index];
         to = SideOf(Data(*side->frame), Data(*side->body), side->slides, side->localAnchorFrame,
                     side->localAnchorBody);

@@ -33,7 +33,7 @@ void b2MotorJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
     const b2Vec2 armA = f.ArmA(m_linearOffset);
     const b2Vec2 armB = f.ArmB(b2Vec2(0.0f, 0.0f));
     const b2Vec2 error = f.Offset() + armB - armA;
-    const double angle = f.dataB.pose.angle - f.dataA.pose.angle - double(m_angularOffset);
+    const double angle = f.Angle() - double(m_angularOffset);
     const float32 rate = context.inverseStep * m_correctionFactor;
     const b2Mat22 matrix = box2d::PointMatrix(f, armA, armB);
     lane.Write(
@@ -58,15 +58,15 @@ void b2MotorJoint::KeepImpulses(const box2d::JointLane& lane)
 void b2MotorJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armA = row.ArmA(m_linearOffset);
-    const b2Vec2 armB = row.ArmB(b2Vec2(0.0f, 0.0f));
+    const b2Vec2 armA = row.f.ArmA(m_linearOffset);
+    const b2Vec2 armB = row.f.ArmB(b2Vec2(0.0f, 0.0f));
     const float32 rate = context.inverseStep * m_correctionFactor;
-    const b2Vec2 error = row.Offset() + armB - armA;
+    const b2Vec2 error = row.f.Offset() + armB - armA;
     row.AddPoint(armA, armB, b2Vec2(0.0f, 0.0f));
     row.GiveToFriction(m_maxForce, m_maxTorque);
     rows.laws[0].wanted = -rate * error.x;
     rows.laws[1].wanted = -rate * error.y;
-    rows.laws[2].wanted = -rate * float32(row.Angle() - double(m_angularOffset));
+    rows.laws[2].wanted = -rate * float32(row.f.Angle() - double(m_angularOffset));
 }
 
 void b2MotorJoint::GetRowImpulses(float32 (&impulse)[3]) const

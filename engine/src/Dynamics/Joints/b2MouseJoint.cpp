@@ -39,8 +39,8 @@ void b2MouseJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
     const b2Vec2 arm = f.ArmB(m_localAnchorB);
     const box2d::Softness soft = box2d::MakeSoftness(m_frequencyHz, m_dampingRatio,
                                                      box2d::InverseOrZero(f.mB), context.timeStep);
-    const b2Vec2 error(float32(f.dataB.pose.x - double(m_target.x)) + arm.x,
-                       float32(f.dataB.pose.y - double(m_target.y)) + arm.y);
+    const b2Vec2 error(float32(f.dataB.pose.x - double(m_target.x)) + f.b.d.x + arm.x,
+                       float32(f.dataB.pose.y - double(m_target.y)) + f.b.d.y + arm.y);
     const float32 k11 = f.mB + f.iB * arm.y * arm.y + soft.gamma;
     const float32 k12 = -f.iB * arm.x * arm.y;
     const float32 k22 = f.mB + f.iB * arm.x * arm.x + soft.gamma;
@@ -61,7 +61,7 @@ void b2MouseJoint::KeepImpulses(const box2d::JointLane& lane)
 void b2MouseJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    const b2Vec2 armB = row.f.ArmB(m_localAnchorB);
     const box2d::BodyData& data = row.f.dataB;
     const b2Vec2 error(float32(data.pose.x - double(m_target.x)) + row.f.b.d.x + armB.x,
                        float32(data.pose.y - double(m_target.y)) + row.f.b.d.y + armB.y);

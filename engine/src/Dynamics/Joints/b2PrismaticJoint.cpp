@@ -47,9 +47,9 @@ void b2PrismaticJoint::FillLane(const box2d::SolverContext& context, box2d::Join
     const b2Vec2 armA = f.ArmA(m_localAnchorA);
     const b2Vec2 armB = f.ArmB(m_localAnchorB);
     const b2Vec2 offset = f.Offset();
-    m_axis = b2Mul(f.dataA.rotation, m_localAxisA);
+    m_axis = f.AxisOfA(m_localAxisA);
     const float32 translation = b2Dot(m_axis, offset + armB - armA);
-    const double angle = f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle);
+    const double angle = f.Angle() - double(m_referenceAngle);
     const float32 axisA = b2Cross(offset + armB, m_axis);
     const float32 axisB = b2Cross(armB, m_axis);
     const b2Vec2 across = b2Cross(1.0f, m_axis);
@@ -100,7 +100,7 @@ void b2PrismaticJoint::FillRows(const box2d::SolverContext& context, box2d::Join
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
     const auto slide = row.AddSlide(m_localAnchorA, m_localAnchorB, m_localAxisA);
     m_axis = slide.axis;
-    row.AddAngle(float32(row.Angle() - double(m_referenceAngle)));
+    row.AddAngle(float32(row.f.Angle() - double(m_referenceAngle)));
     if (m_enableMotor || m_enableLimit)
     {
         row.AddAlong(slide.axis, slide.reachA, slide.armB, 0.0f);

@@ -74,9 +74,8 @@ void b2PulleyJoint::FillLane(const box2d::SolverContext& context, box2d::JointLa
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 armA = f.ArmA(m_localAnchorA);
     const b2Vec2 armB = f.ArmB(m_localAnchorB);
-    const box2d::SolverBody unmoved;
-    const b2Vec2 ropeA = RopeOf(f.dataA, unmoved, m_groundAnchorA);
-    const b2Vec2 ropeB = RopeOf(f.dataB, unmoved, m_groundAnchorB);
+    const b2Vec2 ropeA = RopeOf(f.dataA, f.a, m_groundAnchorA);
+    const b2Vec2 ropeB = RopeOf(f.dataB, f.b, m_groundAnchorB);
     m_axisA = RopeDirection(ropeA + armA);
     m_axisB = RopeDirection(ropeB + armB);
     const float32 k = PulleyMatrix(f, m_ratio, m_axisA, armA, m_axisB, armB);
@@ -109,8 +108,8 @@ void b2PulleyJoint::FillRows(const box2d::SolverContext& context, box2d::JointRo
 {
     // The impulse pulls, so the row is the remaining length.
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armA = row.ArmA(m_localAnchorA);
-    const b2Vec2 armB = row.ArmB(m_localAnchorB);
+    const b2Vec2 armA = row.f.ArmA(m_localAnchorA);
+    const b2Vec2 armB = row.f.ArmB(m_localAnchorB);
     const b2Vec2 ropeA = RopeOf(row.f.dataA, row.f.a, m_groundAnchorA) + armA;
     const b2Vec2 ropeB = RopeOf(row.f.dataB, row.f.b, m_groundAnchorB) + armB;
     m_axisA = RopeDirection(ropeA);

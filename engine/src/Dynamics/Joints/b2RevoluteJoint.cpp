@@ -57,8 +57,7 @@ void b2RevoluteJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     }
     lane.features =
         uint8((m_enableMotor ? Lanes::kMotor : 0) | (m_enableLimit ? Lanes::kLimits : 0));
-    const float32 angle =
-        float32(f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle));
+    const float32 angle = float32(f.Angle() - double(m_referenceAngle));
     using One = box2d::simd::Float1;
     const auto row = box2d::HeldRow<One>::AngleOfPoint(box2d::MassesOf(f), {{armA.x}, {armA.y}},
                                                        {{armB.x}, {armB.y}});
@@ -83,12 +82,12 @@ void b2RevoluteJoint::KeepImpulses(const box2d::JointLane& lane)
 void b2RevoluteJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armA = row.ArmA(m_localAnchorA);
-    const b2Vec2 armB = row.ArmB(m_localAnchorB);
-    row.AddPoint(armA, armB, row.Offset() + armB - armA);
+    const b2Vec2 armA = row.f.ArmA(m_localAnchorA);
+    const b2Vec2 armB = row.f.ArmB(m_localAnchorB);
+    row.AddPoint(armA, armB, row.f.Offset() + armB - armA);
     if (m_enableMotor || m_enableLimit)
     {
-        const float32 angle = float32(row.Angle() - double(m_referenceAngle));
+        const float32 angle = float32(row.f.Angle() - double(m_referenceAngle));
         row.AddAngle(0.0f);
         row.GiveToMotor(m_motorSpeed, m_enableMotor ? m_maxMotorTorque : 0.0f);
         if (m_enableLimit)

@@ -32,7 +32,7 @@ void b2WeldJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane
     box2d::Scale(m_angularImpulse, box2d::WarmStartFactor(context, *this));
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const double angle = f.dataB.pose.angle - f.dataA.pose.angle - double(m_referenceAngle);
+    const double angle = f.Angle() - double(m_referenceAngle);
     const float32 inertia = f.iA + f.iB;
     const box2d::Softness soft = box2d::MakeSoftness(
         m_frequencyHz, m_dampingRatio, box2d::InverseOrZero(inertia), context.timeStep);
@@ -61,10 +61,10 @@ void b2WeldJoint::KeepImpulses(const box2d::JointLane& lane)
 void b2WeldJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armA = row.ArmA(m_localAnchorA);
-    const b2Vec2 armB = row.ArmB(m_localAnchorB);
-    row.AddPoint(armA, armB, row.Offset() + armB - armA);
-    const float32 angle = float32(row.Angle() - double(m_referenceAngle));
+    const b2Vec2 armA = row.f.ArmA(m_localAnchorA);
+    const b2Vec2 armB = row.f.ArmB(m_localAnchorB);
+    row.AddPoint(armA, armB, row.f.Offset() + armB - armA);
+    const float32 angle = float32(row.f.Angle() - double(m_referenceAngle));
     row.AddAngle(angle);
     if (m_frequencyHz > 0.0f)
     {

@@ -44,7 +44,7 @@ void b2WheelJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
     const b2Vec2 armA = f.ArmA(m_localAnchorA);
     const b2Vec2 armB = f.ArmB(m_localAnchorB);
     const b2Vec2 offset = f.Offset();
-    m_axis = b2Mul(f.dataA.rotation, m_localAxisA);
+    m_axis = f.AxisOfA(m_localAxisA);
     const float32 k = box2d::AxisMatrix(f, m_axis, offset + armB, armB);
     const b2Vec2 across = b2Cross(1.0f, m_axis);
     const float32 kAcross = box2d::AxisMatrix(f, across, offset + armB, armB);

@@ -98,8 +98,8 @@ template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 {
     // All else is made again with the pattern, or filled before it is read.
-    auto& [pattern, rows, active, weights, residuals, found, sides, exact, stiffness, x, diagonal,
-           entries, addedMass, own] = system;
+    auto& [pattern, rows, active, weights, residuals, found, sides, stiffness, x, diagonal, entries,
+           addedMass] = system;
     constexpr std::size_t leastBytes = 69;
     auto count = int32(rows.size());
     archive.Count(count, leastBytes);
@@ -113,9 +113,10 @@ void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& world)
 {
-    auto& [joints, sides, rowSystem, parts, trees, treeOf, inTree, rowed, hasBounded, states,
-           totals, kicks, poses, opened, left, before, speeds, iterativeBodies, now, elimination,
-           partJoints, version, restored, restoredVersion] = system;
+    // What is iterated over is chosen in each step.
+    auto& [joints, sides, rowSystem, parts, trees, treeOf, solutions, rowed, iteratedJoints,
+           iterated, threads, hasBounded, states, totals, kicks, poses, opened, left, speeds, now,
+           elimination, partJoints, version, restored, restoredVersion] = system;
     Visit(archive, rowSystem);
     const int32 present = world.graph.JointVersion();
     bool followed = version == present || restoredVersion == present;

@@ -100,6 +100,7 @@ public:
 
     int32 Count() const { return m_count; }
     ContactBlock& Contacts(int32 index) { return m_contacts[std::size_t(index)]; }
+    const ContactBlock& Contacts(int32 index) const { return m_contacts[std::size_t(index)]; }
     OverlapBlock& Overlaps(int32 index) { return m_overlaps[std::size_t(index)]; }
     /// Valid after ClearTotals.
     BlockTotals& Totals(int32 index) { return m_totals[std::size_t(index)]; }

@@ -35,10 +35,7 @@ constexpr double kHeld = 1e-3;
 /// tolerances.
 constexpr double kMaxLoad = 10.0;
 constexpr double kTolerancesOfWeight = 100.0;
-/// Overlaps that iterations leave above the one are brought to the other [m]: under any load less
-/// than a slop is left.
-constexpr float32 kMaxOverlap = 0.95f * b2_linearSlop;
-constexpr float32 kOverlap = 0.8f * b2_linearSlop;
+constexpr float32 kOverlap = 0.8f * b2_linearSlop; ///< what overlaps are brought to [m]
 constexpr float32 kAllPushes = 1.01f; ///< limit of a row of contacts, a little above the sum
 
 /// A contact of a block as an item: one row per normal and one for the tangent.
@@ -129,31 +126,6 @@ public:
         }
     }
 
-    /// Returns the error of a speed; tangential errors count while friction is below its limit.
-    float32 Off(const SolverBody* bodies)
-    {
-        const SolverBody& a = bodies[m_block.bodyA[m_lane]];
-        const SolverBody& b = bodies[m_block.bodyB[m_lane]];
-        const b2Vec2 normal(m_block.normalX[m_lane], m_block.normalY[m_lane]);
-        const b2Vec2 apart = b.v - a.v;
-        const float32 along = b2Dot(apart, normal);
-        const float32 across = b2Dot(apart, b2Cross(normal, 1.0f)) - m_block.tangentSpeed[m_lane];
-        float32 maximum = 0.0f;
-        for (int32 i = 0; i < m_block.pointCount; ++i)
-        {
-            const PointLanes& p = m_block.points[i];
-            const float32 speed =
-                along + b.w * p.normalLeverB[m_lane] - a.w * p.normalLeverA[m_lane];
-            maximum = b2Max(maximum, Normal(i) > 0.0f ? b2Abs(speed) : -speed);
-            if (b2Abs(Tangent(i)) < float32(kSticks) * m_block.friction[m_lane] * Normal(i))
-            {
-                maximum = b2Max(maximum, b2Abs(across + b.w * p.tangentLeverB[m_lane] -
-                                               a.w * p.tangentLeverA[m_lane]));
-            }
-        }
-        return maximum;
-    }
-
 private:
     float32& Normal(int32 i) { return m_block.points[i].normalImpulse[m_lane]; }
     float32& Tangent(int32 i) { return m_block.points[i].tangentImpulse[m_lane]; }
@@ -161,6 +133,45 @@ private:
     ContactBlock& m_block;
     int32 m_lane;
 };
+
+/// Velocities at the normal and tangent of each contact of a block.
+struct Speeds
+{
+    float32 along[kBlockLanes], across[kBlockLanes], wA[kBlockLanes], wB[kBlockLanes];
+
+    Speeds(const ContactBlock& block, const SolverBody* bodies)
+    {
+        for (int32 i = 0; i < kBlockLanes; ++i)
+        {
+            const SolverBody& a = bodies[block.bodyA[i]];
+            const SolverBody& b = bodies[block.bodyB[i]];
+            const float32 x = b.v.x - a.v.x;
+            const float32 y = b.v.y - a.v.y;
+            along[i] = x * block.normalX[i] + y * block.normalY[i];
+            across[i] = x * block.normalY[i] - y * block.normalX[i] - block.tangentSpeed[i];
+            wA[i] = a.w;
+            wB[i] = b.w;
+        }
+    }
+};
+
+/// Raises `off` to the error of each contact's speeds; tangential errors count while friction is
+/// below its limit. Without branches, so that the compiler uses wide instructions.
+void AddErrors(const ContactBlock& block, const PointLanes& p, const Speeds& speeds,
+               float32 (&off)[kBlockLanes])
+{
+    for (int32 i = 0; i < kBlockLanes; ++i)
+    {
+        const float32 speed =
+            speeds.along[i] + speeds.wB[i] * p.normalLeverB[i] - speeds.wA[i] * p.normalLeverA[i];
+        const float32 slip = speeds.across[i] + speeds.wB[i] * p.tangentLeverB[i] -
+                             speeds.wA[i] * p.tangentLeverA[i];
+        const float32 limit = float32(kSticks) * block.friction[i] * p.normalImpulse[i];
+        const float32 normal = p.normalImpulse[i] > 0.0f ? b2Abs(speed) : -speed;
+        const float32 tangent = b2Abs(p.tangentImpulse[i]) < limit ? b2Abs(slip) : 0.0f;
+        off[i] = b2Max(off[i], b2Max(normal, tangent));
+    }
+}
 
 /// With the friction limits of the first `contacts` items, which follow from the solution.
 template <class Holds>
@@ -245,6 +256,13 @@ void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverB
     }
 }
 
+/// Returns the number of a contact's island; -1 without one.
+int32 IslandOf(const AwakeIslands& islands, const ContactBlock& block, int32 lane)
+{
+    const int32 island = islands.Of(block.bodyA[lane]);
+    return island != -1 ? island : islands.Of(block.bodyB[lane]);
+}
+
 } // namespace
 
 template <class Function>
@@ -259,9 +277,7 @@ void ContactSystem::ForContacts(SolverMemory& solver, Function&& function) const
             const ContactBlock& block = blocks.Contacts(k);
             for (int32 lane = 0; lane < block.count; ++lane)
             {
-                const int32 island = solver.islands.Of(block.bodyA[lane]);
-                function(island != -1 ? island : solver.islands.Of(block.bodyB[lane]),
-                         Place{color, k, lane});
+                function(IslandOf(solver.islands, block, lane), Place{color, k, lane});
             }
         }
     }
@@ -275,8 +291,17 @@ void ContactSystem::Begin(SolverMemory& solver, JointSystem& joints)
         m_used.clear();
         return;
     }
-    m_contacts.assign(std::size_t(solver.islands.Count()), 0);
-    CountContacts(solver);
+    // Neither are islands with joints that are iterated over.
+    joints.ForIterated([&](b2Joint* joint) {
+        for (const b2Body* body : {joint->GetBodyA(), joint->GetBodyB()})
+        {
+            const int32 island = solver.islands.Of(Data(*body).SolverIndex());
+            if (island != -1)
+            {
+                m_contacts[std::size_t(island)] = kMaxContacts + 1;
+            }
+        }
+    });
     ChooseContactIslands(solver.islands);
     if (!m_used.empty())
     {
@@ -286,12 +311,18 @@ void ContactSystem::Begin(SolverMemory& solver, JointSystem& joints)
 
 void ContactSystem::CountContacts(SolverMemory& solver)
 {
+    m_contacts.assign(std::size_t(solver.islands.Count()), 0);
     ForContacts(solver, [this](int32 island, const Place&) {
         if (island != -1)
         {
             ++m_contacts[std::size_t(island)];
         }
     });
+}
+
+bool ContactSystem::IsLarge(int32 island) const
+{
+    return island != -1 && m_contacts[std::size_t(island)] > kMaxContacts;
 }
 
 /// An island keeps its contact system from step to step, so that its pattern and memory can be
@@ -420,19 +451,51 @@ bool ContactSystem::Follow(ContactIsland& island, SolverMemory& solver, JointSys
     return island.system.IsExact();
 }
 
-void ContactSystem::SolveVelocities(SolverMemory& solver, JointSystem& joints,
-                                    const SolverContext& context, float32 tolerance)
+/// Finds the largest error of each selected island.
+void ContactSystem::FindResiduals(const SolverMemory& solver, const SolverBody* bodies)
 {
     for (const int32 index : m_used)
     {
-        ContactIsland& island = m_contactIslands[std::size_t(index)];
-        float32 off = 0.0f;
-        for (const Place& place : island.contacts)
+        m_contactIslands[std::size_t(index)].residual = 0.0f;
+    }
+    for (int32 i = 0; i < solver.colorCount; ++i)
+    {
+        const ContactBlocks& blocks = solver.contacts[solver.colors[i]];
+        for (int32 k = 0; k < blocks.Count(); ++k)
         {
-            ContactBlock& block = solver.contacts[place.color].Contacts(place.block);
-            off = b2Max(off, ContactItem(block, place.lane).Off(context.bodies));
+            const ContactBlock& block = blocks.Contacts(k);
+            const Speeds speeds(block, bodies);
+            float32 off[kBlockLanes] = {};
+            for (int32 point = 0; point < block.pointCount; ++point)
+            {
+                AddErrors(block, block.points[point], speeds, off);
+            }
+            for (int32 lane = 0; lane < block.count; ++lane)
+            {
+                const int32 island = IslandOf(solver.islands, block, lane);
+                const int32 index = island != -1 ? m_contactIslandOf[std::size_t(island)] : -1;
+                if (index != -1)
+                {
+                    float32& residual = m_contactIslands[std::size_t(index)].residual;
+                    residual = b2Max(residual, off[lane]);
+                }
+            }
         }
-        if (off > tolerance && Follow(island, solver, joints))
+    }
+}
+
+void ContactSystem::SolveVelocities(SolverMemory& solver, JointSystem& joints,
+                                    const SolverContext& context, float32 tolerance)
+{
+    if (m_used.empty())
+    {
+        return;
+    }
+    FindResiduals(solver, context.bodies);
+    for (const int32 index : m_used)
+    {
+        ContactIsland& island = m_contactIslands[std::size_t(index)];
+        if (island.residual > tolerance && Follow(island, solver, joints))
         {
             SolveVelocities(island, solver, joints, context, tolerance);
         }

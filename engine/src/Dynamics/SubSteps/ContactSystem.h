@@ -18,8 +18,15 @@ struct SolverMemory;
 class ContactSystem
 {
 public:
-    /// Call once per step, after the blocks were prepared, the joints have begun and, if there are
-    /// contacts, the awake islands were found. Selects the islands that are small enough.
+    /// Overlaps that iterations leave above this are brought to less [m]: under any load less than
+    /// a slop is left.
+    static constexpr float32 kMaxOverlap = 0.95f * b2_linearSlop;
+
+    /// Call once per step, after the blocks were prepared and the awake islands were found.
+    void CountContacts(SolverMemory& solver);
+    /// True if an island has too many contacts to be solved directly; a number of AwakeIslands.
+    bool IsLarge(int32 island) const;
+    /// Call after that, and after the joints have begun. Selects the islands that are small enough.
     void Begin(SolverMemory& solver, JointSystem& joints);
     /// Returns the number of selected islands.
     std::size_t Count() const { return m_used.size(); }
@@ -27,7 +34,7 @@ public:
     /// normal speed is off by more than `tolerance` [m/s].
     void SolveVelocities(SolverMemory& solver, JointSystem& joints, const SolverContext& context,
                          float32 tolerance);
-    /// As above, for overlaps.
+    /// As above, for islands with overlaps deeper than kMaxOverlap.
     void SolveOverlaps(SolverMemory& solver, JointSystem& joints, const SolverContext& context,
                        PushPace pace);
 
@@ -43,10 +50,10 @@ private:
         Array<int32> joints;   // indices in the JointSystem
         Array<RowSides> sides; // constraints of the current system
         BoundedSystem system;
-        bool followed = false; // up to date in this step
+        bool followed = false;   // up to date in this step
+        float32 residual = 0.0f; // of the last kick's iterations [m/s]
     };
 
-    void CountContacts(SolverMemory& solver);
     void ChooseContactIslands(const AwakeIslands& islands);
     void Gather(SolverMemory& solver, JointSystem& joints);
     bool Follow(ContactIsland& island, SolverMemory& solver, JointSystem& joints);
@@ -54,6 +61,7 @@ private:
                          const SolverContext& context, float32 tolerance);
     void SolveOverlaps(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
                        const SolverContext& context, PushPace pace);
+    void FindResiduals(const SolverMemory& solver, const SolverBody* bodies);
     int32 TakeContactIsland();
     void FindRoom(ContactIsland& island);
     template <class Function>

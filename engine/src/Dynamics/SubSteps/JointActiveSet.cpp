@@ -157,7 +157,7 @@ float32 JointSystem::WarmStartImpulse(std::size_t joint, int32 row, float32 shar
         return -rows.laws[row].maximum;
     }
     const bool slips = rows.disc && row < 2 && states.of[row] == RowState::AtMax;
-    return m_system.IsExact(joint) && !slips ? 0.0f : share * rows.impulse[row];
+    return slips ? share * rows.impulse[row] : 0.0f;
 }
 
 /// Removes rows with an impulse at a bound from the system.

@@ -41,7 +41,7 @@ double KineticEnergyOf(const BodyData& body, const SolverBody& state)
 
 } // namespace
 
-void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep, int32 iterations,
+void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep,
                                  const BodyKick* kicks)
 {
     for (const std::size_t i : m_rowed)
@@ -50,7 +50,7 @@ void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep,
     }
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
-        if (m_parts[std::size_t(i)].tree != nullptr)
+        if (!m_parts[std::size_t(i)].IsByRows())
         {
             continue;
         }
@@ -58,8 +58,8 @@ void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep,
         cycles > 1 ? DriftInCycles(i, cycles, context, timeStep, kicks)
                    : ClosePart(i, context, timeStep);
     }
-    CloseIterative(context, timeStep, iterations);
     AddTotals();
+    m_iterated.AddImpulses();
 }
 
 double JointSystem::ComplianceOf(int32 part) const
@@ -328,15 +328,20 @@ bool JointSystem::HasMoved(int32 part, const SolverContext& context) const
     return any;
 }
 
-void JointSystem::CloseAfterPushes(const SolverContext& context)
+void JointSystem::CloseAfterPushes(const SolverContext& context, int32 iterations)
 {
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
-        if (m_parts[std::size_t(i)].touched && HasMoved(i, context))
+        const Part& part = m_parts[std::size_t(i)];
+        if (part.IsByRows() && part.touched && HasMoved(i, context))
         {
             ShortenPushes(i, context);
             ClosePoses(i, context);
         }
+    }
+    for (int32 i = 0; i < iterations && !m_iterated.IsEmpty(); ++i)
+    {
+        (void)m_iterated.SolvePositionsInStep(context, m_threads);
     }
 }
 
@@ -387,7 +392,7 @@ bool JointSystem::Close(int32 part, const SolverContext& context, float32 timeSt
     {
         float32 widest = 0.0f;
         m_system.ForItems(part, [&](std::size_t joint) {
-            widest = b2Max(widest, WantClosed(joint, context, timeStep, 1.0f));
+            widest = b2Max(widest, WantClosed(joint, context, timeStep));
         });
         if (i > 0 && widest > first)
         {
@@ -425,68 +430,9 @@ void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32
     }
 }
 
-/// By iterations that change only the poses, too.
-void JointSystem::CloseIterative(const SolverContext& context, float32 timeStep, int32 iterations)
-{
-    if (m_system.Iterative().empty())
-    {
-        return;
-    }
-    for (int32 i = 0;
-         i < kMaxCloses && IterateClosing(context, timeStep, iterations) >= kNearlyClosed; ++i)
-    {}
-    for (const int32 joint : m_system.Iterative())
-    {
-        m_system.Rows(std::size_t(joint)).SetImpulse(m_kicks[std::size_t(joint)].at);
-    }
-}
-
-/// One iteration. Returns the maximum gap.
-float32 JointSystem::IterateClosing(const SolverContext& context, float32 timeStep,
-                                    int32 iterations)
-{
-    for (std::size_t i = 0; i < m_iterativeBodies.size(); ++i)
-    {
-        m_before[i] = context.bodies[m_iterativeBodies[i]->SolverIndex()];
-    }
-    float32 widest = 0.0f;
-    for (const int32 joint : m_system.Iterative())
-    {
-        const auto i = std::size_t(joint);
-        const Vector3 speed = SpeedOf(context, m_system.Rows(i));
-        widest = b2Max(widest, WantClosed(i, context, timeStep, 1.0f - kClosedShare));
-        for (int32 k = 0; k < JointRows::kMaxRows; ++k)
-        {
-            m_speeds[i].at[k] = speed.at[k] + m_system.Residual(i).at[k];
-        }
-    }
-    for (int32 iteration = 0; iteration < iterations; ++iteration)
-    {
-        for (const int32 joint : m_system.Iterative())
-        {
-            const auto i = std::size_t(joint);
-            SetResidual(i, context, m_speeds[i]);
-            m_system.SolveIterative(i);
-            Push(context, m_system.Rows(i), m_system.Found(i));
-        }
-    }
-    for (std::size_t i = 0; i < m_iterativeBodies.size(); ++i)
-    {
-        SolverBody& body = context.bodies[m_iterativeBodies[i]->SolverIndex()];
-        body.d += timeStep * (body.v - m_before[i].v);
-        const float32 turn = timeStep * (body.w - m_before[i].w);
-        body.angle += turn;
-        body.q = b2Mul(body.q, b2Rot(turn));
-        body.v = m_before[i].v;
-        body.w = m_before[i].w;
-    }
-    return widest;
-}
-
-/// Sets the change of speed that closes a joint in the given time, up to the part that remains.
-/// Returns the gap.
-float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
-                                float32 remaining)
+/// Sets the change of speed that closes a joint in the given time, except for its error from before
+/// the drift. Returns the gap.
+float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep)
 {
     JointRows& now = m_now;
     now.Clear();
@@ -495,7 +441,7 @@ float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context,
     Vector3 error = now.boundedRows > 0 ? Beyond(joint, now, timeStep) : Vector3{};
     for (int32 k = 0; k < now.Rigid(); ++k)
     {
-        error.at[k] = double(now.error[k]) - double(remaining * RemainingError(before[k]));
+        error.at[k] = double(now.error[k]) - double(RemainingError(before[k]));
     }
     float32 widest = 0.0f;
     for (int32 k = 0; k < JointRows::kMaxRows; ++k)

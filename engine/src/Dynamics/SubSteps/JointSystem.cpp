@@ -52,22 +52,6 @@ void JointSystem::Update(const ConstraintGraph& graph)
     m_poses.resize(m_system.Bodies().size());
     m_left.assign(m_joints.size(), Impulses());
     m_opened.resize(m_system.Bodies().size());
-    m_before.resize(m_system.Bodies().size());
-    m_iterativeBodies.clear();
-    for (const int32 joint : m_system.Iterative())
-    {
-        for (const BodyData* body : m_sides[std::size_t(joint)].sides)
-        {
-            if (body != nullptr)
-            {
-                m_iterativeBodies.push_back(body);
-            }
-        }
-    }
-    std::sort(m_iterativeBodies.begin(), m_iterativeBodies.end(),
-              [](const BodyData* a, const BodyData* b) { return a->number < b->number; });
-    m_iterativeBodies.erase(std::unique(m_iterativeBodies.begin(), m_iterativeBodies.end()),
-                            m_iterativeBodies.end());
 }
 
 void JointSystem::BuildTrees()
@@ -91,29 +75,52 @@ void JointSystem::BuildTrees()
     }
 }
 
-void JointSystem::Begin(const SolverContext& context, float32 share, float32 lastInverseStep,
-                        const BodyKick* kicks)
+/// True if iterations may not be enough: masses or levers differ by more than the manual advises.
+bool JointSystem::IsAtRisk(int32 part) const
 {
-    m_inTree.assign(m_joints.size(), 0);
+    bool any = false;
+    m_system.ForItems(part,
+                      [&](std::size_t item) { any = any || box2d::IsAtRisk(*m_joints[item]); });
+    return any;
+}
+
+void JointSystem::BeginParts(const SolverContext& context, float32 share, float32 lastInverseStep,
+                             const BodyKick* kicks)
+{
+    m_solutions.assign(m_joints.size(), Solution::Rows);
+    for (const int32 joint : m_system.Iterative())
+    {
+        m_solutions[std::size_t(joint)] = Solution::Iterated;
+    }
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
         BeginPart(i, context, kicks);
     }
     m_rowed.clear();
+    m_iteratedJoints.clear();
     for (std::size_t i = 0; i < m_joints.size(); ++i)
     {
-        if (m_inTree[i] == 0)
+        if (m_solutions[i] == Solution::Rows)
         {
             m_rowed.push_back(i);
             m_totals[i] = Totals();
             TakeImpulses(i);
         }
+        else if (m_solutions[i] == Solution::Iterated)
+        {
+            m_iteratedJoints.push_back(m_joints[i]);
+        }
     }
+    m_iterated.Update(m_iteratedJoints);
+    SolverContext subStep = context;
+    subStep.timeStep = 1.0f / context.inverseStep;
+    subStep.stepRatio = share;
+    m_iterated.Begin(subStep, m_threads);
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
         Part& part = m_parts[std::size_t(i)];
         part.squaredFrequency =
-            part.tree == nullptr ? double(lastInverseStep) * m_system.SquaredFrequency(i) : 0.0;
+            part.IsByRows() ? double(lastInverseStep) * m_system.SquaredFrequency(i) : 0.0;
     }
     for (const std::size_t i : m_rowed)
     {
@@ -128,7 +135,6 @@ void JointSystem::Begin(const SolverContext& context, float32 share, float32 las
 void JointSystem::BeginPart(int32 index, const SolverContext& context, const BodyKick* kicks)
 {
     Part& part = m_parts[std::size_t(index)];
-    part = Part();
     m_system.ForBodies(index, [&](const BodyData& body, std::size_t) {
         part.touched = part.touched || body.colorMask != 0;
     });
@@ -136,7 +142,11 @@ void JointSystem::BeginPart(int32 index, const SolverContext& context, const Bod
     if (tree != -1 && !part.touched && m_trees[std::size_t(tree)].Begin(context, kicks))
     {
         part.tree = &m_trees[std::size_t(tree)];
-        m_system.ForItems(index, [&](std::size_t joint) { m_inTree[joint] = 1; });
+    }
+    if (!part.IsByRows())
+    {
+        const Solution solution = part.iterated ? Solution::Iterated : Solution::Tree;
+        m_system.ForItems(index, [&](std::size_t joint) { m_solutions[joint] = solution; });
     }
 }
 
@@ -168,6 +178,8 @@ void JointSystem::End()
     {
         JointAccess::SetRowImpulses(*m_joints[i], m_totals[i].within, m_totals[i].beyond);
     }
+    m_iterated.AddImpulses();
+    m_iterated.End(m_threads);
 }
 
 void JointSystem::Prepare(const SolverContext& context)
@@ -204,6 +216,7 @@ void JointSystem::WarmStart(const SolverContext& context, float32 share)
     {
         Start(context, i, share);
     }
+    m_iterated.Kick(context, share, m_threads);
 }
 
 void JointSystem::Start(const SolverContext& context, std::size_t joint, float32 share)
@@ -276,28 +289,12 @@ void JointSystem::SolveVelocities(const SolverContext& context, bool first)
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
         const Part& part = m_parts[std::size_t(i)];
-        if (part.tree == nullptr && (first || part.touched))
+        if (part.IsByRows() && (first || part.touched))
         {
             SolvePart(i, context);
         }
     }
-    for (const int32 joint : m_system.Iterative())
-    {
-        const auto i = std::size_t(joint);
-        for (int32 tries = 0; tries < kMaxTries; ++tries)
-        {
-            SetActive(i);
-            m_system.FactorIterative(i);
-            WantSpeeds(i, context);
-            m_system.SolveIterative(i);
-            Push(context, m_system.Rows(i), m_system.Found(i));
-            m_speeds[i] = SpeedOf(context, m_system.Rows(i));
-            if (m_hasBounded[i] == 0 || !Reconsider(i, context, tries >= kSettlingTry))
-            {
-                break;
-            }
-        }
-    }
+    m_iterated.SolveVelocities(context, m_threads);
 }
 
 void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const

@@ -2,15 +2,17 @@
 #pragma once
 
 #include "../Direct/BoundedSystem.h"
+#include "../Joints/JointSchedule.h"
 #include "HingeTree.h"
 
+#include <algorithm>
 #include <cmath>
 
 /// All that joints do in sub-steps. What they hold rigidly is a RowSystem. Motors and limits
 /// take part in it as long as their forces do what they should; which do is found by trying (block
 /// pivoting: Judice and Pires, "A block principal pivoting algorithm for large-scale strictly
-/// monotone linear complementarity problems", 1994). A component with too many loops is iterated
-/// over.
+/// monotone linear complementarity problems", 1994). Iterations in lanes, as in a whole step, solve
+/// a component with too many loops, and one in a pile of contacts that is iterated over anyway.
 namespace box2d
 {
 
@@ -33,16 +35,30 @@ public:
     void Update(const ConstraintGraph& graph);
     bool IsEmpty() const { return m_joints.empty(); }
     /// True if one call of SolveVelocities suffices.
-    bool IsExact() const { return m_system.IsExact(); }
-    bool IsExact(std::size_t joint) const { return m_system.IsExact(joint); }
+    bool IsExact() const { return m_iterated.IsEmpty(); }
     std::size_t Count() const { return m_joints.size(); }
     b2Joint& At(std::size_t joint) const { return *m_joints[joint]; }
     const RowSides& Sides(std::size_t joint) const { return m_sides[joint]; }
 
     /// Call at the start of a step: reads the impulses of the joints, times `share`.
-    /// `lastInverseStep`: one over the length of the last step.
+    /// `lastInverseStep`: one over the length of the last step. `isInPile`: true for a body whose
+    /// contacts are too many to be solved directly. `threads`: for iterations in this step; null:
+    /// the calling thread alone.
+    template <class IsInPile>
     void Begin(const SolverContext& context, float32 share, float32 lastInverseStep,
-               const BodyKick* kicks);
+               const BodyKick* kicks, ThreadPool* threads, IsInPile&& isInPile)
+    {
+        m_threads = threads;
+        for (int32 i = 0; i < m_system.Components(); ++i)
+        {
+            bool inPile = false;
+            m_system.ForBodies(
+                i, [&](const BodyData& body, std::size_t) { inPile = inPile || isInPile(body); });
+            m_parts[std::size_t(i)] = Part();
+            m_parts[std::size_t(i)].iterated = inPile && !IsAtRisk(i);
+        }
+        BeginParts(context, share, lastInverseStep, kicks);
+    }
     /// Moves independent trees through the whole step in StepTrees; all other functions skip them.
     template <class Function>
     void ForTreeBodies(Function&& function) const
@@ -56,7 +72,7 @@ public:
         }
     }
     /// True if there are joints outside of trees.
-    bool HasRows() const { return !m_rowed.empty(); }
+    bool HasRows() const { return !m_rowed.empty() || !m_iterated.IsEmpty(); }
     void StepTrees(float32 timeStep, int32 smallSteps);
     /// Computes the rows at the current poses and the velocities before a kick. The context has the
     /// step of the kick, and the inverse step of the following drift.
@@ -75,7 +91,13 @@ public:
             }
         }
     }
-    /// Calls the function for all rows outside of trees, with the index.
+    /// Calls the function for each joint that is iterated over.
+    template <class Function>
+    void ForIterated(Function&& function) const
+    {
+        std::for_each(m_iteratedJoints.begin(), m_iteratedJoints.end(), function);
+    }
+    /// Calls the function for all rows that are solved directly, with the index.
     template <class Function>
     void ForRowed(Function&& function) const
     {
@@ -97,10 +119,10 @@ public:
     /// Call after the bodies moved for `timeStep`. Closes the joints by impulses along the rows of
     /// Prepare, which change velocities and displacements. (RATTLE: Andersen, "Rattle: a 'velocity'
     /// version of the Shake algorithm", 1983.) The kicks are by awake body.
-    void SolvePositions(const SolverContext& context, float32 timeStep, int32 iterations,
-                        const BodyKick* kicks);
+    void SolvePositions(const SolverContext& context, float32 timeStep, const BodyKick* kicks);
     /// Call after position correction of overlaps: closes what it opened since SolvePositions.
-    void CloseAfterPushes(const SolverContext& context);
+    /// Joints that are iterated over are closed here alone.
+    void CloseAfterPushes(const SolverContext& context, int32 iterations);
     /// Call after write-back and before an impact within the step: records the gaps of joints.
     void NoteOpen(const ConstraintGraph& graph, const SolverContext& context);
     /// Call after impacts within the step, which moved some bodies. Closes the components of bodies
@@ -163,6 +185,13 @@ private:
     {
         RowState of[JointRows::kMaxRows] = {};
     };
+    /// How a joint is solved in a step.
+    enum class Solution : uint8
+    {
+        Rows,     ///< directly
+        Tree,     ///< by its HingeTree
+        Iterated, ///< in lanes
+    };
     /// Sums over the kicks of a step.
     struct Totals
     {
@@ -173,6 +202,7 @@ private:
     struct Part
     {
         bool touched = false;    ///< by contacts
+        bool iterated = false;   ///< in this step
         bool hasBounded = false; ///< contains bounded rows
         bool driven = false;     ///< contains bounded rows other than limits
         bool lines = false;      ///< contains ropes and rods
@@ -180,6 +210,9 @@ private:
         bool factored = false;
         HingeTree* tree = nullptr;     ///< moves the component through this step
         double squaredFrequency = 0.0; ///< see RowSystem; from the last step's mean forces
+
+        /// True if the component is solved directly.
+        bool IsByRows() const { return tree == nullptr && !iterated; }
     };
 
     // JointActiveSet.cpp
@@ -220,11 +253,11 @@ private:
     template <class Fate>
     bool HoldStopped(int32 part, Fate&& fate);
     void LetGo(int32 part);
-    void CloseIterative(const SolverContext& context, float32 timeStep, int32 iterations);
-    float32 IterateClosing(const SolverContext& context, float32 timeStep, int32 iterations);
-    float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep,
-                       float32 remaining);
+    float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep);
 
+    bool IsAtRisk(int32 part) const;
+    void BeginParts(const SolverContext& context, float32 share, float32 lastInverseStep,
+                    const BodyKick* kicks);
     void Start(const SolverContext& context, std::size_t joint, float32 share);
     void BuildTrees();
     void BeginPart(int32 part, const SolverContext& context, const BodyKick* kicks);
@@ -243,24 +276,25 @@ private:
     Array<b2Joint*> m_joints;
     Array<RowSides> m_sides;
     RowSystem m_system;
-    Array<Part> m_parts;        // components of the system
-    Array<HingeTree> m_trees;   // trees among them, and memory for more
-    Array<int32> m_treeOf;      // per component, -1: none
-    Array<uint8> m_inTree;      // per joint, in this step
-    Array<std::size_t> m_rowed; // joints outside of trees, in this step
-    Array<uint8> m_hasBounded;  // per joint
-    Array<RowStates> m_states;  // per joint
-    Array<Totals> m_totals;     // per joint
-    Array<Impulses> m_kicks;    // per joint: impulses before it was closed
-    Array<SolverBody> m_poses;  // by index: before the drift
-    Array<SolverBody> m_opened; // by index: before joints were closed
-    Array<Impulses> m_left;     // per joint: the error that may remain
-    Array<SolverBody> m_before; // by body of iteratively solved joints: before they were closed
-    Array<Vector3> m_speeds;    // scratch: per joint
-    Array<const BodyData*> m_iterativeBodies;
-    JointRows m_now;              // scratch
-    Elimination m_elimination;    // scratch of Update, reused as joints wake and sleep
-    Array<b2Joint*> m_partJoints; // scratch: of one component
+    Array<Part> m_parts;              // components of the system
+    Array<HingeTree> m_trees;         // trees among them, and memory for more
+    Array<int32> m_treeOf;            // per component, -1: none
+    Array<Solution> m_solutions;      // per joint, in this step
+    Array<std::size_t> m_rowed;       // directly solved joints, in this step
+    Array<b2Joint*> m_iteratedJoints; // in this step
+    JointSchedule m_iterated;
+    ThreadPool* m_threads = nullptr; // of the step
+    Array<uint8> m_hasBounded;       // per joint
+    Array<RowStates> m_states;       // per joint
+    Array<Totals> m_totals;          // per joint
+    Array<Impulses> m_kicks;         // per joint: impulses before it was closed
+    Array<SolverBody> m_poses;       // by index: before the drift
+    Array<SolverBody> m_opened;      // by index: before joints were closed
+    Array<Impulses> m_left;          // per joint: the error that may remain
+    Array<Vector3> m_speeds;         // scratch: per joint
+    JointRows m_now;                 // scratch
+    Elimination m_elimination;       // scratch of Update, reused as joints wake and sleep
+    Array<b2Joint*> m_partJoints;    // scratch: of one component
     int32 m_version = -1;
     Array<RowStates> m_restored;  // from a snapshot, for the joint list of
     int32 m_restoredVersion = -1; // this version, used by Update

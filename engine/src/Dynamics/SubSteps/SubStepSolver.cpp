@@ -92,37 +92,42 @@ void NoteLastShare(const ContactBlock& block, const BlockTotals& totals)
     }
 }
 
+/// Calls the function with each point of a block and its totals.
+template <class Function>
+void ForPoints(ContactBlock& block, BlockTotals& totals, Function&& function)
+{
+    for (int32 i = 0; i < block.pointCount; ++i)
+    {
+        PointLanes& p = block.points[i];
+        function(p.normalImpulse, totals.normal[i], totals.firstNormal[i]);
+        function(p.tangentImpulse, totals.tangent[i], totals.firstTangent[i]);
+    }
+}
+
 /// From a kick to one that is `share` times as long. What iterations change stops what came
 /// together before the kick as well as what the kick itself brought, and the former does not grow
 /// with its length. So the change passes on as it is: twice as large after the half kick at the
 /// start it would be over-relaxed by 2, beyond which iterations diverge, and tall piles did.
 void ScaleImpulses(ContactBlock& block, BlockTotals& totals, float32 share)
 {
-    const auto scale = [share](float32& impulse, float32& first) {
-        impulse = share > 1.0f ? impulse + (share - 1.0f) * first : share * impulse;
-        first = impulse;
-    };
-    for (int32 i = 0; i < block.pointCount; ++i)
-    {
-        PointLanes& p = block.points[i];
+    ForPoints(block, totals, [share](float32* impulse, const float32*, float32* first) {
+        const float32 ofFirst = share > 1.0f ? share - 1.0f : 0.0f;
+        const float32 ofLast = share > 1.0f ? 1.0f : share;
         for (int32 lane = 0; lane < kBlockLanes; ++lane)
         {
-            scale(p.normalImpulse[lane], totals.firstNormal[i][lane]);
-            scale(p.tangentImpulse[lane], totals.firstTangent[i][lane]);
+            first[lane] = impulse[lane] = ofLast * impulse[lane] + ofFirst * first[lane];
         }
-    }
+    });
 }
 
-void AddImpulses(const ContactBlock& block, BlockTotals& totals)
+void AddImpulses(ContactBlock& block, BlockTotals& totals)
 {
-    for (int32 i = 0; i < block.pointCount; ++i)
-    {
+    ForPoints(block, totals, [](const float32* impulse, float32* total, const float32*) {
         for (int32 lane = 0; lane < kBlockLanes; ++lane)
         {
-            totals.normal[i][lane] += block.points[i].normalImpulse[lane];
-            totals.tangent[i][lane] += block.points[i].tangentImpulse[lane];
+            total[lane] += impulse[lane];
         }
-    }
+    });
 }
 
 void TakeTotals(ContactBlock& block, const BlockTotals& totals)
@@ -169,9 +174,9 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
     {
         {
             ProfileScope position(world.profiling, world.profile.solvePosition);
-            solve.Drift(h, kickIterations);
+            solve.Drift(h);
             solve.MoveApart(h, pushIterations, rate);
-            solve.CloseAfterPushes();
+            solve.CloseAfterPushes(pushIterations);
         }
         const bool last = i == count;
         // From half a kick to a whole one, and back.
@@ -229,12 +234,19 @@ void SubStepSolver::Begin(int32 count)
     FindFlying();
     m_context.inverseStep *= float32(count);
     m_subSteps.joints.Update(m_world.graph);
-    m_subSteps.joints.Begin(m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f,
-                            m_world.inverseStep, m_subSteps.kicks.data());
-    if (AnyHeld())
+    if (m_memory.colorCount > 0 || !m_subSteps.joints.IsEmpty())
     {
         m_memory.islands.Find(m_world);
-        m_subSteps.warmStartGuard.Begin(m_memory, m_subSteps.joints);
+        m_subSteps.contacts.CountContacts(m_memory);
+    }
+    m_subSteps.joints.Begin(
+        m_context, m_context.warmStarting ? wholeRatio * toHalfKick : 0.0f, m_world.inverseStep,
+        m_subSteps.kicks.data(), m_threads, [this](const BodyData& body) {
+            return m_subSteps.contacts.IsLarge(m_memory.islands.Of(body.SolverIndex()));
+        });
+    if (AnyHeld())
+    {
+        m_subSteps.warmStartGuard.Begin(m_world, m_memory, m_subSteps.joints);
     }
     m_subSteps.contacts.Begin(m_memory, m_subSteps.joints);
     m_subSteps.joints.ForTreeBodies([this](const BodyData& body) {
@@ -295,15 +307,19 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     WarmStartGuard& guard = m_subSteps.warmStartGuard;
     if (AnyHeld())
     {
-        guard.Note(m_world, m_memory);
+        guard.Note(m_memory);
     }
     joints.WarmStart(kick, share);
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        if (m_kick > 0)
+        {
+            AddImpulses(blocks.Contacts(i), blocks.Totals(i)); // those of the last kick
+        }
         ScaleImpulses(blocks.Contacts(i), blocks.Totals(i), share);
         WarmStartBlock(blocks.Contacts(i), m_context.bodies);
     });
     Iterate(iterations);
-    if (AnyHeld() && guard.HasGained(m_world, m_memory, joints))
+    if (AnyHeld() && guard.HasGained(m_memory, joints))
     {
         guard.Restore(m_memory);
         joints.StartAgain(kick,
@@ -314,9 +330,6 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     m_subSteps.contacts.SolveVelocities(m_memory, m_subSteps.joints, m_context,
                                         kRestTolerance * duration * m_world.gravity.Length() +
                                             1e-6f);
-    ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
-        AddImpulses(blocks.Contacts(i), blocks.Totals(i));
-    });
 }
 
 void SubStepSolver::Iterate(int32 iterations)
@@ -378,7 +391,7 @@ void SubStepSolver::Fly(std::size_t index)
     s.w = Bounded(s.w + (0.5f * h) * alpha);
 }
 
-void SubStepSolver::Drift(float32 timeStep, int32 iterations)
+void SubStepSolver::Drift(float32 timeStep)
 {
     m_subSteps.joints.NotePoses(m_context);
     ForBodies([&](std::size_t i) {
@@ -387,7 +400,7 @@ void SubStepSolver::Drift(float32 timeStep, int32 iterations)
             MoveByVelocity(m_memory.bodies[i + 1], timeStep, kMaxSmallMove);
         }
     });
-    m_subSteps.joints.SolvePositions(m_context, timeStep, iterations, m_subSteps.kicks.data());
+    m_subSteps.joints.SolvePositions(m_context, timeStep, m_subSteps.kicks.data());
     m_subSteps.joints.NotePoses(m_context);
 }
 
@@ -398,17 +411,21 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
     const float32 maximum =
         b2Min(kPushSpeed * timeStep / float32(iterations + 1), b2_maxLinearCorrection);
     float32 deepest = 0.0f;
+    float32 found = 0.0f;
     for (int32 i = 0; i < iterations; ++i)
     {
-        const float32 found = SolveOverlaps(DirectionOf(i), {rate, maximum});
+        found = SolveOverlaps(DirectionOf(i), {rate, maximum});
         deepest = b2Min(deepest, found);
         if (found >= -b2_linearSlop)
         {
             break;
         }
     }
-    m_subSteps.contacts.SolveOverlaps(m_memory, m_subSteps.joints, m_context,
-                                      {b2_baumgarte / float32(m_world.subStepCount), maximum});
+    if (found < -ContactSystem::kMaxOverlap)
+    {
+        m_subSteps.contacts.SolveOverlaps(m_memory, m_subSteps.joints, m_context,
+                                          {b2_baumgarte / float32(m_world.subStepCount), maximum});
+    }
     if (deepest < -b2_linearSlop)
     {
         LimitPushes(kFarthestPush * timeStep);
@@ -465,6 +482,7 @@ void SubStepSolver::End()
         FindDeep();
     }
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        AddImpulses(blocks.Contacts(i), blocks.Totals(i));
         NoteLastShare(blocks.Contacts(i), blocks.Totals(i));
         TakeTotals(blocks.Contacts(i), blocks.Totals(i));
         StoreImpulses(blocks.Contacts(i));

@@ -19,9 +19,12 @@ public:
     bool AnyTogether() const;
     /// Applies a kick and solves the velocities.
     void Kick(float32 duration, float32 share, int32 iterations);
-    void Drift(float32 timeStep, int32 iterations);
+    void Drift(float32 timeStep);
     void MoveApart(float32 timeStep, int32 iterations, float32 rate);
-    void CloseAfterPushes() { m_subSteps.joints.CloseAfterPushes(m_context); }
+    void CloseAfterPushes(int32 iterations)
+    {
+        m_subSteps.joints.CloseAfterPushes(m_context, iterations);
+    }
     void End();
 
 private:

@@ -16,11 +16,6 @@ namespace
 /// Relative energy that rounding, and friction with a changed bound, may add to an island.
 constexpr double kTolerance = 1e-3;
 
-double KineticEnergyOf(const BodyData& body, const SolverBody& state)
-{
-    return body.IsDynamic() ? KineticEnergy(state, double(body.mass), double(body.inertia)) : 0.0;
-}
-
 bool Moves(const SolverBody& body)
 {
     return body.v != b2Vec2_zero || body.w != 0.0f;
@@ -80,7 +75,7 @@ void WarmStartGuard::Exempt(int32 island, bool really)
     }
 }
 
-void WarmStartGuard::Begin(SolverMemory& solver, const JointSystem& joints)
+void WarmStartGuard::Begin(const World& world, SolverMemory& solver, const JointSystem& joints)
 {
     const AwakeIslands& islands = solver.islands;
     m_before.resize(solver.bodies.size());
@@ -93,47 +88,52 @@ void WarmStartGuard::Begin(SolverMemory& solver, const JointSystem& joints)
         Exempt(a, belt || (b == -1 && moves(block.bodyB[lane])));
         Exempt(b, belt || (a == -1 && moves(block.bodyA[lane])));
     });
+    joints.ForIterated([&](b2Joint* joint) {
+        for (const b2Body* body : {joint->GetBodyA(), joint->GetBodyB()})
+        {
+            Exempt(islands.Of(Data(*body).SolverIndex()), true);
+        }
+    });
     joints.ForRowed([&](std::size_t joint, const JointRows&) {
         const int32 island = IslandOf(solver, joints.Sides(joint));
-        Exempt(island, !joints.IsExact(joint));
         for (b2Body* body : {joints.At(joint).GetBodyA(), joints.At(joint).GetBodyB()})
         {
             const int32 index = Data(*body).SolverIndex();
             Exempt(island, islands.Of(index) == -1 && Moves(solver.bodies[std::size_t(index)]));
         }
     });
+    m_members.clear();
+    for (const b2Body* body : world.awakeBodies)
+    {
+        const BodyData& data = Data(*body);
+        const int32 island = islands.Of(data.SolverIndex());
+        if (island != -1 && data.IsDynamic() && !m_islands[std::size_t(island)].exempt)
+        {
+            m_members.push_back({data.SolverIndex(), island, data.mass, data.inertia});
+        }
+    }
 }
 
-void WarmStartGuard::Note(const World& world, const SolverMemory& solver)
+void WarmStartGuard::Note(const SolverMemory& solver)
 {
     std::copy(solver.bodies.begin(), solver.bodies.end(), m_before.begin());
     for (Island& island : m_islands)
     {
         island.before = island.after = 0.0;
     }
-    for (const b2Body* body : world.awakeBodies)
+    for (const Member& m : m_members)
     {
-        const BodyData& data = Data(*body);
-        const int32 island = solver.islands.Of(data.SolverIndex());
-        if (island != -1)
-        {
-            m_islands[std::size_t(island)].before +=
-                KineticEnergyOf(data, solver.bodies[std::size_t(data.SolverIndex())]);
-        }
+        m_islands[std::size_t(m.island)].before +=
+            KineticEnergy(solver.bodies[std::size_t(m.body)], double(m.mass), double(m.inertia));
     }
 }
 
-bool WarmStartGuard::HasGained(const World& world, SolverMemory& solver, const JointSystem& joints)
+bool WarmStartGuard::HasGained(SolverMemory& solver, const JointSystem& joints)
 {
-    for (const b2Body* body : world.awakeBodies)
+    for (const Member& m : m_members)
     {
-        const BodyData& data = Data(*body);
-        const int32 island = solver.islands.Of(data.SolverIndex());
-        if (island != -1)
-        {
-            m_islands[std::size_t(island)].after +=
-                KineticEnergyOf(data, solver.bodies[std::size_t(data.SolverIndex())]);
-        }
+        m_islands[std::size_t(m.island)].after +=
+            KineticEnergy(solver.bodies[std::size_t(m.body)], double(m.mass), double(m.inertia));
     }
     SolverContext start, end;
     start.bodies = m_before.data();
