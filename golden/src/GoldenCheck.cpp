@@ -195,7 +195,8 @@ GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSetting
         return {true, verdict->Text(), "accepted  " + WhatWasAccepted(*verdict) + "\n"};
     }
     const std::string message =
-        isWanted ? verdict->Text("is accepted twice in this run; give each check its own name")
+        isWanted ? verdict->Text(
+                       "give each check its own name: this name was accepted before in this run")
                  : verdict->Text(RemedyOfTest(*verdict));
     return {false, message, settings.attach ? Attachments(settings.output, candidate.name) : ""};
 }

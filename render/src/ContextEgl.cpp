@@ -212,7 +212,8 @@ Result<std::unique_ptr<Context>> CreateAt(const Egl& egl, const Place& place, bo
     {
         return Error{ErrorKind::Absent, place.name,
                      "draws with " + renderer +
-                         (onGpu ? ", which is not a GPU" : ", a GPU, which only egl-gpu uses")};
+                         (onGpu ? ", which is not a GPU"
+                                : ", a GPU, which only BOXREEL_BACKEND=egl-gpu uses")};
     }
     return std::unique_ptr<Context>(std::move(context));
 }

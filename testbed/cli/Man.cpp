@@ -60,17 +60,20 @@ constexpr Entry kFiles[] = {
 std::string Plain(const std::string& text)
 {
     std::string plain;
+    char previous = '\n';
     for (const char c : text)
     {
-        plain += c == '\\'   ? "\\e"
-                 : c == '-'  ? "\\-"
-                 : c == '\'' ? "\\(aq"
-                 : c == '`'  ? "\\(ga"
-                 : c == '^'  ? "\\(ha"
-                 : c == '~'  ? "\\(ti"
-                             : std::string(1, c);
+        plain += c == '.' && previous == '\n' ? "\\&." // no request
+                 : c == '\\'                  ? "\\e"
+                 : c == '-'                   ? "\\-"
+                 : c == '\''                  ? "\\(aq"
+                 : c == '`'                   ? "\\(ga"
+                 : c == '^'                   ? "\\(ha"
+                 : c == '~'                   ? "\\(ti"
+                                              : std::string(1, c);
+        previous = c;
     }
-    return (plain.starts_with(".") ? "\\&" : "") + plain;
+    return plain;
 }
 
 std::string Bold(const std::string& text)

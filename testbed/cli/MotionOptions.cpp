@@ -41,8 +41,8 @@ void AddMotion(Command& command, ShotOptions& shot)
              "start, of all moving bodies. 250ms:3,17: only these bodies")
         .Group("Motion");
     AddValue(command, "--onion", "N[:EVERY]", look.onion, ParseOnion,
-             "Draw the last N poses, fading (100ms apart). 5:50ms or 5:3steps sets\n"
-             "the interval. 5:50ms:3,17: only these bodies")
+             "Draw the last N poses 100ms apart, the older the fainter. 5:50ms or\n"
+             "5:3steps sets the interval. 5:50ms:3,17: only these bodies")
         .Group("Motion");
     AddFlag(command, "--axes", look.axes, "Draw axes in metres beside the picture; mark the origin")
         .Group("Annotations");

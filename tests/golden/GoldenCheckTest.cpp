@@ -161,7 +161,7 @@ TEST_F(GoldenCheck, ANameServesOneCandidateARun)
     EXPECT_TRUE(Check(candidate).passed);
     const GoldenOutcome second = Check(changed);
     EXPECT_FALSE(second.passed);
-    EXPECT_THAT(second.message, HasSubstr("give each check a name of its own"));
+    EXPECT_THAT(second.message, HasSubstr("give each check its own name"));
     EXPECT_TRUE(Check(candidate).passed) << "the first one is the reference";
 }
 

@@ -375,7 +375,7 @@ TEST_F(FakeEglLibrary, IsRefusedWhenItCanOnlyDrawOnScreens)
 {
     fake->extensions = nullptr;
     EXPECT_EQ(Drawing(Backend::Egl), nullptr);
-    EXPECT_THAT(message, AllOf(HasSubstr("(" BOXREEL_FAKE_EGL ": "), HasSubstr("screen")));
+    EXPECT_THAT(message, AllOf(HasSubstr("(" BOXREEL_FAKE_EGL ": "), HasSubstr("display")));
 }
 
 TEST_F(FakeEglLibrary, IsLeftWhenAnotherContextIsEntered)
