@@ -58,8 +58,8 @@ void ExpectRefused(std::span<const uint8> bytes, const char* culprit)
 
 TEST(SnapshotBytes, OfSomethingElseAreRefused)
 {
-    ExpectRefused({}, "no snapshot");
-    ExpectRefused(Bytes(1000, 7), "no snapshot");
+    ExpectRefused({}, "not a snapshot");
+    ExpectRefused(Bytes(1000, 7), "not a snapshot");
 }
 
 TEST(SnapshotBytes, OfAnotherVersionAreRefused)

@@ -53,7 +53,7 @@ void b2ChainShape::Clear()
 void b2ChainShape::TakeVertices(const b2Vec2* vertices, int32 count, int32 minimum, bool isLoop)
 {
     B2_REQUIRE(m_vertices == nullptr,
-               "The chain already has vertices; call Clear before it is made anew.");
+               "The chain already has vertices; call Clear before creating it again.");
     Clear();
     if (!B2_REQUIRE(vertices != nullptr && count >= minimum,
                     "A chain needs at least 2 vertices, a loop at least 3.") ||

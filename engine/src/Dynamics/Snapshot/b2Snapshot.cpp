@@ -126,7 +126,7 @@ const char* WhyRefused(std::span<const uint8> bytes)
     reader(header);
     if (!reader.IsSound() || !std::ranges::equal(header.magic, Header().magic))
     {
-        return "This is no snapshot: pass the bytes that b2SaveSnapshot returned.";
+        return "This is not a snapshot: pass the bytes that b2SaveSnapshot returned.";
     }
     if (header.version != kVersion)
     {
@@ -138,7 +138,7 @@ const char* WhyRefused(std::span<const uint8> bytes)
     }
     return header.checksum == ChecksumOf(bytes.subspan(Header::kBytes))
                ? nullptr
-               : "The snapshot is damaged: save it anew.";
+               : "The snapshot is damaged: save it again.";
 }
 
 /// Moves the data of the program from one world to the other.
@@ -197,7 +197,7 @@ const char* b2RestoreSnapshot(b2World& world, const uint8* data, std::size_t siz
     box2d::VisitWorld(reader, *restored);
     if (!reader.IsSound() || !reader.IsAtEnd())
     {
-        return "The snapshot contradicts itself: save it anew.";
+        return "The snapshot contradicts itself: save it again.";
     }
     box2d::KeepOwn(*old, *restored);
     old = std::move(restored);
