@@ -108,7 +108,7 @@ TEST(PortingListing, CountsSearches)
 }
 
 // [threshold]
-/// Impacts slower than this do not bounce; for limits above the engine's own 1 m/s.
+/// Impacts slower than this do not bounce; for thresholds above the world's own.
 class BounceThreshold : public b2ContactListener
 {
 public:
