@@ -23,7 +23,7 @@ if [ -f "$film" ] && [ ! -f "$film.json" ]; then
     # Killed between the film and its papers, or somebody else's: it is kept under another name.
     aside=$(mktemp "$film.aside-XXXXXX")
     mv "$film" "$aside"
-    echo "part.sh: $film has no papers, so it is made anew; what was there is now $aside" >&2
+    echo "part.sh: $film has no manifest, so it is recorded again; what was there is now $aside" >&2
 fi
 # shellcheck disable=SC2086 # a list of words
 exec "$BOXREEL" record $FILM --frames "$FRAMES" --frame-range "$first-$((first + PART - 1))" \

@@ -353,7 +353,7 @@ const char* WorldCalls::Push()
 
 const char* WorldCalls::ChangeWorld()
 {
-    switch (m_choices.Number(0, 9))
+    switch (m_choices.Number(0, 10))
     {
     case 0:
         m_world.SetAllowSleeping(!m_choices.Rarely(3));
@@ -382,6 +382,9 @@ const char* WorldCalls::ChangeWorld()
     case 8:
         m_world.SetSubStepCount(m_choices.Number(1, 6));
         return "SetSubStepCount";
+    case 9:
+        m_world.SetRestitutionThreshold(float32(m_choices.Number(0, 3)));
+        return "SetRestitutionThreshold";
     default:
         m_world.ShiftOrigin(m_choices.Vector(1.0f));
         return "ShiftOrigin";
