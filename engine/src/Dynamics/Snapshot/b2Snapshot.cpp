@@ -63,13 +63,12 @@ void VisitWorld(Archive& archive, World& world)
 {
     // Data of the program is kept: owner, filters, listeners, drawing, profile and threads. Counts
     // follow from the lists, pairs from the contacts; the rest is scratch.
-    auto& [owner, settings, gravity, subStepCount, allowSleep, allocator, proxies, pairs, graph,
-           islands, awakeBodies, awakeContacts, oldManifolds, attention, solver, subSteps,
-           energyGuard, impacts, threads, bodyList, jointList, contactList, bodyCount, jointCount,
-           gearCount, inactiveCount, contactCount, bodyNumber, jointNumber, defaultFilter, filter,
-           listener, destructionListener, debugDraw, lastSubSteps, inverseStep, stepNumber, profile,
-           contactManager, profiling, stepComplete, locked, forcesApplied, hasBullets,
-           filtersChanged, directionReversed] = world;
+    auto& [owner, settings, allocator, proxies, pairs, graph, islands, awakeBodies, awakeContacts,
+           oldManifolds, attention, solver, subSteps, energyGuard, impacts, threads, bodyList,
+           jointList, contactList, bodyCount, jointCount, gearCount, inactiveCount, contactCount,
+           bodyNumber, jointNumber, defaultFilter, filter, listener, destructionListener, debugDraw,
+           lastSubSteps, inverseStep, stepNumber, profile, contactManager, profiling, stepComplete,
+           locked, forcesApplied, hasBullets, filtersChanged, directionReversed] = world;
     archive(settings, bodyNumber, jointNumber, inactiveCount);
     archive.Within(lastSubSteps, 1, kMaxSubSteps);
     archive(inverseStep, stepNumber, stepComplete, forcesApplied, hasBullets, filtersChanged,

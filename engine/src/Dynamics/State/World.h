@@ -52,10 +52,6 @@ public:
 
     b2World& owner;
     WorldSettings settings;
-    // The names by which SubStepSolver.cpp reads settings.
-    const b2Vec2& gravity = settings.gravity;
-    const int32& subStepCount = settings.subStepCount;
-    const bool& allowSleep = settings.allowSleep;
 
     b2BlockAllocator allocator; ///< bodies, fixtures, shapes, joints, contacts
     Proxies proxies;

@@ -147,7 +147,7 @@ void TakeTotals(ContactBlock& block, const BlockTotals& totals)
 void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
                      int32 positionIterations)
 {
-    const int32 count = world.subStepCount;
+    const int32 count = world.settings.subStepCount;
     const float32 h = timeStep / float32(count);
     const int32 kickIterations = b2IterationsOfASubStep(velocityIterations, count);
     const int32 pushIterations = b2IterationsOfASubStep(positionIterations, count);
@@ -217,7 +217,7 @@ void SubStepSolver::Begin(int32 count)
         s = SolverBody();
         s.v = body.linearVelocity;
         s.w = body.angularVelocity;
-        m_subSteps.kicks[i] = BodyKick(body, m_world.gravity);
+        m_subSteps.kicks[i] = BodyKick(body, m_world.settings.gravity);
     });
     PrepareContacts();
     for (int32 i = 0; i < m_memory.colorCount; ++i)
@@ -327,9 +327,9 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
         Iterate(b2Max(iterations, kMinColdIterations));
     }
     ++m_kick;
-    m_subSteps.contacts.SolveVelocities(m_memory, m_subSteps.joints, m_context,
-                                        kRestTolerance * duration * m_world.gravity.Length() +
-                                            1e-6f);
+    m_subSteps.contacts.SolveVelocities(
+        m_memory, m_subSteps.joints, m_context,
+        kRestTolerance * duration * m_world.settings.gravity.Length() + 1e-6f);
 }
 
 void SubStepSolver::Iterate(int32 iterations)
@@ -383,9 +383,9 @@ void SubStepSolver::Fly(std::size_t index)
     s.v += (0.5f * h) * a;
     s.w += (0.5f * h) * alpha;
     const SolverBody middle = s;
-    for (int32 i = 0; i < m_world.subStepCount; ++i)
+    for (int32 i = 0; i < m_world.settings.subStepCount; ++i)
     {
-        MoveByVelocity(s, h / float32(m_world.subStepCount), kMaxSmallMove);
+        MoveByVelocity(s, h / float32(m_world.settings.subStepCount), kMaxSmallMove);
     }
     s.v = s.v == middle.v ? after : Bounded(s.v + (0.5f * h) * a); // it may have been limited
     s.w = Bounded(s.w + (0.5f * h) * alpha);
@@ -423,8 +423,9 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
     }
     if (found < -ContactSystem::kMaxOverlap)
     {
-        m_subSteps.contacts.SolveOverlaps(m_memory, m_subSteps.joints, m_context,
-                                          {b2_baumgarte / float32(m_world.subStepCount), maximum});
+        m_subSteps.contacts.SolveOverlaps(
+            m_memory, m_subSteps.joints, m_context,
+            {b2_baumgarte / float32(m_world.settings.subStepCount), maximum});
     }
     if (deepest < -b2_linearSlop)
     {
@@ -475,9 +476,9 @@ void SubStepSolver::End()
             Fly(i);
         }
     });
-    m_subSteps.joints.StepTrees(m_context.timeStep, m_world.subStepCount);
+    m_subSteps.joints.StepTrees(m_context.timeStep, m_world.settings.subStepCount);
     m_subSteps.joints.End();
-    if (m_world.allowSleep)
+    if (m_world.settings.allowSleep)
     {
         FindDeep();
     }
