@@ -106,14 +106,22 @@ Result<void> CopyBeginning(const CopiedPart& part, FFmpegMuxer& muxer, DecodingT
 std::int64_t CountWholeFrames(const std::filesystem::path& left, const FrameTimes& times,
                               AVRational tick)
 {
-    const Result<std::vector<std::int64_t>> shown = TimesIn({.from = left, .tick = tick});
-    if (!shown || shown->empty())
+    Result<FFmpegPackets> packets = FFmpegPackets::Open(left, tick);
+    std::int64_t last = 0;
+    std::vector<std::int64_t> keys{0}; // frames from which a decoder can start
+    while (const FFmpegOwner<AVPacket> packet = packets ? packets->Next() : nullptr)
     {
-        return 0;
+        last = std::max(last, packet->pts);
+        if ((packet->flags & AV_PKT_FLAG_KEY) != 0)
+        {
+            keys.push_back(times.IndexAt(packet->pts));
+        }
     }
-    const std::int64_t last = *std::max_element(shown->begin(), shown->end());
     const std::int64_t group = times.GroupOf(times.IndexAt(last));
-    return std::max<std::int64_t>(0, times.FirstIndexOf(group));
+    const std::int64_t start = std::max<std::int64_t>(0, times.FirstIndexOf(group));
+    // A film that was made without groups has another frame there.
+    const bool isStart = std::find(keys.begin(), keys.end(), start) != keys.end();
+    return times.HasGroups() && isStart ? start : *std::max_element(keys.begin(), keys.end());
 }
 
 Result<void> WriteWithIndexInFront(const std::filesystem::path& path, bool overwrite,

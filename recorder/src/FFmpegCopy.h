@@ -38,8 +38,8 @@ Result<void> CopyPackets(
 Result<void> CopyBeginning(const CopiedPart& part, FFmpegMuxer& muxer,
                            DecodingTimes& decodingTimes);
 
-/// Returns the number of complete frames of an interrupted film: those of all groups but the last.
-/// 0 if the film cannot be read.
+/// Returns the number of frames of an interrupted film that are kept: those of all groups but the
+/// last, or those before the last keyframe if the film has no groups. 0 if it cannot be read.
 std::int64_t CountWholeFrames(const std::filesystem::path& left, const FrameTimes& times,
                               AVRational tick);
 

@@ -6,6 +6,7 @@
 #include "FFmpegOutput.h"
 #include "FFmpegPackets.h"
 #include "FFmpegPicture.h"
+#include "FFmpegRepeat.h"
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
@@ -46,7 +47,10 @@ private:
     Result<void> OpenPicture();
     Result<void> Resume();
     Result<void> Fill(const Frame& frame, std::span<const PixelBounds> changed);
+    bool IsConstantRate() const;
     bool MustShow(std::int64_t index) const;
+    bool MustEncode(std::int64_t index) const;
+    Result<void> ShowHeld(AVPictureType type);
     Result<void> Show(std::int64_t index);
     Result<void> StartGroup(std::int64_t group);
     Result<void> EndGroup();
@@ -73,6 +77,10 @@ private:
     FFmpegOwner<AVFrame> m_picture;     // contains the last frame
     bool m_isPictureWhole = false;
     std::optional<FrameToPicture> m_converter; // set while the film is open
+    std::optional<FFmpegRepeat> m_repeat;      // none: frames are encoded as they come
+    std::int64_t m_held = -1; // with m_repeat, the frame of m_picture that is not encoded yet; its
+                              // type depends on the next one
+    bool m_isAfterRepeat = false; // the frame before the held one was repeated
     std::int64_t m_resumed = 0;
     std::int64_t m_frames = 0;      // resumed, appended or repeated
     std::int64_t m_group = -1;      // group that m_codec encodes
@@ -122,6 +130,10 @@ Result<void> FFmpegFilm::OpenMuxer()
 {
     ASSIGN_OR_RETURN(const FFmpegOwner<AVCodecParameters> parameters,
                      m_codec->MakeParameters(m_plan, m_settings, Name()));
+    if (IsConstantRate())
+    {
+        m_repeat = FFmpegRepeat::Create(m_plan, *parameters);
+    }
     const MuxerStream stream{parameters.get(), m_tick, m_codec->Context().framerate};
     ASSIGN_OR_RETURN(FFmpegMuxer muxer, FFmpegMuxer::Open(*m_output, m_plan.muxer,
                                                           m_plan.muxerOptions, stream, Name()));
@@ -160,15 +172,70 @@ Result<void> FFmpegFilm::Resume()
 
 Result<void> FFmpegFilm::Append(const Frame& frame, std::span<const PixelBounds> changed)
 {
+    if (m_repeat)
+    {
+        RETURN_IF_ERROR(ShowHeld(AV_PICTURE_TYPE_NONE));
+    }
     ++m_frames;
     RETURN_IF_ERROR(Fill(frame, changed));
+    if (m_repeat)
+    {
+        m_held = Last();
+        return {};
+    }
     return Show(Last());
 }
 
 Result<void> FFmpegFilm::Repeat()
 {
+    const std::int64_t index = m_frames;
+    const bool isEncoded = m_repeat ? MustEncode(index) : MustShow(index);
+    if (m_repeat)
+    {
+        RETURN_IF_ERROR(ShowHeld(isEncoded ? AV_PICTURE_TYPE_NONE : AV_PICTURE_TYPE_P));
+    }
     ++m_frames;
-    return MustShow(Last()) ? Show(Last()) : Result<void>();
+    if (!m_repeat)
+    {
+        return isEncoded ? Show(index) : Result<void>();
+    }
+    if (isEncoded)
+    {
+        m_held = index;
+        return {};
+    }
+    if (m_plan.needsGroups)
+    {
+        m_decodingTimes->Show(m_frameTimes.TimeOf(index));
+    }
+    m_repeat->Add(m_frameTimes.TimeOf(index), m_frameTimes.TimeOf(m_shown));
+    m_isAfterRepeat = true;
+    return {};
+}
+
+/// True if an equal frame must be given to the encoder although it can be repeated: it begins a
+/// group, or a decoder should be able to start there.
+bool FFmpegFilm::MustEncode(std::int64_t index) const
+{
+    return m_frameTimes.GroupOf(index) != m_frameTimes.GroupOf(index - 1) ||
+           index % kKeyframeDistance == 0;
+}
+
+/// Encodes the frame that waits. Frames before and after repeated ones are P, so that no other
+/// frame refers to frames on both sides. `type`: of the frame otherwise.
+Result<void> FFmpegFilm::ShowHeld(AVPictureType type)
+{
+    if (m_held < 0)
+    {
+        return {};
+    }
+    const bool isKeyframe =
+        m_isAfterRepeat && m_shown / kKeyframeDistance != m_held / kKeyframeDistance;
+    m_picture->pict_type = isKeyframe        ? AV_PICTURE_TYPE_I
+                           : m_isAfterRepeat ? AV_PICTURE_TYPE_P
+                                             : type;
+    m_isAfterRepeat = false;
+    return Show(std::exchange(m_held, -1));
 }
 
 Result<void> FFmpegFilm::Fill(const Frame& frame, std::span<const PixelBounds> changed)
@@ -202,7 +269,12 @@ bool FFmpegFilm::MustShow(std::int64_t index) const
     const bool isFirst = group != m_group;
     const bool isLast = group != m_frameTimes.GroupOf(index + 1);
     const bool isSecond = m_shown == 0 && m_frameTimes.NumberOf(0) == 0;
-    return m_plan.isConstantRate || m_settings.constantRate || isSecond || isFirst || isLast;
+    return IsConstantRate() || isSecond || isFirst || isLast;
+}
+
+bool FFmpegFilm::IsConstantRate() const
+{
+    return m_plan.isConstantRate || IsConstant(m_settings.timing, m_format);
 }
 
 /// Encodes the picture as frame `index`.
@@ -263,6 +335,21 @@ Result<Packets> FFmpegFilm::Take(const AVFrame* picture)
             packets.push_back(std::move(packet));
         }
     }
+    if (m_repeat)
+    {
+        Packets passed;
+        for (FFmpegOwner<AVPacket>& packet : packets)
+        {
+            ASSIGN_OR_RETURN(Packets more, m_repeat->Pass(std::move(packet)));
+            std::move(more.begin(), more.end(), std::back_inserter(passed));
+        }
+        if (picture == nullptr)
+        {
+            ASSIGN_OR_RETURN(Packets more, m_repeat->Pass(nullptr));
+            std::move(more.begin(), more.end(), std::back_inserter(passed));
+        }
+        packets = std::move(passed);
+    }
     const bool isDone = status == AVERROR_EOF || (picture != nullptr && status == AVERROR(EAGAIN));
     return isDone ? Result<Packets>(std::move(packets)) : Result<Packets>(EncodeError(status));
 }
@@ -287,8 +374,9 @@ Result<void> FFmpegFilm::Finish()
     {
         return m_muxer->Finish();
     }
+    RETURN_IF_ERROR(ShowHeld(AV_PICTURE_TYPE_NONE));
     const bool isLastShown = m_shown == Last();
-    if (!isLastShown && !IsAnimation(m_format))
+    if (!m_repeat && !isLastShown && !IsAnimation(m_format))
     {
         if (Result<void> shown = Show(Last()); !shown) // it defines the duration of the previous
                                                        // frame

@@ -57,10 +57,12 @@ namespace boxreel
     X(sws_setColorspaceDetails)
 
 #define BOXREEL_AVCODEC_FUNCTIONS(X)                                                               \
+    X(av_new_packet)                                                                               \
     X(av_packet_alloc)                                                                             \
     X(av_packet_free)                                                                              \
     X(av_packet_get_side_data)                                                                     \
     X(av_packet_make_writable)                                                                     \
+    X(av_packet_ref)                                                                               \
     X(av_packet_rescale_ts)                                                                        \
     X(av_packet_unref)                                                                             \
     X(avcodec_alloc_context3)                                                                      \

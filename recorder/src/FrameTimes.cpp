@@ -4,10 +4,25 @@
 namespace boxreel
 {
 
+namespace
+{
+
+/// More frames than a film has.
+constexpr std::int64_t kNoGroups = std::int64_t(1) << 40;
+
+std::int64_t GroupFrames(VideoFormat format, const VideoSettings& settings)
+{
+    return settings.groupFrames > 0 ? settings.groupFrames
+           : IsAnimation(format)    ? kPartFrames
+                                    : kNoGroups;
+}
+
+} // namespace
+
 FrameTimes::FrameTimes(VideoFormat format, const VideoSettings& settings)
     : m_isGif(format == VideoFormat::Gif), m_framesPerSecond(settings.framesPerSecond),
       m_frames(settings.frames), m_step(m_isGif ? GifFrameStep(settings.framesPerSecond) : 1),
-      m_groupFrames(settings.groupFrames * m_step)
+      m_groupFrames(GroupFrames(format, settings) * m_step), m_hasGroups(m_groupFrames < kNoGroups)
 {}
 
 std::int64_t FrameTimes::NumberOf(std::int64_t index) const

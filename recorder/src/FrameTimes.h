@@ -20,6 +20,7 @@ public:
     bool IsKept(std::int64_t index) const;               ///< false for frames a GIF omits
     std::int64_t TimeOf(std::int64_t index) const;       ///< [ticks]
     std::int64_t IndexAt(std::int64_t time) const;       ///< index of the frame shown at this time
+    bool HasGroups() const { return m_hasGroups; }       ///< false: all frames are in group 0
     std::int64_t GroupOf(std::int64_t index) const;      ///< increases by 1 after the last frame of
                                                          ///< a group
     std::int64_t FirstIndexOf(std::int64_t group) const; ///< may be negative for a part
@@ -30,6 +31,7 @@ private:
     FrameRange m_frames;
     std::int64_t m_step;        // between kept frames
     std::int64_t m_groupFrames; // including omitted frames
+    bool m_hasGroups;
 };
 
 } // namespace boxreel

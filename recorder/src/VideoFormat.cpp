@@ -142,10 +142,10 @@ Result<void> CheckNumbers(const VideoSettings& settings)
         return Error{ErrorKind::Unusable, "threads " + std::to_string(settings.threads),
                      "must be between 0 (two threads) and " + std::to_string(kMaxThreads)};
     }
-    if (settings.groupFrames < 1)
+    if (settings.groupFrames < 0)
     {
         return Error{ErrorKind::Unusable, "groupFrames " + std::to_string(settings.groupFrames),
-                     "must be at least 1"};
+                     "must be at least 0"};
     }
     if (settings.plays < 0 || settings.plays > kMaxPlays)
     {
@@ -171,7 +171,15 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
         return Error{ErrorKind::Unusable, path.string(), "cannot be resumed",
                      "remove --resume, or write another format"};
     }
-    if (settings.constantRate && format == VideoFormat::WebP)
+    const bool storesAll =
+        IsOfLibav(format) ? !HasParts(format) : format == VideoFormat::PngSequence;
+    if (settings.timing == FrameTiming::Variable && storesAll)
+    {
+        return Error{ErrorKind::Unusable, path.string(),
+                     "has a constant frame rate, because the format stores every frame",
+                     "remove --variable-rate, or write .mp4, .mkv or .webm"};
+    }
+    if (settings.timing == FrameTiming::Constant && format == VideoFormat::WebP)
     {
         return Error{ErrorKind::Unusable, path.string(),
                      "cannot have a constant rate, because libwebp joins identical frames",
@@ -245,6 +253,12 @@ bool IsOfLibav(VideoFormat format)
            format != VideoFormat::PngSequence;
 }
 
+bool IsConstant(FrameTiming timing, VideoFormat format)
+{
+    return timing == FrameTiming::Constant ||
+           (timing == FrameTiming::Automatic && !IsAnimation(format));
+}
+
 std::int64_t GifFrameStep(const Rational& framesPerSecond)
 {
     const std::int64_t shortest = framesPerSecond.num * kGifCentiseconds;
@@ -288,7 +302,8 @@ std::int64_t PartLength(const std::filesystem::path& path, const VideoSettings& 
         return 0;
     }
     const bool isGif = *format == VideoFormat::Gif;
-    return settings.groupFrames * (isGif ? GifFrameStep(settings.framesPerSecond) : 1);
+    const int groupFrames = settings.groupFrames > 0 ? settings.groupFrames : kPartFrames;
+    return groupFrames * (isGif ? GifFrameStep(settings.framesPerSecond) : 1);
 }
 
 Rational StoredFrameRate(const std::filesystem::path& path, const Rational& framesPerSecond)

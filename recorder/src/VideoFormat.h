@@ -42,6 +42,9 @@ bool HasParts(VideoFormat format);
 /// True if decoding and encoding again is lossless; such films are resumed and joined that way.
 bool IsAnimation(VideoFormat format);
 
+/// True if every frame is stored.
+bool IsConstant(FrameTiming timing, VideoFormat format);
+
 /// Returns n if a GIF keeps every n-th frame. Its delays are whole centiseconds, and players slow
 /// down delays below two.
 std::int64_t GifFrameStep(const Rational& framesPerSecond);

@@ -105,8 +105,11 @@ void Add(EncoderPlan& plan, std::initializer_list<std::pair<std::string, std::st
 
 /// Presets by cost per 720p frame: ultrafast 2.7 ms, veryfast 7.5, medium 15. Lossless keeps RGB,
 /// because 8-bit YUV would round.
-/// No macroblock tree: with it and several threads, one run in a few hundred gives different bytes.
-/// On drawings it saves nothing at equal error.
+/// No thread for the lookahead: x264 counts the users of a picture without a lock there, so one run
+/// in a few hundred gives different bytes (docs/notes/same-bytes.md). The bytes are those that it
+/// gives otherwise.
+/// What is predicted must not depend on the distance of pictures, because repeated ones lie between
+/// (H264Repeat). One reference is safe.
 void PlanH264(EncoderPlan& plan, const VideoSettings& settings)
 {
     plan.encoder = "libx264";
@@ -117,10 +120,10 @@ void PlanH264(EncoderPlan& plan, const VideoSettings& settings)
         Add(plan, {{"preset", "ultrafast"}, {"crf", "28"}});
         break;
     case Quality::Standard:
-        Add(plan, {{"preset", "veryfast"}, {"crf", "22"}, {"mbtree", "0"}});
+        Add(plan, {{"preset", "veryfast"}, {"crf", "22"}});
         break;
     case Quality::High:
-        Add(plan, {{"preset", "medium"}, {"crf", "16"}, {"mbtree", "0"}});
+        Add(plan, {{"preset", "medium"}, {"crf", "16"}, {"weightb", "0"}});
         break;
     case Quality::Lossless:
         plan.encoder = "libx264rgb";
@@ -128,6 +131,7 @@ void PlanH264(EncoderPlan& plan, const VideoSettings& settings)
         Add(plan, {{"preset", "veryfast"}, {"qp", "0"}});
         break;
     }
+    Add(plan, {{"direct-pred", "spatial"}, {"x264-params", "sync-lookahead=0"}});
 }
 
 /// "realtime" selects a faster search: for 720p drawings a quarter of the time of "good", for a

@@ -178,11 +178,17 @@ void AddFormat(Command& command, VideoSettings& film)
              "Play a gif, apng or webp N times; 0: forever (0)")
         .Group("Format");
     AddValue(command, "--group", "N", film.groupFrames, WholeBetween(1, 100000),
-             "Encode N frames together; parts begin at multiples of N (100)")
+             "Encode each N frames independently; parts begin at multiples of N\n"
+             "(100 with --frame-range or --resume; otherwise the film is one)")
         .Group("Format");
-    AddFlag(command, "--constant-rate", film.constantRate,
-            "Store every frame, even if identical to the one before, for\n"
-            "programs that encode the film again; not for .webp")
+    AddFlag(
+        command, "--variable-rate", [&film] { film.timing = FrameTiming::Variable; },
+        "Show a frame for longer instead of storing an identical one, in\n"
+        ".mp4, .mkv and .webm (.gif, .apng and .webp always do)")
+        .Group("Format");
+    AddFlag(
+        command, "--constant-rate", [&film] { film.timing = FrameTiming::Constant; },
+        "Store every frame of a .gif or .apng (.mp4, .mkv and .webm always do)")
         .Group("Format");
     AddValue(command, "--threads", "N", film.threads, WholeBetween(1, 64),
              "Set the encoder threads; H.264 bytes depend on them (2)")
@@ -275,8 +281,7 @@ Command& Declare(Command& program, RecordOptions& record)
     AddBackend(command, record.backend).Group("Picture");
     command.notes =
         "Ctrl-C ends with exit code 75 and leaves NAME.part.EXT, which is playable. The same\n"
-        "command with --resume continues it. Identical consecutive frames are stored once, with\n"
-        "a longer duration, if the format supports it.\n\n"
+        "command with --resume continues it.\n\n"
         "Examples:\n"
         "  boxreel record pyramid -o pyramid.mp4\n"
         "  boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270\n"

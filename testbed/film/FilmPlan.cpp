@@ -94,6 +94,11 @@ Result<FilmPlan> PlanFilm(const RecordOptions& options)
     plan.film.width = options.look.width;
     plan.film.height = options.look.height;
     plan.film.frames = plan.frames;
+    const bool hasParts = options.length.range || options.film.resume;
+    if (hasParts && plan.film.groupFrames == 0)
+    {
+        plan.film.groupFrames = kPartFrames;
+    }
     plan.groupFrames = PartLength(options.output, plan.film);
     return plan;
 }

@@ -239,7 +239,7 @@ TEST_P(Parts, AFrameThatIsHeldIsStoredFewTimes)
         return; // its encoder never stores a frame twice
     }
     VideoSettings settings = Settings();
-    settings.constantRate = true;
+    settings.timing = boxreel::FrameTiming::Constant;
     settings.overwrite = true;
     VideoWriter writer = *VideoWriter::Open(Path("whole"), settings);
     Continue(writer, 0, kCount);

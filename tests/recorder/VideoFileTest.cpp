@@ -291,7 +291,7 @@ TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
         {"film.mp4", {.framesPerSecond = {1001, 1}}, "rate 1001/1", "1000"},
         {"film.mp4", {.framesPerSecond = {0, 1}}, "rate 0/1", ""},
         {"film.mp4", {.threads = 65}, "threads 65", "64"},
-        {"film.webp", {.constantRate = true}, "film.webp", "--constant-rate"},
+        {"film.webp", {.timing = boxreel::FrameTiming::Constant}, "film.webp", "--constant-rate"},
         {"film.mp4", {.threads = -1}, "threads -1", "64"},
     };
     for (const Refused& c : cases)
@@ -310,7 +310,7 @@ TEST(CheckVideoPath, AcceptsFormatsInAnyCaseAndOddSizesIn444)
     }
     VideoSettings odd{.width = 1281, .height = 721};
     EXPECT_TRUE(CheckVideoPath("a.gif", odd));
-    EXPECT_TRUE(CheckVideoPath("a.apng", {.constantRate = true}));
+    EXPECT_TRUE(CheckVideoPath("a.apng", {.timing = boxreel::FrameTiming::Constant}));
     EXPECT_TRUE(CheckVideoPath("a-#.png", odd));
     EXPECT_TRUE(CheckVideoPath("a.nut", odd));
     odd.chroma = boxreel::Chroma::Full;

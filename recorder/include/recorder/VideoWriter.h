@@ -42,10 +42,15 @@
 /// - Lossless stores RGB. It is .mkv FFV1, .webm VP9 4:4:4, or .gif if no frame has more than 256
 ///   colours. For .mp4 it is H.264 High 4:4:4 Predictive, which mpv, VLC and ffmpeg play and
 ///   browsers do not.
-/// - A frame equal to the previous one is not encoded again if the format has variable frame
-///   durations. Exceptions are the first and last frame of a group (below) and of the film.
-/// - Films are encoded in independent groups of frames. Parts recorded separately can therefore be
-///   joined to the same film as a single recording, and an interrupted film can be resumed.
+/// - .mp4, .mkv and .webm have a constant frame rate: each frame is stored, at its time. A frame
+///   equal to the previous one is not given to the encoder. H.264 and VP9 store a few bytes for it,
+///   FFV1 the same packet again; only AV1 encodes it.
+/// - With FrameTiming::Variable, and in animations, such a frame is not stored; the previous one
+///   has a longer duration. Exceptions are the first and last frame of a group (below) and of the
+///   film.
+/// - With VideoSettings::groupFrames, films are encoded in independent groups of frames. Parts
+///   recorded separately can then be joined to the same film as a single recording, and an
+///   interrupted film resumed to it. Without, a film is smaller, and resumed at its last keyframe.
 /// - A GIF stores times in 1/100 s; each is rounded separately, so there is no drift. Browsers do
 ///   not show frames shorter than 1/50 s, so above 50 frames a second every n-th frame is kept.
 ///   StoredFrameRate returns the resulting rate: 60 becomes 30.
@@ -73,6 +78,15 @@ enum class Chroma
     Full, ///< 4:4:4: sharp coloured lines; browsers do not play it as H.264
 };
 
+/// Whether every frame is stored.
+enum class FrameTiming
+{
+    Automatic, ///< Constant for .mp4, .mkv and .webm, Variable for .gif, .apng and .webp
+    Constant,  ///< every frame is stored; an Error for .webp
+    Variable,  ///< a frame is shown for longer instead of stored again; an Error for .y4m, .nut and
+               ///< pictures
+};
+
 /// Format and quality of a film.
 struct VideoSettings
 {
@@ -88,8 +102,10 @@ struct VideoSettings
     int plays = 0;   ///< how often a gif, apng or webp plays, up to 65535; 0: forever
     int threads = 0; ///< threads of the encoder, 0 to 64; 0: two. H.264's bytes depend on it, not
                      ///< its quality.
-    bool constantRate = false; ///< encode every frame, including identical ones; not for webp
-    int groupFrames = 100;     ///< length of a group, at least 1 [stored frames]
+    FrameTiming timing = FrameTiming::Automatic; ///< whether identical frames are stored
+    /// Length of a group, at least 0 [stored frames]. 0: films have no groups, animations have
+    /// groups of kPartFrames.
+    int groupFrames = 0;
     /// Numbers of the appended frames in the whole film, of which this may be a part. Groups start
     /// at multiples of their length; picture files have these numbers.
     FrameRange frames{};
@@ -116,8 +132,11 @@ std::vector<CodecChoice> CodecChoices();
 /// nearest that it can), a codec or a quality that it does not have.
 Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettings& settings);
 
+/// Length of the groups of films that are made in parts, if no other is asked for [stored frames].
+inline constexpr int kPartFrames = 100;
+
 /// Returns the frame count between possible starts of a part; parts start at multiples. 0: the film
-/// cannot be split. `settings` must have passed CheckVideoPath.
+/// cannot be split. It is that of groups of kPartFrames if the settings have none. `settings` must have passed CheckVideoPath.
 std::int64_t PartLength(const std::filesystem::path& path, const VideoSettings& settings);
 
 /// Returns the frame rate of the film at `path`: as requested, except for a GIF above 50.
