@@ -12,6 +12,8 @@
 #include <base/ErrorMacros.h>
 
 #include <algorithm>
+#include <bit>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -85,6 +87,7 @@ private:
     std::int64_t m_frames = 0;      // resumed, appended or repeated
     std::int64_t m_group = -1;      // group that m_codec encodes
     std::int64_t m_shown = -1;      // index of the last encoded frame
+    std::int64_t m_changed = 0;     // index of the last appended frame
     std::int64_t m_lastWritten = 0; // start of the frame whose packet was written last [ticks]
 };
 
@@ -178,6 +181,7 @@ Result<void> FFmpegFilm::Append(const Frame& frame, std::span<const PixelBounds>
     }
     ++m_frames;
     RETURN_IF_ERROR(Fill(frame, changed));
+    m_changed = Last();
     if (m_repeat)
     {
         m_held = Last();
@@ -214,11 +218,16 @@ Result<void> FFmpegFilm::Repeat()
 }
 
 /// True if an equal frame must be given to the encoder although it can be repeated: it begins a
-/// group, or a decoder should be able to start there.
+/// group, a decoder should be able to start there, or the picture has been still for long. x264
+/// improves a still picture with each frame that it encodes.
 bool FFmpegFilm::MustEncode(std::int64_t index) const
 {
+    constexpr std::int64_t kFirstImproved = 8; // then 16, 32, …; smaller costs slow motion time
+    const std::int64_t still = index - m_changed;
+    const bool isImproved =
+        still >= kFirstImproved && std::has_single_bit(static_cast<std::uint64_t>(still));
     return m_frameTimes.GroupOf(index) != m_frameTimes.GroupOf(index - 1) ||
-           index % kKeyframeDistance == 0;
+           index % kKeyframeDistance == 0 || isImproved;
 }
 
 /// Encodes the frame that waits. Frames before and after repeated ones are P, so that no other
