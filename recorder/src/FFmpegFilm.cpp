@@ -34,6 +34,10 @@ public:
 
     Result<void> Open();
     std::int64_t ResumedFrames() const override { return m_resumed; }
+    std::optional<std::int64_t> StoredFrames() const override
+    {
+        return IsConstantRate() ? std::nullopt : std::optional(m_stored);
+    }
     Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed) override;
     Result<void> Repeat() override;
     Result<void> TakePlace() override { return m_file->Mark("part"); }
@@ -87,6 +91,7 @@ private:
     std::int64_t m_frames = 0;      // resumed, appended or repeated
     std::int64_t m_group = -1;      // group that m_codec encodes
     std::int64_t m_shown = -1;      // index of the last encoded frame
+    std::int64_t m_stored = 0;      // packets in the file
     std::int64_t m_changed = 0;     // index of the last appended frame
     std::int64_t m_lastWritten = 0; // start of the frame whose packet was written last [ticks]
 };
@@ -168,6 +173,8 @@ Result<void> FFmpegFilm::Resume()
         const CopiedPart kept{
             .from = left, .tick = m_tick, .before = m_frameTimes.TimeOf(Last() + 1)};
         RETURN_IF_ERROR(CopyBeginning(kept, *m_muxer, *m_decodingTimes));
+        ASSIGN_OR_RETURN(const std::vector<std::int64_t> times, TimesIn(kept));
+        m_stored = std::int64_t(times.size());
     }
     m_output->Flush();
     return m_file->Mark("part");
@@ -370,6 +377,7 @@ Result<void> FFmpegFilm::Write(const Packets& packets)
     {
         packet->dts = m_plan.needsGroups ? m_decodingTimes->Next() : packet->pts;
         m_lastWritten = packet->pts;
+        ++m_stored;
         packet->duration = 1;
         RETURN_IF_ERROR(m_muxer->Write(*packet));
     }

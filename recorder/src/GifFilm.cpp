@@ -203,7 +203,8 @@ Result<void> GifFilm::Repeat()
 bool GifFilm::MustShow() const
 {
     const bool isSecond = m_times.NumberOf(Last()) == GifFrameStep(m_settings.framesPerSecond);
-    return m_settings.timing == FrameTiming::Constant || isSecond || m_times.GroupOf(Last()) != m_group;
+    return m_settings.timing == FrameTiming::Constant || isSecond ||
+           m_times.GroupOf(Last()) != m_group;
 }
 
 /// Stores the last frame.

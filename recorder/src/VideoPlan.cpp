@@ -120,10 +120,10 @@ void PlanH264(EncoderPlan& plan, const VideoSettings& settings)
         Add(plan, {{"preset", "ultrafast"}, {"crf", "28"}});
         break;
     case Quality::Standard:
-        Add(plan, {{"preset", "veryfast"}, {"crf", "22"}});
+        Add(plan, {{"preset", "veryfast"}, {"crf", "20"}});
         break;
     case Quality::High:
-        Add(plan, {{"preset", "medium"}, {"crf", "16"}, {"weightb", "0"}});
+        Add(plan, {{"preset", "medium"}, {"crf", "14"}, {"weightb", "0"}});
         break;
     case Quality::Lossless:
         plan.encoder = "libx264rgb";

@@ -5,6 +5,7 @@
 #include <render/Frame.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -23,6 +24,10 @@ public:
 
     /// Returns the number of frames kept from an interrupted film.
     virtual std::int64_t ResumedFrames() const { return 0; }
+
+    /// Returns the number of frames in the file so far, with those kept; none if each appended
+    /// frame is stored, or the format counts them in another way.
+    virtual std::optional<std::int64_t> StoredFrames() const { return std::nullopt; }
 
     /// `changed`: where the frame may differ from the last one; the whole frame for the first.
     virtual Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed) = 0;

@@ -23,8 +23,9 @@ struct VideoWriter::Impl
     std::unique_ptr<VideoSink> sink; ///< null after Close or an Error
     int width = 0;
     int height = 0;
-    bool isEmpty = true;      ///< no frame was appended
-    std::int64_t resumed = 0; ///< frames of an animation that were encoded again
+    bool isEmpty = true;                ///< no frame was appended
+    std::int64_t resumed = 0;           ///< frames of an animation that were encoded again
+    std::optional<std::int64_t> stored; ///< after the end
     StageTimes* stages = nullptr;
 
     /// After an Error the sink is destroyed, which removes its files.
@@ -103,6 +104,11 @@ std::int64_t VideoWriter::ResumedFrames() const
     return m_impl->sink ? m_impl->resumed + m_impl->sink->ResumedFrames() : 0;
 }
 
+std::optional<std::int64_t> VideoWriter::StoredFrames() const
+{
+    return m_impl->stored;
+}
+
 StageTimes* VideoWriter::Stages() const
 {
     return m_impl->stages;
@@ -153,6 +159,7 @@ Result<void> VideoWriter::End(Result<void> (VideoSink::*end)())
                      "append at least one before Close"};
     }
     Result<void> ended = (m_impl->sink.get()->*end)();
+    m_impl->stored = m_impl->sink->StoredFrames();
     m_impl->sink.reset();
     return ended;
 }

@@ -153,8 +153,9 @@ void AddCodec(Command& command, std::string& codec)
 }
 
 /// How it is encoded.
-void AddFormat(Command& command, VideoSettings& film)
+void AddFormat(Command& command, RecordOptions& record)
 {
+    VideoSettings& film = record.film;
     AddValue(command, "--quality", "LEVEL", film.quality,
              OneOf<Quality>({{"draft", Quality::Draft},
                              {"standard", Quality::Standard},
@@ -181,14 +182,11 @@ void AddFormat(Command& command, VideoSettings& film)
              "Encode each N frames independently; parts begin at multiples of N\n"
              "(100 with --frame-range or --resume; otherwise the film is one)")
         .Group("Format");
-    AddFlag(
-        command, "--variable-rate", [&film] { film.timing = FrameTiming::Variable; },
-        "Show a frame for longer instead of storing an identical one, in\n"
-        ".mp4, .mkv and .webm (.gif, .apng and .webp always do)")
+    AddFlag(command, "--variable-rate", record.variableRate,
+            "Show a frame for longer instead of storing an identical one, in\n"
+            ".mp4, .mkv and .webm; .gif, .apng and .webp do without it")
         .Group("Format");
-    AddFlag(
-        command, "--constant-rate", [&film] { film.timing = FrameTiming::Constant; },
-        "Store every frame of a .gif or .apng (.mp4, .mkv and .webm always do)")
+    AddFlag(command, "--constant-rate", record.constantRate, "Store every frame of a .gif or .apng")
         .Group("Format");
     AddValue(command, "--threads", "N", film.threads, WholeBetween(1, 64),
              "Set the encoder threads; H.264 bytes depend on them (2)")
@@ -276,7 +274,7 @@ Command& Declare(Command& program, RecordOptions& record)
              "Set the time of the thumbnail (the middle of the film, or the last\n"
              "frame if --until ends the film before)");
     AddTime(command, record);
-    AddFormat(command, record.film);
+    AddFormat(command, record);
     AddLook(command, record.look, nullptr);
     AddBackend(command, record.backend).Group("Picture");
     command.notes =
@@ -312,6 +310,13 @@ Result<void> Check(RecordOptions& options)
     {
         return Conflict("--resume", "--force");
     }
+    if (options.constantRate && options.variableRate)
+    {
+        return Conflict("--constant-rate", "--variable-rate");
+    }
+    options.film.timing = options.constantRate   ? FrameTiming::Constant
+                          : options.variableRate ? FrameTiming::Variable
+                                                 : FrameTiming::Automatic;
     if (options.length.range && !options.length.until.empty())
     {
         return Conflict("--frame-range", "--until");

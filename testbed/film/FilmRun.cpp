@@ -185,7 +185,9 @@ Result<int> FilmRun::Finished()
 {
     RETURN_IF_ERROR(FinishManifest());
     RETURN_IF_ERROR(m_thumbnail.Write(*m_renderer));
-    m_progress.Finish(ReportOf(m_options, m_filmed, m_progress.Seconds()));
+    FilmReport report = ReportOf(m_options, m_filmed, m_progress.Seconds());
+    report.stored = m_writer->StoredFrames();
+    m_progress.Finish(report);
     if (!m_options.length.until.empty() && !m_hasEndedByItself)
     {
         WriteMessage("boxreel: --until: no condition became true within " +

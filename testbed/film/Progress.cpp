@@ -180,6 +180,10 @@ std::string ReportText(const FilmReport& report)
         text += Format(" (kept of %lld: a GIF shows at most 50 a second)",
                        Printable(report.framesFilmed));
     }
+    if (report.stored)
+    {
+        text += Format(", %lld of them stored", Printable(*report.stored));
+    }
     if (report.bytes >= 0)
     {
         text += ", " + BytesText(report.bytes);
@@ -192,6 +196,10 @@ std::string ReportJsonText(const FilmReport& report)
     std::string text = "{\"event\":\"done\",\"file\":" + JsonString(report.file.string());
     text += Format(",\"frames\":%lld,\"width\":%d,\"height\":%d,\"fps\":%g",
                    Printable(report.frames), report.width, report.height, report.framesPerSecond);
+    if (report.stored)
+    {
+        text += Format(",\"stored\":%lld", Printable(*report.stored));
+    }
     if (report.bytes >= 0)
     {
         text += Format(",\"bytes\":%lld", Printable(report.bytes));

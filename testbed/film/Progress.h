@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 /// How far a film is, on standard error: a bar for a person at a terminal, lines for a log, JSON
@@ -32,8 +33,9 @@ struct FilmReport
     int width = 0;                 ///< [px]
     int height = 0;                ///< [px]
     double framesPerSecond = 60.0;
-    double seconds = 0.0;    ///< that making it took
-    std::int64_t bytes = -1; ///< of the file; -1: not one file
+    double seconds = 0.0;               ///< that making it took
+    std::int64_t bytes = -1;            ///< of the file; -1: not one file
+    std::optional<std::int64_t> stored; ///< frames in a file of variable rate; none: all
 };
 
 /// The texts, without line ends. `seconds`: since the first frame was begun.

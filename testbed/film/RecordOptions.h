@@ -61,7 +61,9 @@ struct RecordOptions
     std::string scene; ///< a name or a file
     std::filesystem::path output;
     SceneLook look;
-    VideoSettings film; ///< without its size, which is the look's
+    VideoSettings film;        ///< without its size, which is the look's
+    bool constantRate = false; ///< --constant-rate and --variable-rate set the film's timing
+    bool variableRate = false;
     FilmLength length;
     FilmPace pace;
     ThumbnailOptions thumbnail;

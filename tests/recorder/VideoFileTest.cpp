@@ -291,6 +291,8 @@ TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
         {"film.mp4", {.framesPerSecond = {1001, 1}}, "rate 1001/1", "1000"},
         {"film.mp4", {.framesPerSecond = {0, 1}}, "rate 0/1", ""},
         {"film.mp4", {.threads = 65}, "threads 65", "64"},
+        {"film.y4m", {.timing = boxreel::FrameTiming::Variable}, "film.y4m", "--variable-rate"},
+        {"f-##.png", {.timing = boxreel::FrameTiming::Variable}, "f-##.png", "--variable-rate"},
         {"film.webp", {.timing = boxreel::FrameTiming::Constant}, "film.webp", "--constant-rate"},
         {"film.mp4", {.threads = -1}, "threads -1", "64"},
     };

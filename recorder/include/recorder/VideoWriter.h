@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -136,7 +137,8 @@ Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettin
 inline constexpr int kPartFrames = 100;
 
 /// Returns the frame count between possible starts of a part; parts start at multiples. 0: the film
-/// cannot be split. It is that of groups of kPartFrames if the settings have none. `settings` must have passed CheckVideoPath.
+/// cannot be split. It is that of groups of kPartFrames if the settings have none. `settings` must
+/// have passed CheckVideoPath.
 std::int64_t PartLength(const std::filesystem::path& path, const VideoSettings& settings);
 
 /// Returns the frame rate of the film at `path`: as requested, except for a GIF above 50.
@@ -161,6 +163,9 @@ public:
     /// Returns the number of frames kept from an interrupted film; the next appended frame follows
     /// them. 0 unless `resume` is set.
     std::int64_t ResumedFrames() const;
+
+    /// Returns the number of stored frames after Close, if FrameTiming::Variable has left some out.
+    std::optional<std::int64_t> StoredFrames() const;
 
     /// Returns the StageTimes of the settings; may be null.
     StageTimes* Stages() const;

@@ -311,8 +311,9 @@ TEST_F(Film, ThumbnailEqualsFrameAtItsTime)
 
 TEST_F(Film, ResumedFilmEqualsUninterruptedFilm)
 {
-    const std::vector<std::string> record{"record", "tumbler",  "--frames", "360", "--size",
-                                          "160x90", "--camera", "follow:3", "-o"};
+    const std::vector<std::string> record{"record",   "tumbler",  "--frames", "360",
+                                          "--size",   "160x90",   "--group",  "100",
+                                          "--camera", "follow:3", "-o"};
     std::vector<std::string> whole = record;
     whole.insert(whole.end(), {"whole.mp4", "--thumbnail", "whole.png", "--thumbnail-at", "0.5"});
     ASSERT_EQ(Run(whole).code, 0);
@@ -335,6 +336,43 @@ TEST_F(Film, ResumedFilmEqualsUninterruptedFilm)
     EXPECT_EQ(Decode("film.mp4"), Decode("whole.mp4"));
     EXPECT_EQ(*ReadPng(folder / "film.png"), *ReadPng(folder / "whole.png"));
     EXPECT_THAT(folder.Files(), ElementsAre("film.mp4", "film.png", "whole.mp4", "whole.png"));
+}
+
+TEST_F(Film, ContinuesAtItsLastKeyframeWithoutGroups)
+{
+    std::vector<std::string> command{"record", "tumbler", "--frames", "500",    "--size",
+                                     "160x90", "-o",      "film.mp4", "--stats"};
+    const Outcome killed = RunBoxreel(command, folder.Path(),
+                                      [&](int process) { StopAfterGroups(process, SIGINT, 400); });
+    ASSERT_EQ(killed.code, 75) << "it was over before it could be stopped";
+    command.emplace_back("--resume");
+    const Outcome resumed = Run(command);
+    ASSERT_EQ(resumed.code, 0) << resumed.errors;
+    EXPECT_THAT(resumed.errors, Not(testing::ContainsRegex("frames +500 "))) << "none were there";
+    EXPECT_EQ(Decode("film.mp4", Frames::Stored).size(), 500u);
+    EXPECT_THAT(folder.Files(), ElementsAre("film.mp4"));
+}
+
+TEST_F(Film, StoresEveryFrameUnlessTheRateIsVariable)
+{
+    const auto make = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> command{"record", "pyramid", "--frames",   "40",   "--from", "8s",
+                                         "--size", "160x90",  "--progress", "json", "--force"};
+        command.insert(command.end(), more.begin(), more.end());
+        return Run(command);
+    };
+    for (const std::string film : {"film.mp4", "film.mkv", "film.webm"})
+    {
+        SCOPED_TRACE(film);
+        const Outcome constant = make({"-o", film});
+        EXPECT_THAT(constant.errors, HasSubstr("\"frames\":40,"));
+        EXPECT_EQ(Decode(film, Frames::Stored).size(), 40u);
+        const Outcome variable = make({"-o", film, "--variable-rate"});
+        const std::size_t stored = Decode(film, Frames::Stored).size();
+        EXPECT_LT(stored, 5u);
+        EXPECT_THAT(variable.errors, HasSubstr("\"stored\":" + std::to_string(stored)));
+    }
+    EXPECT_EQ(make({"-o", "film.mp4", "--variable-rate", "--constant-rate"}).code, 1);
 }
 
 TEST_F(Film, ResumedAndJoinedAnimationsEqualWholeOnes)

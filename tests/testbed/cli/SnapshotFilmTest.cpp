@@ -263,8 +263,9 @@ TEST_F(Snapshots, OfConcurrentRunsAreValid)
 
 TEST_F(Snapshots, SpeedUpResumedFilm)
 {
-    const std::vector<std::string> record{"record",   "tumbler", "--frames", "400", "--camera",
-                                          "follow:3", "--size",  "160x90",   "-o"};
+    const std::vector<std::string> record{"record",   "tumbler",  "--frames", "400",
+                                          "--camera", "follow:3", "--size",   "160x90",
+                                          "--group",  "100",      "-o"};
     std::vector<std::string> whole = record;
     whole.emplace_back("whole.mkv");
     ASSERT_EQ(Run(whole).code, 0);

@@ -65,10 +65,10 @@ TEST(Progress, JsonIsOneObject)
 
 TEST(Progress, TheReportSaysWhatWasMade)
 {
-    const FilmReport report{"drop.mp4", 600, 600, 1280, 720, 60.0, 4.25, 1'234'567};
+    const FilmReport report{"drop.mp4", 600, 600, 1280, 720, 60.0, 4.25, 1'234'567, {}};
     EXPECT_EQ(ReportText(report),
               "drop.mp4: 600 frames of 1280x720 at 60 fps, 1.2 MB, made in 4.2 s");
-    const FilmReport single{"a.png", 1, 1, 320, 180, 60.0, 0.1, 1'000};
+    const FilmReport single{"a.png", 1, 1, 320, 180, 60.0, 0.1, 1'000, {}};
     EXPECT_THAT(ReportText(single), HasSubstr("a.png: 1 frame of 320x180"));
     EXPECT_EQ(ReportJsonText(report),
               R"({"event":"done","file":"drop.mp4","frames":600,"width":1280,)"
