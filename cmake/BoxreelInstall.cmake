@@ -77,7 +77,7 @@ boxreel_install_library(goldenworld HEADERS golden DESCRIPTION "Worlds against a
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/boxreelConfig.cmake.in
   ${PROJECT_BINARY_DIR}/boxreelConfig.cmake INSTALL_DESTINATION ${BOXREEL_PACKAGE_DIR})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/boxreelConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/boxreelConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/boxreelConfig.cmake ${PROJECT_BINARY_DIR}/boxreelConfigVersion.cmake
         DESTINATION ${BOXREEL_PACKAGE_DIR} COMPONENT development)
 if(TARGET boxreel_golden)
