@@ -95,7 +95,8 @@ TEST(Examples, TheSweepDrawsSixPicturesTwice)
 {
     const TemporaryFolder folder;
     OutputIn(folder, BOXREEL_SWEEP);
-    const std::string svg = TextOf(folder / "sweep.svg");
+    const std::string svg = TextOf(folder / "sweep-light.svg");
+    EXPECT_NE(svg, TextOf(folder / "sweep-dark.svg"));
     for (const char* const value : {"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"})
     {
         EXPECT_THAT(svg, testing::HasSubstr(std::string(">restitution ") + value + "</text>"));
@@ -158,7 +159,7 @@ TEST(Examples, EveryPictureIsShownAndMadeByAPage)
     for (const auto& entry : std::filesystem::directory_iterator(kExamples / "pictures"))
     {
         const std::string name = entry.path().filename().string();
-        EXPECT_THAT(pages, testing::HasSubstr("pictures/" + name + ")"));
+        EXPECT_THAT(pages, testing::ContainsRegex("pictures/" + name + "[)\"]"));
         EXPECT_THAT(pages, testing::ContainsRegex("<!-- makes: [a-z/]*" + name + " -->"));
     }
 }
