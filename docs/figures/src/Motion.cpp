@@ -142,7 +142,8 @@ Figure DrawOneWayPlatform()
     sketch.Trail(way);
     sketch.Draw(world);
     sketch.Label(way.front(), Side::Right, "from below: through", kGood, 24.0);
-    sketch.Label(ball->GetPosition() + b2Vec2(0.3f, 0.25f), Side::Right, "from above: solid", kBad);
+    sketch.Label(ball->GetPosition() + b2Vec2(0.3f, 0.25f), Side::Right, "from above: solid",
+                 kGood);
     return sketch.Finished();
 }
 
