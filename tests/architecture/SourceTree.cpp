@@ -122,8 +122,9 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"freetype", {"render/src/FigureCairo."}},
         {"chipmunk/", {"tests/benchmark/"}},
         {"box2d/",
-         {"debugdraw/include/debugdraw/Box2d24Draw.", "docs/examples/box2d24", "tests/benchmark/",
-          "tests/debugdraw/Box2d24Draw", "tests/engine/Header24Test.", "tests/consumer/engine/"}},
+         {"debugdraw/include/debugdraw/Box2d24Draw.", "docs/examples/box2d24",
+          "docs/examples/porting/before/", "tests/benchmark/", "tests/debugdraw/Box2d24Draw",
+          "tests/engine/Header24Test.", "tests/consumer/engine/"}},
         // For tests of other projects; the manual's listings test themselves.
         {"gtest/", {"golden/include/golden/GoldenTest.", "docs/manual/listings/"}},
         {"gmock/", {"docs/manual/listings/"}},

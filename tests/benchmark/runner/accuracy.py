@@ -73,10 +73,15 @@ def points_of(result: Result, engine: str, floor: float) -> Iterator[tuple[str, 
     for key, (stroke, unit) in VARIED.items():
         line = sorted((one for one in own if all(one[other] == base.get(other) for other in VARIED if other != key)),
                       key=lambda one: one[key])
+        # Labels of settings that change nothing would all stand at one point.
+        errors = [max(one["error"], floor) if is_number(one["error"]) else math.inf for one in line]
+        times = [one["cpuOfFrame"] for one in line]
+        is_point = not unit and bool(line) and max(errors) < 1.3 * min(errors) and max(times) < 1.3 * min(times)
         for one in line if len(line) > 1 else []:
             is_named = unit and one is line[-1]
             words = f"{one[key]}{unit * is_named}" if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
-            yield engine, stroke, point(one, words if one is not base or key == "subSteps" else "", not is_named)
+            has_label = key == "subSteps" or not (is_point or one is base)
+            yield engine, stroke, point(one, words if has_label else "", not is_named)
             rest = [other for other in rest if other is not one]
     yield from ((engine, "", point(one)) for one in rest)
 
