@@ -139,7 +139,10 @@ class _Anchor(_Anchors):
         _require_bodies(self)
         self.anchorA = value
         self.anchorB = value
-        if "referenceAngle" in self._fields and "referenceAngle" not in self._given:
+
+    def _complete(self, given):
+        # As the 2.3 module does, also for anchors in the frames of the bodies.
+        if "referenceAngle" in self._fields and "referenceAngle" not in given:
             self.referenceAngle = self.bodyB.angle - self.bodyA.angle
 
 

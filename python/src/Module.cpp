@@ -88,4 +88,8 @@ PYBIND11_MODULE(_boxreel, module)
     BindBodies(module);
     BindJoints(module);
     BindWorld(module);
+    BindPictures(module);
+    BindFilms(module);
+    BindScenes(module);
+    BindGolden(module);
 }

@@ -17,6 +17,7 @@ void BindJoints(pybind11::module_& module);
 void BindWorld(pybind11::module_& module);
 void BindPictures(pybind11::module_& module);
 void BindFilms(pybind11::module_& module);
+void BindScenes(pybind11::module_& module);
 void BindGolden(pybind11::module_& module);
 
 } // namespace boxreel::python

@@ -5,6 +5,8 @@
 
 #include <pybind11/numpy.h>
 
+#include <algorithm>
+
 /// The class b2World.
 namespace boxreel::python
 {
@@ -99,8 +101,13 @@ py::list ListOf(Object* first, int32 count, WrapItem wrap)
 py::list BodiesOf(WorldObject& self)
 {
     self.RequireThread();
-    return ListOf(self.world.GetBodyList(), self.world.GetBodyCount(),
-                  [&](b2Body* b) { return Wrap(self, b); });
+    const std::vector<b2Body*>& bodies = self.Bodies();
+    py::list list(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+        list[i] = Wrap(self, bodies[i]);
+    }
+    return list;
 }
 
 /// Writes x, y [m] and angle [rad] of each body, in the order of creation, into `out` or a new
@@ -128,14 +135,16 @@ py::array_t<float32> PosesOf(WorldObject& self, const py::object& out)
                         ", 3)");
         }
     }
-    float32* row = poses.mutable_data() + 3 * count;
-    for (const b2Body* body = self.world.GetBodyList(); body != nullptr; body = body->GetNext())
+    float32* row = poses.mutable_data();
+    const std::vector<b2Body*>& bodies = self.Bodies();
+    constexpr std::size_t kAhead = 8; // bodies are far apart in memory
+    for (std::size_t i = 0; i < bodies.size(); ++i, row += 3)
     {
-        row -= 3;
-        const b2Vec2& position = body->GetPosition();
+        __builtin_prefetch(&bodies[std::min(i + kAhead, bodies.size() - 1)]->GetPosition());
+        const b2Vec2& position = bodies[i]->GetPosition();
         row[0] = position.x;
         row[1] = position.y;
-        row[2] = body->GetAngle();
+        row[2] = bodies[i]->GetAngle();
     }
     return poses;
 }
@@ -224,6 +233,7 @@ py::object CreateBody(WorldObject& self, const py::dict& fields)
 {
     self.RequireUnlocked("b2World.CreateBody");
     const b2BodyDef def = BodyDefFrom(fields);
+    self.bodies.clear();
     b2Body* body = self.world.CreateBody(&def);
     CheckMisuse();
     const py::object result = Wrap(self, body);

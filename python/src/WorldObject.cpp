@@ -256,6 +256,20 @@ void WorldObject::Finish()
     CheckMisuse();
 }
 
+const std::vector<b2Body*>& WorldObject::Bodies()
+{
+    if (bodies.empty())
+    {
+        bodies.resize(static_cast<std::size_t>(world.GetBodyCount()));
+        std::size_t i = bodies.size();
+        for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+        {
+            bodies[--i] = body; // the engine's list begins with the newest
+        }
+    }
+    return bodies;
+}
+
 void WorldObject::Release(HandleBase& handle)
 {
     handle.world = nullptr;
@@ -295,6 +309,7 @@ void WorldObject::DestroyBody(BodyHandle& handle)
     RequireUnlocked("b2World.DestroyBody");
     Run([&] {
         isDestroying = true;
+        bodies.clear();
         world.DestroyBody(&body);
         isDestroying = false;
         Release(handle);
@@ -366,6 +381,7 @@ void WorldObject::Restore(const std::string& bytes)
     {
         ThrowMisuse(problem);
     }
+    bodies.clear();
     Run([&] {
         // Handles that the snapshot names refer to the new objects; the others to none.
         for (auto& [number, handle] : known)

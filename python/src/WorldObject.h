@@ -91,6 +91,9 @@ struct WorldObject final : b2ContactListener,
         }
     }
 
+    /// Returns all bodies in the order of creation. Valid until a body is created or destroyed.
+    const std::vector<b2Body*>& Bodies();
+
     /// Marks the handle as destroyed. Its reference is dropped by Finish, because that may run
     /// code.
     void Release(HandleBase& handle);
@@ -104,6 +107,7 @@ struct WorldObject final : b2ContactListener,
     std::uint64_t epoch = 0;       ///< grows when contacts may have been destroyed
     unsigned long stepper = 0;     ///< thread that steps the world without Python's lock; 0: none
     bool isDestroying = false;     ///< inside DestroyBody and the like, where callbacks may run
+    std::vector<b2Body*> bodies; ///< of Bodies(); empty: not up to date
     ContactCalls calls;
     py::object contactListener = py::none();
     py::object contactFilter = py::none();
