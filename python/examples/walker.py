@@ -8,10 +8,10 @@ import boxreel
 from Box2D import b2EdgeShape, b2FixtureDef, b2PolygonShape, b2World
 
 STEP = 1 / 60
-HIP, KNEE = 0.5, 0.45  # how far the motors swing [rad]
+HIP, KNEE = 0.4, 0.35  # how far the motors swing [rad]
 
 world = b2World(gravity=(0, -10))
-ground = [(x, 0.12 * math.sin(0.9 * x) if x > 4 else 0.0) for x in range(-10, 60)]
+ground = [(x, 0.05 * math.sin(0.9 * x) if x > 4 else 0.0) for x in range(-10, 60)]
 world.CreateStaticBody(shapes=[b2EdgeShape(vertices=pair) for pair in zip(ground, ground[1:])],
                        shapeFixture=b2FixtureDef(friction=1.0))
 
@@ -26,14 +26,14 @@ def hinge(a, b, anchor, low, high):
                                      enableMotor=True, maxMotorTorque=220)
 
 
-hull = part((0, 2.45), (1.5, 0.3), 1.0)
+hull = part((0, 2.45), (2.0, 0.3), 1.0)
 legs = []
-for x in (-1.1, 1.1):
+for x in (-1.6, 1.6):
     for phase in (0.0, math.pi):
         thigh = part((x, 1.7), (0.16, 0.5), 1.0)
         shin = part((x, 0.75), (0.13, 0.55), 1.0)
         legs.append((hinge(hull, thigh, (x, 2.2), -0.9, 0.9), hinge(thigh, shin, (x, 1.25), -1.1, 0.1),
-                     phase + (math.pi / 2 if x < 0 else 0)))
+                     phase + (math.pi if x < 0 else 0)))
 
 
 def follow(joint, target):
@@ -44,11 +44,12 @@ def follow(joint, target):
 with boxreel.film(sys.argv[1] if len(sys.argv) > 1 else "walker.mp4", size=(640, 360), fps=60) as film:
     for frame in range(600):
         time = frame * STEP
+        start = min(1.0, time / 1.5)  # the swing grows, so that it does not fall
         for hip, knee, phase in legs:
-            angle = 5.5 * time + phase
-            follow(hip, HIP * math.sin(angle) * min(1.0, time))
+            angle = 6 * time + phase
+            follow(hip, HIP * math.sin(angle) * start)
             # The knee bends while the leg swings forward.
-            follow(knee, -0.1 - KNEE * max(0.0, math.cos(angle)) * 2 * min(1.0, time))
+            follow(knee, -0.1 - KNEE * max(0.0, math.cos(angle)) * 2 * start)
         world.Step(STEP, 8, 3)
         film.add(world, camera=boxreel.Camera(640, 360, center=(hull.position.x, 2.0), pixelsPerMeter=50))
 

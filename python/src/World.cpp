@@ -6,6 +6,7 @@
 #include <pybind11/numpy.h>
 
 #include <algorithm>
+#include <chrono>
 
 /// The class b2World.
 namespace boxreel::python
@@ -368,6 +369,15 @@ void BindWorld(py::module_& module)
             return (py::isinstance<BodyHandle>(item) && item.cast<BodyHandle&>().world == &self) ||
                    (py::isinstance<JointHandle>(item) && item.cast<JointHandle&>().world == &self);
         });
+    // For tests/benchmark/python_speed.py: the mean time of a step without Python [s].
+    module.def("_time_steps", [](WorldObject& self, int count) {
+        const auto start = std::chrono::steady_clock::now();
+        for (int i = 0; i < count; ++i)
+        {
+            self.world.Step(1.0f / 60.0f, 8, 3);
+        }
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / count;
+    });
     module.def("_should_collide", [](FixtureHandle& a, FixtureHandle& b) {
         return b2ContactFilter().ShouldCollide(&a.Get(), &b.Get());
     });
