@@ -102,3 +102,12 @@ if(TARGET boxreel)
   boxreel_install_printed(${CMAKE_INSTALL_DATAROOTDIR}/zsh/site-functions/_boxreel completion zsh)
   boxreel_install_printed(${CMAKE_INSTALL_DATAROOTDIR}/man/man1/boxreel.1 man)
 endif()
+
+if(TARGET boxreel_python)
+  # Where Debian's python3 looks; below another prefix it is named in PYTHONPATH.
+  set(BOXREEL_PYTHON_INSTALL_DIR lib/python3/dist-packages)
+  install(TARGETS boxreel_python LIBRARY DESTINATION ${BOXREEL_PYTHON_INSTALL_DIR} COMPONENT python)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/Box2D ${PROJECT_SOURCE_DIR}/python/boxreel
+          DESTINATION ${BOXREEL_PYTHON_INSTALL_DIR} COMPONENT python PATTERN __pycache__ EXCLUDE)
+  install(FILES ${PROJECT_SOURCE_DIR}/python/boxreel_golden.py DESTINATION ${BOXREEL_PYTHON_INSTALL_DIR} COMPONENT python)
+endif()
