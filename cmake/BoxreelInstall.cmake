@@ -77,7 +77,7 @@ boxreel_install_library(goldenworld HEADERS golden DESCRIPTION "Worlds against a
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/boxreelConfig.cmake.in
   ${PROJECT_BINARY_DIR}/boxreelConfig.cmake INSTALL_DESTINATION ${BOXREEL_PACKAGE_DIR})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/boxreelConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/boxreelConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/boxreelConfig.cmake ${PROJECT_BINARY_DIR}/boxreelConfigVersion.cmake
         DESTINATION ${BOXREEL_PACKAGE_DIR} COMPONENT development)
 if(TARGET boxreel_golden)
@@ -101,4 +101,13 @@ if(TARGET boxreel)
   boxreel_install_printed(${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions/boxreel completion bash)
   boxreel_install_printed(${CMAKE_INSTALL_DATAROOTDIR}/zsh/site-functions/_boxreel completion zsh)
   boxreel_install_printed(${CMAKE_INSTALL_DATAROOTDIR}/man/man1/boxreel.1 man)
+endif()
+
+if(TARGET boxreel_python)
+  # Where Debian's python3 looks; below another prefix it is named in PYTHONPATH.
+  set(BOXREEL_PYTHON_INSTALL_DIR lib/python3/dist-packages)
+  install(TARGETS boxreel_python LIBRARY DESTINATION ${BOXREEL_PYTHON_INSTALL_DIR} COMPONENT python)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/Box2D ${PROJECT_SOURCE_DIR}/python/boxreel
+          DESTINATION ${BOXREEL_PYTHON_INSTALL_DIR} COMPONENT python PATTERN __pycache__ EXCLUDE)
+  install(FILES ${PROJECT_SOURCE_DIR}/python/boxreel_golden.py DESTINATION ${BOXREEL_PYTHON_INSTALL_DIR} COMPONENT python)
 endif()

@@ -59,11 +59,29 @@ and golden tests. For CMake and pkg-config.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libpng-dev, libimgui-dev, libstb-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "${CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libgtest-dev, boxreel")
+
+if(TARGET boxreel_python) # a third package, for the interpreter that the module was built for
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  string(REGEX MATCH "^([0-9]+)\\.([0-9]+)" _ ${Python3_VERSION})
+  math(EXPR next "${CMAKE_MATCH_2} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-boxreel)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+"The engine by the names of the Python module of the Box2D 2.3 generation,
+and films, pictures and golden tests of its worlds.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= ${CMAKE_MATCH_1}.${CMAKE_MATCH_2}), python3 (<< ${CMAKE_MATCH_1}.${next}), python3-numpy, ${CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS}")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pytest, boxreel")
+endif()
 include(CPack)
 
 add_custom_target(deb
   COMMAND ${CMAKE_CPACK_COMMAND} -G DEB --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake -B ${PROJECT_BINARY_DIR}
   WORKING_DIRECTORY ${PROJECT_BINARY_DIR} USES_TERMINAL VERBATIM)
+if(TARGET boxreel_python)
+  add_dependencies(deb boxreel_python)
+endif()
 foreach(target boxreel boxreel_engine boxreel_base boxreel_drawlist boxreel_debugdraw boxreel_render boxreel_recorder
         boxreel_golden boxreel_goldenstate boxreel_goldenworld)
   add_dependencies(deb ${target})

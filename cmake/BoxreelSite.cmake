@@ -3,8 +3,8 @@
 # without a comment fails `api`, as any other warning of Doxygen's does.
 find_program(BOXREEL_DOXYGEN doxygen DOC "Makes the API reference (Debian: doxygen)")
 find_program(BOXREEL_PANDOC pandoc DOC "Makes pages of the documentation (Debian: pandoc)")
-find_program(BOXREEL_PYTHON python3 DOC "Puts the site together (Debian: python3)")
-mark_as_advanced(BOXREEL_DOXYGEN BOXREEL_PANDOC BOXREEL_PYTHON)
+find_program(BOXREEL_SITE_PYTHON python3 DOC "Puts the site together (Debian: python3)")
+mark_as_advanced(BOXREEL_DOXYGEN BOXREEL_PANDOC BOXREEL_SITE_PYTHON)
 set(BOXREEL_SITE_DIR ${PROJECT_BINARY_DIR}/site)
 
 # boxreel_missing(TARGET PACKAGE): a target that only says what to install.
@@ -26,11 +26,11 @@ else()
 endif()
 if(NOT BOXREEL_PANDOC)
   boxreel_missing(site pandoc)
-elseif(NOT BOXREEL_PYTHON)
+elseif(NOT BOXREEL_SITE_PYTHON)
   boxreel_missing(site python3)
 else()
   add_custom_target(site
-    COMMAND ${BOXREEL_PYTHON} ${PROJECT_SOURCE_DIR}/docs/site/site.py ${PROJECT_SOURCE_DIR} ${BOXREEL_SITE_DIR} VERBATIM)
+    COMMAND ${BOXREEL_SITE_PYTHON} ${PROJECT_SOURCE_DIR}/docs/site/site.py ${PROJECT_SOURCE_DIR} ${BOXREEL_SITE_DIR} VERBATIM)
   if(BOXREEL_DOXYGEN)
     add_dependencies(site api)
   endif()

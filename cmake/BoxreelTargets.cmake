@@ -49,11 +49,13 @@ function(boxreel_precompile target)
                             <memory> <optional> <set> <span> <string> <utility> <variant> <vector> ${ARGN})
 endfunction()
 
-# boxreel_add_library(NAME SOURCES … [PUBLIC …] [PRIVATE …]): the library boxreel::NAME of the
-# current folder; its public headers are in include/.
+# boxreel_add_library(NAME SOURCES … [LIGHT_SOURCES …] [PUBLIC …] [PRIVATE …]): the library
+# boxreel::NAME of the current folder; its public headers are in include/. Light sources handle text
+# and files, take no time that is measured, and are optimised little, as the program is.
 function(boxreel_add_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  add_library(boxreel_${name} STATIC ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIGHT_SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(boxreel_${name} STATIC ${ARG_SOURCES} ${ARG_LIGHT_SOURCES})
+  set_source_files_properties(${ARG_LIGHT_SOURCES} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
   add_library(boxreel::${name} ALIAS boxreel_${name})
   set_target_properties(boxreel_${name} PROPERTIES EXPORT_NAME ${name})
   boxreel_configure(boxreel_${name})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same throw with six coefficients of restitution, beside each other: sweep.svg and sweep.pdf,
-// or the one file that is named.
+// The same throw with six coefficients of restitution, beside each other: sweep-light.svg,
+// sweep-dark.svg and sweep.pdf, or the one file that is named.
 #include <Box2D/Box2D.h>
 #include <debugdraw/DrawCollector.h>
 #include <debugdraw/Trail.h>
@@ -71,7 +71,7 @@ bool Write(const std::string& path, const boxreel::Figure& figure)
 
 int main(int argc, char** argv)
 {
-    const boxreel::Camera camera{320, 150, 7.5, 3.0, 20.0}; // pixels, centre, pixels a metre
+    const boxreel::Camera camera{320, 150, 7.9, 3.0, 20.0}; // pixels, centre, pixels a metre
     std::vector<boxreel::SheetPicture> pictures;
     for (const float restitution : {0.0f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f})
     {
@@ -88,5 +88,7 @@ int main(int argc, char** argv)
     {
         return Write(argv[1], sheet) ? 0 : 1;
     }
-    return Write("sweep.svg", sheet) && Write("sweep.pdf", sheet) ? 0 : 1;
+    const bool light = Write("sweep-light.svg", sheet) && Write("sweep.pdf", sheet);
+    sheet.theme = boxreel::Theme::Dark();
+    return light && Write("sweep-dark.svg", sheet) ? 0 : 1;
 }

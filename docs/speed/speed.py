@@ -28,7 +28,7 @@ sys.path.insert(0, str(CHECKOUT / "tests" / "benchmark"))
 from runner import accuracy, charts, engine, toolkit  # noqa: E402
 from runner.common import time_text, times_text  # noqa: E402
 
-PAGES = ["README.md", "docs/speed.md", "docs/golden.md", "docs/accuracy.md"]
+PAGES = ["README.md", "docs/speed.md", "docs/accuracy.md", "docs/notes/picture-distance.md"]
 # What is measured, a file each. Rounds are so few that all but accuracy takes eight to ten minutes on two quiet cores,
 # of which one round of the engines is two and a half or more.
 BENCHMARKS = {
@@ -38,6 +38,8 @@ BENCHMARKS = {
     "comparing": (toolkit.Comparing(), ["--rounds", "3"]),  # medians of thirty pairs
     "accuracy": (accuracy.Accuracy(), []),
 }
+# Of the chart of sub-steps: cases whose errors are not 0, by names that fit its legend.
+SUB_STEPS_CHARTED = {"C-double-pendulum": "two falling rods", "I-pair": "two spinning rods", "J-stack-30": "stack of 30 boxes"}
 CHARTED = ["C-double-pendulum", "D-chain-1000", "I-pair", "J-stack-30"]  # of the cases of accuracy
 # Of the README: scenes, and rows of the toolkit.
 SHORT_SCENES = ["large-pyramid", "tumbler", "rain", "ragdolls", "bullets"]
@@ -145,11 +147,11 @@ def comparing_table(figures):
     """What each method finds."""
     results = figures["comparing"]
     truths = {one["change"]: one["truth"] for one in results[0]["changes"]}
-    rows = [["is to be called"] + [truths[change] for change in CHANGES] + [""]]
+    rows = [["is to be called"] + [truths[change] for change in CHANGES]]
     for method in toolkit.together(results):
         found = [finding_text(method, change, truths[change]) for change in CHANGES]
-        rows.append([method["method"], *found, time_text(statistics.median(toolkit.times(method, "process")))])
-    return rows_text(["", *CHANGES.values(), "a process"], rows) + "\n" + machine_text(figures, "comparing")
+        rows.append([method["method"], *found])
+    return rows_text(["", *CHANGES.values()], rows) + "\n" + machine_text(figures, "comparing")
 
 
 def toolkit_rows(figures):
@@ -183,10 +185,46 @@ def short_table(figures):
     return rows_text(["task", "boxreel", "peer", "times faster"], rows) + "\n" + machine_text(figures, "engine")
 
 
-def accuracy_table(figures):
-    """The summary of all cases."""
-    tables = [accuracy.summary(figures["accuracy"], steps) for steps in (2, 4)]
-    return "```text\n" + "\n".join(tables) + "```\n\n" + machine_text(figures, "accuracy")
+def error_text(one, unit):
+    """How far off a run is, or how it ended."""
+    if accuracy.ending(one):
+        return accuracy.ending(one)
+    if unit in ("bodies", "pairs", "rods"):
+        return f"{one['error']:.0f} {unit}"
+    return "0" if one["error"] == 0.0 else f"{float(format(one['error'], '.2g')):g} {unit}"
+
+
+def accuracy_runs(figures):
+    """Of each case its result, and the runs that the tables show: ours with 2 and 4 sub-steps, then the peers'."""
+    first, *others = accuracy.engines_of(figures["accuracy"][0])
+    names = [f"{first}, 2 sub-steps", "4 sub-steps", *others]
+    return names, [(result, [accuracy.usual(result, first, 2), accuracy.usual(result, first, 4),
+                             *(accuracy.usual(result, name) for name in others)]) for result in figures["accuracy"]]
+
+
+def errors_table(figures):
+    """The errors of all cases."""
+    names, cases = accuracy_runs(figures)
+    rows = [[f"`{result['case']}`", result["what"], *(error_text(one, result["unit"]) for one in runs)]
+            for result, runs in cases]
+    return rows_text(["case", "error of", *names], rows)
+
+
+def sub_steps_table(figures):
+    """The CPU times of a step in all cases."""
+    names, cases = accuracy_runs(figures)
+    rows = []
+    for result, runs in cases:
+        ours = runs[1]["cpu"]
+        rows.append([f"`{result['case']}`", *(time_text(one["cpu"]) for one in runs[:2]),
+                     *(f"{time_text(one['cpu'])} ({times_text(one['cpu'] / ours)})" for one in runs[2:])])
+    return rows_text(["case", *names], rows) + "\n" + machine_text(figures, "accuracy")
+
+
+def raw_text(figures):
+    """docs/speed/accuracy.txt: errors and times beside each other, for a terminal."""
+    tables = [accuracy.summary(figures["accuracy"], steps, with_goals=False) for steps in (2, 4)]
+    return "\n".join(tables) + "\n" + machine_text(figures, "accuracy").replace("**", "")
 
 
 def machine_text(figures, name):
@@ -201,8 +239,8 @@ def machine_text(figures, name):
     return f"Measured on {machine['date']} on {machine['processor']}, {machine['processors']} processors; {others}.\n"
 
 
-TABLES = {"accuracy": accuracy_table, "comparing": comparing_table, "engine": engine_table, "toolkit": toolkit_table,
-          "short": short_table, "machine": lambda figures: machine_text(figures, "engine")}
+TABLES = {"comparing": comparing_table, "engine": engine_table, "errors": errors_table, "short": short_table,
+          "sub-steps": sub_steps_table, "toolkit": toolkit_table, "machine": lambda figures: machine_text(figures, "engine")}
 
 # ---------------------------------------------------------------------------------------------- what is done
 
@@ -278,13 +316,42 @@ def filled(text, figures):
     return TABLE.sub(lambda found: f"{found[1]}\n{TABLES[found[2]](figures)}\n{found[3]}", text)
 
 
-def drawn(figures):
-    """The charts of the pages, by the paths of their files."""
+def charts_of(figures):
+    """The charts of the pages, by the paths of their files without theme and extension."""
     made = {"docs/speed/engine": BENCHMARKS["engine"][0].drawn(figures["engine"])[""]}
     cases = [result for result in figures["accuracy"] if result["case"] in CHARTED]
+    made["docs/speed/sub-steps"] = sub_steps_chart(cases)
     made |= {f"docs/figures/accuracy-{name}": chart for name, chart in BENCHMARKS["accuracy"][0].drawn(cases).items()}
+    return made
+
+
+def drawn(figures):
+    """The bytes of the charts, by the paths of their files."""
     return {f"{stem}-{theme}.svg": charts.draw(chart, theme, "svg")
-            for stem, chart in made.items() for theme in charts.THEMES}
+            for stem, chart in charts_of(figures).items() for theme in charts.THEMES}
+
+
+RAW = "docs/speed/accuracy.txt"
+
+
+def sub_steps_chart(results):
+    """Error by number of sub-steps, over that of one step of Box2D 2.4."""
+    texts = {"title": "What sub-steps are worth",
+             "subtitle": "Error of boxreel over that of Box2D 2.4 with its one step, at 60 Hz with 8/3 iterations",
+             "x": "sub-steps", "y": "error over Box2D's", "marks": {"x": "falls"},
+             "notes": ["Cases C-double-pendulum, I-pair and J-stack-30 of the table of errors. Both axes are logarithmic."]}
+    points = []
+    for name, words in SUB_STEPS_CHARTED.items():
+        result = case_of(results, name)
+        peer = next(one for one in result["runs"] if one["engine"].startswith(engine.GOAL_PEER)
+                    and [one[key] for key in accuracy.SETTINGS] == [8, 3, 60, 1])
+        ours = accuracy.engines_of(result)[0]
+        for one in sorted(result["runs"], key=lambda one: one["subSteps"]):
+            if one["engine"] == ours and [one[key] for key in accuracy.SETTINGS[:3]] == [8, 3, 60]:
+                mark = "x" if accuracy.ending(one) else "."
+                point = charts.Point(one["subSteps"], one["error"] / peer["error"], str(one["subSteps"]), mark)
+                points.append((words, "-", point))
+    return charts.Lines(texts, charts.curves_of(points))
 
 
 def draws_the_same(checkout):
@@ -308,15 +375,24 @@ def findings(checkout, made=None):
         text = (checkout / page).read_text(encoding="utf-8")
         named |= {found[2] for found in TABLE.finditer(text)}
         for found in TABLE.finditer(text):
-            if found[0] != filled(found[0], figures):
+            if found[2] not in TABLES:
+                yield f"There is no table '{found[2]}', which {page} has."
+            elif found[0] != filled(found[0], figures):
                 yield f"The table '{found[2]}' of {page} is not what docs/speed/*.json say" + remedy
     page = (checkout / "docs/speed.md").read_text(encoding="utf-8")
     for name, (benchmark, options) in BENCHMARKS.items():
         command = f"./boxreel bench {' '.join([benchmark.name, *options])} --json {name}.json"
         if name != "accuracy" and command not in page:
             yield f"docs/speed.md does not show what measures: {command}"
+    for stem in charts_of(figures):
+        for theme in charts.THEMES:
+            name = f"{stem.removeprefix('docs/')}-{theme}.svg"
+            if not any(f'"{name}"' in (checkout / page).read_text(encoding="utf-8") for page in PAGES):
+                yield f"No page shows docs/{name}; show each chart in light and dark."
     for name in TABLES.keys() - named:
         yield f"No page has the table '{name}'; put its two comments back."
+    if (checkout / RAW).read_text(encoding="utf-8") != raw_text(figures):
+        yield f"{RAW} is not what docs/speed/*.json say" + remedy
     if not draws_the_same(checkout):
         return
     for path, data in (made or drawn(figures)).items():
@@ -340,6 +416,7 @@ def main():
     for page in PAGES:
         path = CHECKOUT / page
         path.write_text(filled(path.read_text(encoding="utf-8"), figures), encoding="utf-8")
+    (CHECKOUT / RAW).write_text(raw_text(figures), encoding="utf-8")
     for path, data in drawn(figures).items():
         (CHECKOUT / path).write_bytes(data)
     return 0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <base/ErrorMacros.h>
 #include <base/Quoting.h>
+#include <base/Words.h>
 #include <golden/ReferenceStore.h>
 
 #include "FailureFiles.h"
@@ -85,7 +86,7 @@ GoldenStatus StatusOf(const GoldenVerdict& verdict)
 Error With(const GoldenVerdict& verdict, const Error& error)
 {
     return Error{error.kind, verdict.name,
-                 Join(verdict.Findings(), "; ") + "; " + error.culprit + ": " + error.problem,
+                 JoinedBy("; ", verdict.Findings()) + "; " + error.culprit + ": " + error.problem,
                  error.remedy};
 }
 

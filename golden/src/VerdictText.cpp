@@ -2,6 +2,7 @@
 #include "VerdictText.h"
 
 #include <base/Counting.h>
+#include <base/Words.h>
 
 #include <algorithm>
 #include <array>
@@ -75,16 +76,6 @@ const char* LimitsWord(LimitsChoice choice)
     return "other renderer";
 }
 
-std::string Join(const std::vector<std::string>& parts, const char* between)
-{
-    std::string text;
-    for (const std::string& part : parts)
-    {
-        text.append(text.empty() ? "" : between).append(part);
-    }
-    return text;
-}
-
 namespace
 {
 
@@ -134,7 +125,7 @@ std::string Origin(const CompareSettings& settings)
 {
     if (!settings.options.empty())
     {
-        return settings.preset + ", with " + Join(settings.options, ", ") + ",";
+        return settings.preset + ", with " + JoinedBy(", ", settings.options) + ",";
     }
     std::string changed;
     for (const CompareSettings& preset : {CompareSettings::Exact(), CompareSettings::SameMachine(),
@@ -303,7 +294,7 @@ std::string Describe(const StateDifference& difference)
                         std::to_string(difference.expected.number) + ": " +
                         DescribeBody(difference.expected, difference.actual));
     }
-    return Join(parts, ", ");
+    return JoinedBy(", ", parts);
 }
 
 std::string Describe(const TraceDifference& difference)
@@ -394,7 +385,7 @@ std::string DescribePixels(const GoldenVerdict& verdict)
 std::string DescribeMissing(const GoldenVerdict& verdict)
 {
     const std::string files =
-        " (" + Join(verdict.missing, ", ") + " missing in " + verdict.references + ")";
+        " (" + JoinedBy(", ", verdict.missing) + " missing in " + verdict.references + ")";
     switch (verdict.absence)
     {
     case GoldenAbsence::OwnPicture:
@@ -462,7 +453,7 @@ std::vector<std::string> GoldenVerdict::Findings() const
         status == GoldenStatus::Same ? std::vector{DescribeSame(*this)} : Differing(*this);
     if (!missing.empty())
     {
-        findings.push_back(Join(missing, ", ") + " missing in " + references);
+        findings.push_back(JoinedBy(", ", missing) + " missing in " + references);
     }
     if (status == GoldenStatus::Pixels && limits == LimitsChoice::OtherRenderer)
     {
@@ -473,7 +464,7 @@ std::vector<std::string> GoldenVerdict::Findings() const
 
 std::string GoldenVerdict::Text(const std::string& remedy) const
 {
-    std::string text = name + ": " + Join(Findings(), "; ") + ".";
+    std::string text = name + ": " + JoinedBy("; ", Findings()) + ".";
     for (const std::string& file : look)
     {
         text.append(&file == look.data() ? " Look at " : ", ").append(file);

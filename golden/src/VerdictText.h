@@ -31,7 +31,4 @@ const char* StatusWord(GoldenStatus status);
 /// Returns "as given", "same renderer" or "other renderer".
 const char* LimitsWord(LimitsChoice choice);
 
-/// Of a list.
-std::string Join(const std::vector<std::string>& parts, const char* between);
-
 } // namespace boxreel

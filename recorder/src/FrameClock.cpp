@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <base/Quoting.h>
 #include <recorder/FrameClock.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ Error Refuse(std::string_view text, const char* why)
     {
         shown += "...";
     }
-    return Error{ErrorKind::Unusable, "'" + shown + "'", why, kRemedy};
+    return Error{ErrorKind::Unusable, Quoted(shown), why, kRemedy};
 }
 
 std::optional<Rational> Reduce(std::int64_t num, std::int64_t den)

@@ -2,6 +2,7 @@
 #include "VideoPlan.h"
 
 #include <base/ErrorMacros.h>
+#include <base/Words.h>
 
 #include <algorithm>
 #include <array>
@@ -270,16 +271,6 @@ Result<void> PlanRaw(EncoderPlan& plan, VideoFormat format, const VideoSettings&
     return {};
 }
 
-std::string Listed(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const std::string& word : words)
-    {
-        text += (text.empty() ? "" : ", ") + word;
-    }
-    return text;
-}
-
 Result<std::string> CodecOf(const Container& container, const VideoSettings& settings)
 {
     if (settings.codec.empty())
@@ -294,7 +285,7 @@ Result<std::string> CodecOf(const Container& container, const VideoSettings& set
         const bool hasChoice = codecs.size() > 1;
         return Contradiction(
             "--codec " + settings.codec, std::string(container.name) + " does not support it",
-            hasChoice ? "use one of " + Listed(codecs) : "remove --codec, it has only one");
+            hasChoice ? "use one of " + JoinedBy(", ", codecs) : "remove --codec, it has only one");
     }
     return settings.codec;
 }

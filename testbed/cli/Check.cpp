@@ -2,6 +2,7 @@
 #include "Check.h"
 #include "Declare.h"
 
+#include <base/Counting.h>
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <rube/RubeFile.h>
@@ -10,16 +11,6 @@
 
 namespace boxreel
 {
-namespace
-{
-
-std::string Count(std::size_t number, const std::string& thing)
-{
-    return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
-}
-
-} // namespace
-
 Result<int> Run(const CheckOptions& options)
 {
     RubeNotes leftOut;
@@ -37,9 +28,9 @@ Result<int> Run(const CheckOptions& options)
     }
     text += options.file.string() + ": " + std::to_string(content.bodies.size()) +
             (content.bodies.size() == 1 ? " body, " : " bodies, ") +
-            Count(content.joints.size(), "joint") + ", " + Count(content.images.size(), "image") +
-            ", " + Count(traps.size(), "note") + ", " + std::to_string(leftOut.size()) +
-            " left out\n";
+            Counted(content.joints.size(), "joint") + ", " +
+            Counted(content.images.size(), "image") + ", " + Counted(traps.size(), "note") + ", " +
+            std::to_string(leftOut.size()) + " left out\n";
     RETURN_IF_ERROR(WriteOutput(text));
     return leftOut.empty() ? 0 : static_cast<int>(ErrorKind::Different);
 }

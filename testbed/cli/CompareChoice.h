@@ -32,8 +32,8 @@ struct CompareChoice
 /// --tolerance".
 CompareSettings Effective(const CompareChoice& choice);
 
-/// Options of diff and golden verify. `defaultPreset`: as the help says it.
-void AddCompare(Command& command, CompareChoice& choice, const std::string& defaultPreset);
+/// Options of diff and golden verify. `usualPreset`: what the help gives as the default preset.
+void AddCompare(Command& command, CompareChoice& choice, const std::string& usualPreset);
 
 /// The option of golden verify that leaves bodies out.
 void AddIgnoredBodies(Command& command, CompareChoice& choice);

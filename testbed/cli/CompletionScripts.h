@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// What the completion scripts of both shells have in common. Private to CommandCompletion*.cpp.
+/// What the completion scripts of both shells have in common. Private to Completion*.cpp.
 namespace boxreel
 {
 

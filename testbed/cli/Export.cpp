@@ -51,7 +51,7 @@ Command& Declare(Command& program, ExportOptions& options)
     AddValue(command, "--step", "N", options.step, WholeBetween(0, 1'000'000'000),
              "Export after N steps instead");
     AddValue(command, "--hz", "RATE", options.look.stepsPerSecond, RatioBetween(1.0, 100000.0),
-             "Set simulation steps per second (60)");
+             "Set simulation steps per second (60; a scene file has its own)");
     AddValue(command, "--seed", "N", options.look.seed, WholeBetween(0, 0xffffffff),
              "Seed the scene's random numbers (1)");
     command.notes =

@@ -6,6 +6,7 @@
 
 #include <base/Counting.h>
 #include <base/ErrorMacros.h>
+#include <base/Quoting.h>
 #include <base/Terminal.h>
 #include <session/GoldenScenes.h>
 
@@ -64,7 +65,7 @@ Result<GoldenSelection> SelectFilm(const GoldenOptions& options)
 {
     if (options.names.size() > 1)
     {
-        return Error{ErrorKind::Unusable, "'" + options.names[1] + "'", "too many arguments",
+        return Error{ErrorKind::Unusable, Quoted(options.names[1]), "too many arguments",
                      "a film has one name"};
     }
     GoldenFilm film{options.film, "films/" + options.film.stem().string(), options.sheet};
@@ -167,7 +168,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     RETURN_IF_ERROR(
         WriteOutput((failures == 0 ? what + ": all as approved (" + DescribeLimits(held) + ")\n"
                                    : what + ": " + std::to_string(failures) +
-                                         " not as approved, see '" + output + "'" + page + "\n") +
+                                         " not as approved, see " + Quoted(output) + page + "\n") +
                     LimitsOfOthers(ofOthers, settings)));
     if (!options.report.empty())
     {
@@ -200,7 +201,7 @@ Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders
         }
     }
     RETURN_IF_ERROR(WriteOutput(
-        Counted(moments, "moment") + " accepted in '" + folders.references.string() + "'" +
+        Counted(moments, "moment") + " accepted in " + Quoted(folders.references.string()) +
         (same == 0 ? "" : ", " + std::to_string(same) + " of them as they were") + "\n"));
     return 0;
 }

@@ -103,16 +103,16 @@ void AddLook(Command& command, SceneLook& look, bool* bothThemes)
             "also the time of each part of the solver")
         .Group("Picture");
     AddValue(command, "--hz", "RATE", look.stepsPerSecond, parseHertz,
-             "Set simulation steps per second (60)")
+             "Set simulation steps per second (60; a scene file has its own)")
         .Group("Simulation");
     AddValue(command, "--seed", "N", look.seed, WholeBetween(0, kLargestSeed),
              "Seed the scene's random numbers (1)")
         .Group("Simulation");
     AddValue(command, "--velocity-iterations", "N", look.velocityIterations, WholeBetween(1, 1000),
-             "Set the solver's velocity iterations per step (8)")
+             "Set the solver's velocity iterations per step\n(8; a scene file has its own)")
         .Group("Simulation");
     AddValue(command, "--position-iterations", "N", look.positionIterations, WholeBetween(1, 1000),
-             "Set the solver's position iterations per step (3)")
+             "Set the solver's position iterations per step\n(3; a scene file has its own)")
         .Group("Simulation");
 }
 

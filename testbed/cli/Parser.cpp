@@ -3,6 +3,7 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Nearest.h>
+#include <base/Quoting.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -129,10 +130,10 @@ Error UnexpectedWord(CLI::App& command)
     const std::string word = words.empty() ? "" : words.front();
     if (commands.empty())
     {
-        return {ErrorKind::Unusable, "'" + word + "'", "too many arguments",
+        return {ErrorKind::Unusable, Quoted(word), "too many arguments",
                 "`" + NameOf(command) + " --help` shows the usage"};
     }
-    return {ErrorKind::Unusable, "'" + word + "'", "unknown command",
+    return {ErrorKind::Unusable, Quoted(word), "unknown command",
             word == "bench" // of the script in a checkout
                 ? "in a checkout `./boxreel bench` runs the benchmarks"
                 : Suggestion(command, word, commands, "commands")};

@@ -8,6 +8,7 @@
 
 #include <base/Counting.h>
 #include <base/ErrorMacros.h>
+#include <base/Quoting.h>
 #include <base/Terminal.h>
 #include <golden/ReferenceStore.h>
 #include <golden/StateHash.h>
@@ -170,7 +171,7 @@ Result<void> Planner::AddExpectation(const ScriptProduct& product)
             hash.size() == 16 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
         if (!isHash)
         {
-            return Error{ErrorKind::Unusable, "'" + hash + "'", "is not a state hash",
+            return Error{ErrorKind::Unusable, Quoted(hash), "is not a state hash",
                          "give the 16 hex digits that the window and verdicts print"};
         }
         m_play.expectations.push_back({product.line, product.at, std::nullopt, hash});

@@ -138,7 +138,7 @@ Result<Manifest> ReadManifest(const std::filesystem::path& film, const std::stri
     }
     catch (const std::exception&)
     {
-        // Said below, as what has other faults.
+        // Reported below, with other faults.
     }
     return Error{ErrorKind::Unusable, path.string(), "is damaged or of another version of boxreel",
                  remedy};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <base/Result.h>
+#include <base/Words.h>
 #include <recorder/FrameClock.h>
 
 #include <compare>
@@ -29,12 +30,6 @@ struct PixelSize
     int height = 720; ///< [px]
     friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
-
-/// What stands before, between and after the separators; as many parts as those and one.
-std::vector<std::string> SplitAt(char separator, std::string_view text);
-
-/// "a, b, c": the words with `separator` between them.
-std::string JoinedBy(std::string_view separator, const std::vector<std::string>& words);
 
 /// Why the value of an option, or of a word in a script, is refused (Unusable). The culprit is both
 /// as typed: "--fps 0". `option` may be empty.

@@ -302,6 +302,10 @@ private:
         {
             m_leftOut.push_back({std::to_string(world.GetSubStepCount()) + " sub-steps", kNoWord});
         }
+        if (world.GetRestitutionThreshold() != b2_velocityThreshold)
+        {
+            m_leftOut.push_back({"restitution threshold", kNoWord});
+        }
     }
 
     void NoteOneSided(b2Body& body)

@@ -4,6 +4,7 @@
 #include "ScriptSettings.h"
 
 #include <base/ErrorMacros.h>
+#include <base/Quoting.h>
 
 #include <algorithm>
 #include <utility>
@@ -45,9 +46,9 @@ Result<void> CheckKey(const Script& script, const ScriptAction& action, const Sc
     {
         return {};
     }
-    return script.At(action.line, Unusable("'" + std::string(1, action.key) + "'",
-                                           "the scene does not use this key",
-                                           keys.empty() ? "" : "use one of " + KeysOf(scene)));
+    return script.At(action.line,
+                     Unusable(Quoted(std::string(1, action.key)), "the scene does not use this key",
+                              keys.empty() ? "" : "use one of " + KeysOf(scene)));
 }
 
 } // namespace

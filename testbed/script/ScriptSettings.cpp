@@ -2,6 +2,7 @@
 #include "ScriptSettings.h"
 
 #include <base/Nearest.h>
+#include <base/Quoting.h>
 #include <options/Values.h>
 
 #include <algorithm>
@@ -51,7 +52,7 @@ Error UnknownSetting(const std::string& name)
     {
         names.emplace_back(setting.name);
     }
-    return Error{ErrorKind::Unusable, name.empty() ? "'set'" : "'" + name + "'",
+    return Error{ErrorKind::Unusable, Quoted(name.empty() ? "set" : name),
                  name.empty() ? "requires a setting and its value" : "unknown setting",
                  DidYouMean(name, names, "use one of " + JoinedBy(", ", names))};
 }
@@ -72,6 +73,11 @@ Result<int> ParseSetting(const std::string& name, const std::string& text)
     }
     const Result<std::int64_t> number = ParseWhole(name, text, 1, setting->maximum);
     return number ? Result<int>(static_cast<int>(*number)) : number.GetError();
+}
+
+std::string SettingText(const std::string& name, int value)
+{
+    return Find(name)->maximum != 0 ? std::to_string(value) : value != 0 ? "on" : "off";
 }
 
 void ApplySetting(const std::string& name, int value, b2World& world, StepSettings& steps)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ScriptWriter.h"
+#include "ScriptSettings.h"
 
 #include "ScriptWords.h"
 
@@ -53,11 +54,8 @@ std::vector<std::string> ActionWords(const ScriptAction& action)
         return {"bomb", PairOf(action.point), PairOf(action.velocity)};
     case Kind::Shift:
         return {"shift", PairOf(action.point)};
-    case Kind::Set: {
-        const bool isFlag = !action.name.ends_with("iterations") && action.name != "sub-steps";
-        return {"set", action.name,
-                isFlag ? (action.value != 0 ? "on" : "off") : std::to_string(action.value)};
-    }
+    case Kind::Set:
+        return {"set", action.name, SettingText(action.name, action.value)};
     case Kind::Click:
         return {"click", action.name};
     case Kind::Type:

@@ -2,6 +2,7 @@
 #include "GoldenScenes.h"
 
 #include <base/ErrorMacros.h>
+#include <base/Quoting.h>
 #include <golden/StateHash.h>
 #include <options/Values.h>
 
@@ -116,7 +117,7 @@ Result<GoldenSelection> SelectGolden(const std::string& name)
         }
         moments += (moments.empty() ? "" : ", ") + std::string(moment.name);
     }
-    return Error{ErrorKind::Unusable, "'" + name + "'", "unknown moment", "use one of " + moments};
+    return Error{ErrorKind::Unusable, Quoted(name), "unknown moment", "use one of " + moments};
 }
 
 Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& renderer,

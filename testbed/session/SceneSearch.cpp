@@ -3,6 +3,7 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Nearest.h>
+#include <base/Quoting.h>
 #include <rube/RubeFile.h>
 
 #include <filesystem>
@@ -35,7 +36,7 @@ Error UnknownScene(std::string_view name)
         nearest < 0 ? "`boxreel list` shows all"
                     : "did you mean '" +
                           SceneSlug(AllScenes()[static_cast<std::size_t>(nearest)].name) + "'?";
-    return Error{ErrorKind::Unusable, "'" + std::string(name) + "'", "unknown scene", remedy};
+    return Error{ErrorKind::Unusable, Quoted(name), "unknown scene", remedy};
 }
 
 const SceneEntry* SceneOfKey(const std::string& key)

@@ -49,6 +49,9 @@ std::vector<Layer> MakeLayers()
           "engine"}},
         {"testbed/scenes", {"engine"}},
         {"testbed/rube", {"testbed/scenes", "drawlist", "base", "engine"}},
+        {"python",
+         {"testbed/rube", "testbed/scenes", "golden world", "golden state", "golden", "recorder",
+          "render", "collector", "drawlist", "base", "engine"}},
     };
     // The rooms of engine/src/Dynamics: each may use those before it.
     std::vector<std::string_view> engine{"engine/Common", "engine/Collision", "engine/Dynamics"};
@@ -122,8 +125,9 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"freetype", {"render/src/FigureCairo."}},
         {"chipmunk/", {"tests/benchmark/"}},
         {"box2d/",
-         {"debugdraw/include/debugdraw/Box2d24Draw.", "docs/examples/box2d24", "tests/benchmark/",
-          "tests/debugdraw/Box2d24Draw", "tests/engine/Header24Test.", "tests/consumer/engine/"}},
+         {"debugdraw/include/debugdraw/Box2d24Draw.", "docs/examples/box2d24",
+          "docs/examples/porting/before/", "tests/benchmark/", "tests/debugdraw/Box2d24Draw",
+          "tests/engine/Header24Test.", "tests/consumer/engine/"}},
         // For tests of other projects; the manual's listings test themselves.
         {"gtest/", {"golden/include/golden/GoldenTest.", "docs/manual/listings/"}},
         {"gmock/", {"docs/manual/listings/"}},
@@ -205,7 +209,7 @@ std::string_view LayerOf(std::string_view path)
         const auto known = std::ranges::find(Layers(), room, &Layer::name);
         return known == Layers().end() ? "" : known->name;
     }
-    for (std::string_view folder : {"base", "render", "recorder", "docs", "tests"})
+    for (std::string_view folder : {"base", "render", "recorder", "python", "docs", "tests"})
     {
         if (path.starts_with(folder) && path.substr(folder.size()).starts_with('/'))
         {

@@ -157,15 +157,16 @@ private:
 void AppendMotionCases(AccuracyCases& cases)
 {
     cases.push_back(MakeCase<ProjectileExperiment>(
-        "A-projectile", "thrown at (10, 20) m/s, its place after 2 s", "m", 2.0));
+        "A-projectile", "thrown at (10, 20) m/s, its position after 2 s", "m", 2.0));
     cases.push_back(MakeCase<SlopeExperiment>(
-        "F-slope", "a box slides down 30 degrees, friction 0.3, its way in 2 s", "%", 2.0));
+        "F-slope", "a box slides down 30 degrees, friction 0.3, its displacement in 2 s", "%",
+        2.0));
     cases.push_back(MakeCase<BounceExperiment>("G-bounce-1", "restitution 1, the last apex of 10 s",
                                                "%", 10.0, 1.0, 0));
     cases.push_back(MakeCase<BounceExperiment>("G-bounce-half", "restitution 0.5, the second apex",
                                                "%", 4.0, 0.5, 2));
     cases.push_back(Weightless(MakeCase<FarExperiment>(
-        "K-far", "at 0.02 m/s, 10 km from the origin, its way in 60 s", "%", 60.0)));
+        "K-far", "at 0.02 m/s, 10 km from the origin, its displacement in 60 s", "%", 60.0)));
 }
 
 } // namespace bench

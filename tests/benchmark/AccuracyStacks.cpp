@@ -196,11 +196,12 @@ void AppendPileCases(AccuracyCases& cases)
         const std::string number = std::to_string(count);
         cases.push_back(MakeCase<StackExperiment>(
             ("J-stack-" + number).c_str(),
-            (number + " boxes 1 cm off by turns, the farthest way of one in 20 s").c_str(), "m",
-            20.0, count));
+            (number + " boxes offset by 1 cm in alternation, the largest displacement in 20 s")
+                .c_str(),
+            "m", 20.0, count));
     }
     cases.push_back(MakeCase<CardHouseExperiment>(
-        "J-card-house", "five rows of cards, the farthest way of one in 20 s", "m", 20.0));
+        "J-card-house", "five rows of cards, the largest displacement in 20 s", "m", 20.0));
 }
 
 } // namespace bench

@@ -33,6 +33,10 @@ expect_text("${said}" "The component 'golden' of boxreel is not installed in ${p
 step("asking for what there is not" FAILS OUTPUT said COMMAND "${CMAKE_COMMAND}" ${bare} ${package}
   -DCOMPONENTS=window -S "${fall}" -B "${WORK_DIR}/window")
 expect_text("${said}" "boxreel has no component 'window'")
+# docs/versions.md: until 1.0 another second number is another interface.
+step("asking for the next version" FAILS OUTPUT said COMMAND "${CMAKE_COMMAND}" ${bare} ${package}
+  -DASKED_VERSION=0.2 -S "${fall}" -B "${WORK_DIR}/next")
+expect_text("${said}" "version: 0.1.")
 
 # All of it installed, and still no library to be found.
 step("installing all" COMMAND "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${WORK_DIR}/all")

@@ -52,6 +52,12 @@ TEST(Examples, AreShownOnTheirPagesAsTheyAre)
     EXPECT_TRUE(IsShown("film_catapult.cpp", "examples/own-film.md"));
     EXPECT_TRUE(IsShown("sweep.cpp", "examples/parameter-sweep.md"));
     EXPECT_TRUE(IsShown("box2d24_film.cpp", "examples/box2d24.md"));
+    EXPECT_TRUE(IsShown("porting/before/main.cpp", "examples/port-box2d24.md"));
+    EXPECT_TRUE(IsShown("porting/after/main.cpp", "examples/port-box2d24.md"));
+    for (const char* const list : {"porting/before/CMakeLists.txt", "porting/after/CMakeLists.txt"})
+    {
+        EXPECT_TRUE(HasBlock("port-box2d24.md", "cmake", TextOf(kExamples / list))) << list;
+    }
     EXPECT_TRUE(HasBlock("scene-file.md", "json", TextOf(kExamples / "short.json")));
     EXPECT_TRUE(HasBlock("golden-ci.md", "yaml",
                          TextOf(kExamples / "golden-ci/.github/workflows/golden.yml")));
@@ -95,7 +101,8 @@ TEST(Examples, TheSweepDrawsSixPicturesTwice)
 {
     const TemporaryFolder folder;
     OutputIn(folder, BOXREEL_SWEEP);
-    const std::string svg = TextOf(folder / "sweep.svg");
+    const std::string svg = TextOf(folder / "sweep-light.svg");
+    EXPECT_NE(svg, TextOf(folder / "sweep-dark.svg"));
     for (const char* const value : {"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"})
     {
         EXPECT_THAT(svg, testing::HasSubstr(std::string(">restitution ") + value + "</text>"));
@@ -112,7 +119,20 @@ TEST(Examples, TheSweepDrawsDrawingsOnly)
     EXPECT_FALSE(std::filesystem::exists(folder / "sweep.png"));
 }
 
+TEST(Examples, PortedProgramPrintsWhatItsPageSays)
+{
+    const TemporaryFolder folder;
+    const std::string output = OutputIn(folder, BOXREEL_PORT_AFTER);
+    EXPECT_TRUE(HasBlock("port-box2d24.md", "text", output)) << output;
+}
+
 #ifdef BOXREEL_BOX2D24_FILM
+TEST(Examples, ProgramBeforeThePortPrintsTheSame)
+{
+    const TemporaryFolder folder;
+    EXPECT_EQ(OutputIn(folder, BOXREEL_PORT_BEFORE), OutputIn(folder, BOXREEL_PORT_AFTER));
+}
+
 TEST(Examples, AWorldOfBox2D24IsFilmed)
 {
     const TemporaryFolder folder;
@@ -142,7 +162,7 @@ TEST(Examples, ArePagesThatTheListNames)
             EXPECT_THAT(list, testing::HasSubstr("](" + name + ")"));
         }
     }
-    EXPECT_EQ(pages, 7);
+    EXPECT_EQ(pages, 8);
 }
 
 TEST(Examples, EveryPictureIsShownAndMadeByAPage)
@@ -158,7 +178,7 @@ TEST(Examples, EveryPictureIsShownAndMadeByAPage)
     for (const auto& entry : std::filesystem::directory_iterator(kExamples / "pictures"))
     {
         const std::string name = entry.path().filename().string();
-        EXPECT_THAT(pages, testing::HasSubstr("pictures/" + name + ")"));
+        EXPECT_THAT(pages, testing::ContainsRegex("pictures/" + name + "[)\"]"));
         EXPECT_THAT(pages, testing::ContainsRegex("<!-- makes: [a-z/]*" + name + " -->"));
     }
 }

@@ -16,7 +16,7 @@ ends() {
     printf '%s\n```\n%b\n```\n' "$2" "$3" >"$planted/docs/page.md"
     status=0
     "$checkout/tests/docs/commands.sh" "$planted" "$program" /nowhere docs/page.md "${4-}" >"$planted/said" 2>&1 || status=$?
-    if [ "$status" -ne "$1" ] || ! grep -q "page.md:2\|cannot be read" "$planted/said"; then
+    if [ "$status" -ne "$1" ] || ! grep -q "page.md:2\|cannot be read\|block of other text" "$planted/said"; then
         cat "$planted/docs/page.md" "$planted/said" >&2
         echo "FAILED: this page should end with $1, not $status, and name its line" >&2
         exit 1
@@ -36,3 +36,7 @@ ends 1 '<!-- not run -->' 'true'
 ends 1 '<!-- slow: it would fail -->' 'exit 3' slow
 ends 0 '<!-- makes: a.svg -->' 'boxreel shot pyramid --at 1s -o a.svg'
 ends 1 '<!-- makes: a.svg -->' 'boxreel shot pyramid --at 1.1s -o a.svg'
+
+# A block of other text becomes a file.
+ends 0 '' 'true\n```\n\n<!-- file: made/here.txt -->\n```text\nsome text\n```\n\n```\ngrep -x "some text" made/here.txt'
+ends 1 '' 'true\n```\n\n<!-- first: true -->\n```text\nsome text\n```\n\n```\ntrue'

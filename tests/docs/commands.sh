@@ -12,12 +12,13 @@
 #                              that does it
 #   <!-- slow: REASON -->      it is only run with `slow`, and then it alone is
 #   <!-- exit code N -->       what it ends with, when not with 0
+#   <!-- file: FILE -->        before a block of other text: it is written to this file, as a reader pastes it
 #   <!-- makes: FILE -->       a picture or film that docs/examples/pictures keeps, for the page to show it: it must
 #                              be the same, pixels by the limits for another machine; with `accept` it is stored
 #
-# A command that fails fails the page; a block that cannot be tried is passed over, and the page is skipped in the
-# end. `./boxreel test` would run this very test, and is passed over. Exit code 77: this machine cannot try all of the
-# page, and why.
+# CHECKOUT is the folder of the sources. A command that fails fails the page; a block that cannot be tried is passed
+# over, and the page is skipped in the end. `./boxreel test` would run this very test, and is passed over. Exit code 77:
+# this machine cannot try all of the page, and why.
 set -eu
 checkout=$1
 program=$2
@@ -37,7 +38,8 @@ mkdir -p "$blocks" "$folder" "$work/bin" "$work/home/.config"
 # A file NUMBER.sh for each block of commands, with the comments before it as lines `#: …`.
 awk -v blocks="$blocks" '
     function mark(text) { marks = marks "#: " text "\n" }
-    isInside && /^ *```[ ]*$/ { isInside = 0; marks = ""; next }
+    isInside && /^ *```[ ]*$/ { isInside = isFile = 0; marks = ""; next }
+    isInside && isFile { print >text; next }
     isInside && isCommands { print >file; next }
     isInside && isConsole && /^\$ / { print substr($0, 3) >file; next }
     isInside { next }
@@ -50,19 +52,25 @@ awk -v blocks="$blocks" '
         if (isCommands || isConsole) {
             file = sprintf("%s/%03d.sh", blocks, FNR)
             printf "%s", marks >file
+        } else if (marks ~ /^#: file: [A-Za-z0-9_.\/-]+\n$/) {
+            isFile = 1
+            name = substr(marks, 10, length(marks) - 10)
+            text = sprintf("%s/%03d.text", blocks, FNR)
+            printf "" >text
+            printf "%smkdir -p \"$(dirname %s)\"\ncp %s %s\n", marks, name, text, name >sprintf("%s/%03d.sh", blocks, FNR)
         } else if (marks != "") {
             print FILENAME ":" FNR ": a comment for commands stands before a block of other text" >"/dev/stderr"
             exit 1
         }
         next
     }
-    /^ *<!-- (first|makes|needs|not run|slow): .+ -->$/ || /^ *<!-- exit code [0-9]+ -->$/ {
+    /^ *<!-- (file|first|makes|needs|not run|slow): .+ -->$/ || /^ *<!-- exit code [0-9]+ -->$/ {
         sub(/^ *<!-- /, "")
         sub(/ -->$/, "")
         mark($0)
         next
     }
-    /^ *<!-- (first|makes|needs|not run|slow|exit code)/ { print FILENAME ":" FNR ": cannot be read: " $0 >"/dev/stderr"; exit 1 }
+    /^ *<!-- (file|first|makes|needs|not run|slow|exit code)/ { print FILENAME ":" FNR ": cannot be read: " $0 >"/dev/stderr"; exit 1 }
     NF { marks = "" }
     END { if (isInside) { print FILENAME ": its last block has no end" >"/dev/stderr"; exit 1 } }
 ' "$checkout/$page"
@@ -92,7 +100,8 @@ SCRIPT
 chmod +x "$work/bin/boxreel"
 ln -s "$work/bin/boxreel" "$folder/boxreel"
 ln -s "$prefix" "$work/home/boxreel"
-export BOXREEL_BUILD_DIR PATH="$work/bin:$PATH" HOME="$work/home" XDG_CONFIG_HOME="$work/home/.config"
+CHECKOUT=$checkout
+export CHECKOUT BOXREEL_BUILD_DIR PATH="$work/bin:$PATH" HOME="$work/home" XDG_CONFIG_HOME="$work/home/.config"
 unset CI BOXREEL_GOLDEN_ACCEPT BOXREEL_GOLDEN_REFERENCES BOXREEL_GOLDEN_OUTPUT
 
 # ------------------------------------------------------------------------------ what happens
@@ -133,7 +142,7 @@ for block in "$blocks"/*.sh; do
     fi
     isSlow=$(marked "$block" slow)
     [ "$pace" = slow ] || [ -z "$isSlow" ] || continue
-    [ "$pace" != slow ] || [ -n "$isSlow" ] || continue
+    [ "$pace" != slow ] || [ -n "$isSlow$(marked "$block" file)" ] || continue # slow blocks may use files of the page
     marked "$block" needs >"$work/needs"
     if ! bash -e "$work/needs" >/dev/null 2>&1 </dev/null; then
         echo "skipped: $page:$line cannot be tried here: $(cat "$work/needs")"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # golden-ci.sh CHECKOUT BUILD [whole]: the workflow of docs/examples/golden-ci.md is GitHub's, and its steps do what
-# the page says, one after the other, for the project of docs/golden-testing.md: fail without references, pass with
+# the page says, one after the other, for the project of docs/golden.md: fail without references, pass with
 # them, and fail after a change with the pictures where the last step looks for them. boxreel itself is installed from
 # BUILD; with `whole` it is built again, as the workflow does. Exit code 77: Python has no YAML.
 set -eu

@@ -20,6 +20,22 @@ made = speed.drawn(speed.read(checkout)) if drawsTheSame else {}
 found = list(speed.findings(checkout, made))
 assert not found, found
 
+# Charts show what was measured: no goal is drawn or named, and crosses mark only runs that fell or burst.
+figures = speed.read(checkout)
+for stem, chart in speed.charts_of(figures).items():
+    assert "goal" not in repr(chart).lower(), stem
+    assert not (checkout / f"{stem}.svg").exists(), f"{stem}.svg has no theme"
+missed = [one for result in figures["accuracy"] for one in result["runs"]
+          if one["verdict"] != "goal met" and not speed.accuracy.ending(one)]
+assert missed, "no run misses a goal, so the next line holds nothing"
+for result in figures["accuracy"]:
+    if result["case"] in speed.CHARTED:
+        ours = speed.accuracy.engines_of(result)[0]
+        shown = [point for _, _, point in speed.accuracy.points_of(result, ours, 0.0)]
+        ended = [one for one in result["runs"] if one["engine"] == ours and speed.accuracy.ending(one)]
+        assert {point.x for point in shown if point.mark == "x"} == {one["cpuOfFrame"] * 1e6 for one in ended}, result["case"]
+assert "goal" not in speed.raw_text(figures)
+
 # A step of the peer takes twice as long, but boxreel's run ended at other heights.
 sound = {"threads": 1, "finite": True, "escaped": 0, "awake": 0}
 ours = {"method": "boxreel 1.0", "ours": True, "verdict": "other heights", "cpu": 0.001, **sound}

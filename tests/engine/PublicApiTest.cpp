@@ -108,6 +108,24 @@ void Collect(const char* text)
     s_log += text;
 }
 
+std::string s_misuse;
+
+TEST(PublicApi, ReportsMisuseToTheFunctionThatIsSet)
+{
+    b2World world(b2Vec2(0.0f, -10.0f));
+    s_misuse.clear();
+    b2SetMisuse([](const char* sentence, const char*, int) { s_misuse = sentence; });
+    world.Step(-1.0f, 8, 3);
+    EXPECT_NE(s_misuse.find("time step"), std::string::npos);
+    world.SetSubStepCount(0);
+    EXPECT_EQ(world.GetSubStepCount(), 1);
+    EXPECT_EQ(s_misuse.find("time step"), std::string::npos);
+    s_misuse.clear();
+    b2SetMisuse(nullptr);
+    world.SetSubStepCount(2);
+    EXPECT_EQ(s_misuse, "");
+}
+
 TEST(PublicApi, DumpsEveryPartOfAWorld)
 {
     b2World world(b2Vec2(0.0f, -10.0f));

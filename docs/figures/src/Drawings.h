@@ -25,9 +25,12 @@ boxreel::Figure DrawDistance();
 // Impacts.cpp
 boxreel::Figure DrawTunnelling();
 boxreel::Figure DrawContinuousCollision();
+boxreel::Figure DrawImpactWithinStep();
 boxreel::Figure DrawTimeOfImpact();
 boxreel::Figure DrawTimeOfImpactTurning();
 boxreel::Figure DrawMissedImpact();
+// Tree.cpp
+boxreel::Figure DrawDynamicTree();
 // Queries.cpp
 boxreel::Figure DrawRayCast();
 boxreel::Figure DrawRegionQuery();

@@ -63,6 +63,12 @@ const std::vector<FigureEntry>& FigureTable()
          DrawTunnelling},
         {"continuous-collision", "The same ball stops at the wall",
          "With it the ball is stopped at the time of its impact.", DrawContinuousCollision},
+        {"impact-within-step",
+         "A ball flies down, touches the floor within a step, and is on its way up at the end of "
+         "the same step",
+         "Continuous collision: the ball goes along its sweep to the time of impact, bounces, and "
+         "takes the rest of the step as a sub-step.",
+         DrawImpactWithinStep},
         {"time-of-impact",
          "A box on its way through a wall, at the start, at the impact, at the end",
          "b2TimeOfImpact tells which part of the way is free, from 0, the start, to 1, the end.",
@@ -78,17 +84,24 @@ const std::vector<FigureEntry>& FigureTable()
          "SetContinuousPhysics(false). With continuous collision this engine misses none, so this "
          "is the only way to see it.",
          DrawMissedImpact},
+        {"dynamic-tree",
+         "Eight shapes in nested boxes, the tree of these boxes, and a ray that meets two of the "
+         "shapes' boxes",
+         "A ray goes down the tree only where it meets a box; below a box that it misses nothing "
+         "is tested.",
+         DrawDynamicTree},
         {"ray-cast", "A ray among seven shapes hits three of them; the nearest hit is marked",
          "A ray cast reports where shapes are hit, the normal there, and which fraction of the "
          "ray lies before.",
          DrawRayCast},
-        {"region-query", "Seven shapes with their boxes, and a region that four of the boxes meet",
-         "A region query finds the fixtures whose boxes overlap the region, whether or not their "
-         "shapes do.",
+        {"region-query",
+         "Seven shapes with their boxes, and a region that overlaps two shapes and two more boxes",
+         "A region query reports the fixtures whose boxes overlap the region: here two shapes that "
+         "overlap it, and a rod and a triangle of which only the boxes do.",
          DrawRegionQuery},
         {"body-origin",
-         "A body shaped like an L: its origin is where the arms meet, its centre of mass between "
-         "them",
+         "A body shaped like an L: its origin is its outer corner, its centre of mass lies between "
+         "the arms",
          "A body's position is its origin, to which shapes and joints are attached; it moves and "
          "turns about its centre of mass.",
          DrawBodyOrigin},
@@ -143,8 +156,8 @@ const std::vector<FigureEntry>& FigureTable()
         {"small-steps",
          "Two stacks of ten boxes with a heavy one on top: one is pressed together, the other "
          "stands as it was built",
-         "A thousand kilograms on nine boxes of one, after ten seconds; the dashes are where the "
-         "top was.",
+         "A thousand kilograms on nine boxes of one kilogram each, after ten seconds. The dashes "
+         "show how high the stacks were built.",
          DrawSmallSteps},
         {"debug-draw",
          "A small world with shapes, joints, boxes, pairs and centres of mass, and a "

@@ -8,14 +8,21 @@ std::string Gallery(const std::vector<FigureEntry>& table)
 {
     std::string page = "# The figures of the manual\n"
                        "\n"
-                       "Each shows a world that was simulated for it, by the programs in `src/`; "
-                       "this page too is\n"
-                       "written by them. Not so: `modules` shows no world; in `manifolds` shapes "
-                       "overlap more than a world\n"
-                       "lets them, and in `time-of-impact` and `time-of-impact-turning` a body is "
-                       "put where it is at times\n"
-                       "that are asked about, so those worlds take no step. To draw all of them "
-                       "again, with the same bytes:\n"
+                       "The programs in `src/` simulate a world for each figure and draw it. They "
+                       "write this page too.\n"
+                       "Exceptions:\n"
+                       "\n"
+                       "- `modules` shows no world.\n"
+                       "- In `manifolds`, shapes overlap more than in a world.\n"
+                       "- In `convex-and-concave`, the concave polygon is no shape.\n"
+                       "- In `time-of-impact` and `time-of-impact-turning`, a body is placed where "
+                       "it is at three times.\n"
+                       "- In `dynamic-tree`, the program builds the hierarchy by the rule of\n"
+                       "  `b2DynamicTree::RebuildEvenly`, because a tree does not show its nodes. "
+                       "The tree itself casts\n"
+                       "  the ray.\n"
+                       "\n"
+                       "This command draws all of them again, with the same bytes:\n"
                        "\n"
                        "<!-- not run: tests/docs/FiguresTest.cpp draws them all, elsewhere -->\n"
                        "```\n"
@@ -24,9 +31,9 @@ std::string Gallery(const std::vector<FigureEntry>& table)
                        "\n"
                        "| colour | of |\n"
                        "| --- | --- |\n"
-                       "| green | bodies that never move |\n"
-                       "| red | bodies that move; fainter: how they stood earlier |\n"
-                       "| blue | bodies that move as they were told |\n";
+                       "| green | static bodies |\n"
+                       "| red | dynamic bodies; fainter: their earlier poses |\n"
+                       "| blue | kinematic bodies |\n";
     for (const FigureEntry& entry : table)
     {
         const std::string name(entry.name);

@@ -113,6 +113,55 @@ Figure DrawContinuousCollision()
     return DrawFastBall(true);
 }
 
+Figure DrawImpactWithinStep()
+{
+    Sketch sketch(640, 330, b2Vec2(0.05f, 0.22f), 190.0);
+    const b2CircleShape disc = Disc(0.12f);
+    const b2PolygonShape floor = Box(1.6f, 0.06f);
+    const b2Vec2 start(-1.0f, 0.78f);
+    const b2Vec2 velocity(100.0f, -64.0f); // below b2_maxTranslation a step
+
+    // What the step asks: the sweep, and when on it the two first touch.
+    b2TOIInput input;
+    input.proxyA.Set(&floor, 0);
+    input.proxyB.Set(&disc, 0);
+    input.sweepB.c0 = start;
+    input.sweepB.c = start + (1.0f / 60.0f) * velocity;
+    b2TOIOutput output;
+    b2TimeOfImpact(&output, &input);
+    const b2Vec2 end = input.sweepB.c;
+    const b2Vec2 impact = (1.0f - output.t) * start + output.t * end;
+
+    b2World world(b2Vec2(0.0f, 0.0f), false);
+    AddGround(world, floor)->GetFixtureList()->SetFriction(0.0f);
+    b2Body* const ball = AddBody(world, b2_dynamicBody, disc, start);
+    ball->GetFixtureList()->SetRestitution(0.8f);
+    ball->SetLinearVelocity(velocity);
+    sketch.DrawFaint(world, 0.45);
+    Run(world);
+    sketch.Draw(world);
+
+    const double radius = 0.12 * sketch.Camera().pixelsPerMeter;
+    sketch.Dashes(start, end);
+    sketch.Ring(end, radius, kQuiet);
+    sketch.Ring(impact, radius, kGood);
+    sketch.Arrow(start, impact, kHelp);
+    sketch.Arrow(impact, ball->GetPosition(), kGood);
+    sketch.Dot(start);
+    sketch.Dot(impact, kGood);
+    sketch.Dot(end, kQuiet);
+    sketch.Label(start, Side::Right, "start of the step: c0, t = 0", kInk, 30.0);
+    sketch.Label(0.5f * (start + impact), Side::BelowLeft, "sweep", kHelp, 10.0);
+    sketch.Label(b2Vec2(impact.x, -0.06f), Side::Below, "time of impact:\nt = " + Text(output.t, 2),
+                 kGood, 6.0);
+    sketch.Label(end, Side::Right, "end of the sweep:\nc, t = 1", kQuiet, 30.0);
+    sketch.Label(ball->GetPosition(), Side::Above, "end of the step", kInk, 28.0);
+    sketch.Label(0.5f * (impact + ball->GetPosition()), Side::BelowRight,
+                 "sub-step: the last\n" + Text(100.0 * (1.0 - output.t), 0) + " % of the step",
+                 kGood, 8.0);
+    return sketch.Finished();
+}
+
 Figure DrawTimeOfImpact()
 {
     Sketch sketch(640, 300, b2Vec2(0.0f, 0.05f), 80.0);

@@ -107,6 +107,8 @@ Figure DrawPrismaticJoint()
     const b2Vec2 tail = anchor + 0.4f * axis - 1.05f * across;
     sketch.Arrow(tail, tail + 1.2f * axis);
     sketch.Label(tail + 0.6f * axis, Side::BelowRight, "axis", kInk, 8.0);
+    sketch.Label(base->GetWorldPoint(b2Vec2(2.0f, -0.14f)), Side::BelowRight, "bodyA", kInk, 8.0);
+    sketch.Label(cart->GetWorldPoint(b2Vec2(0.5f, -0.15f)), Side::Right, "bodyB", kInk, 6.0);
     return sketch.Finished();
 }
 

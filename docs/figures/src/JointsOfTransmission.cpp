@@ -71,11 +71,15 @@ Figure DrawGearJoint()
     const b2Vec2 hub = wheel->GetPosition();
     sketch.Ring(hub, 5.0);
     sketch.ArcArrow(hub, 72.0, Degrees(50.0f), Degrees(130.0f));
-    sketch.Label(hub, Side::Left, "joint1: revolute", kInk, 74.0);
+    sketch.Label(hub, Side::Left, "bodyA, a wheel\non joint1: revolute", kInk, 74.0);
+    const b2Vec2 rim = hub + 0.75f * b2Rot(Degrees(-35.0f)).GetXAxis();
+    sketch.Arrow(hub, rim);
+    sketch.Note(hub + 0.62f * (rim - hub), 92.0, 10.0, "radius 0.75 m");
     sketch.ArrowAlong(rack->GetPosition() + b2Vec2(-0.3f, -0.32f), b2Vec2(1.0f, 0.0f), 60.0);
-    sketch.Label(rack->GetPosition() + b2Vec2(1.1f, 0.0f), Side::Right, "joint2: prismatic", kInk,
-                 10.0);
-    sketch.Caption(320.0, 258.0, Side::Above, "coordinate1 + ratio · coordinate2 stays the same");
+    sketch.Label(rack->GetPosition() + b2Vec2(1.1f, 0.0f), Side::Right,
+                 "bodyB, a rack\non joint2: prismatic", kInk, 10.0);
+    sketch.Caption(320.0, 258.0, Side::Above,
+                   "coordinate1 + ratio · coordinate2 stays the same; here ratio = -1 / radius");
     return sketch.Finished();
 }
 

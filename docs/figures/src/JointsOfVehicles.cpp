@@ -10,7 +10,7 @@ namespace figures
 
 Figure DrawWheelJoint()
 {
-    Sketch sketch(640, 300, b2Vec2(0.0f, 0.35f), 80.0);
+    Sketch sketch(640, 380, b2Vec2(0.05f, 0.42f), 136.0);
     b2World world(b2Vec2(0.0f, -10.0f), false);
     const b2Vec2 ground[5] = {
         {-8.0f, -0.9f}, {0.3f, -0.9f}, {0.8f, -0.65f}, {1.5f, -0.65f}, {5.0f, -0.9f}};
@@ -46,11 +46,15 @@ Figure DrawWheelJoint()
 
     const b2Vec2 hub = axles[1]->GetAnchorB();
     const b2Vec2 axis = car->GetWorldVector(b2Vec2(0.0f, 1.0f));
-    sketch.Dashes(hub - 0.6f * axis, hub + 2.0f * axis);
-    sketch.Label(hub + 2.0f * axis, Side::Above, "axis", kInk, 3.0);
-    sketch.Note(hub, 100.0, 26.0, "anchor on bodyB");
+    sketch.Dashes(hub - 0.55f * axis, hub + 1.75f * axis);
+    sketch.Label(hub + 1.75f * axis, Side::Above, "axis: localAxisA", kInk, 3.0);
+    sketch.Note(hub, 76.0, 52.0, "anchor");
+    sketch.Note(hub + 0.32f * b2Rot(Degrees(-15.0f)).GetXAxis(), 60.0, 4.0, "bodyB");
     sketch.Label(car->GetPosition(), Side::On, "bodyA");
-    sketch.Note(sketch.Shifted(axles[0]->GetAnchorB(), -14.0, 0.0), -80.0, 26.0, "motorSpeed");
+    const b2Vec2 drive = axles[0]->GetAnchorB();
+    sketch.ArcArrow(drive, 66.0, Degrees(235.0f), Degrees(130.0f));
+    sketch.Label(drive - b2Vec2(0.55f, 0.0f), Side::Left, "motorSpeed", kInk, 4.0);
+    sketch.Note(axles[0]->GetAnchorB() + 0.22f * axis, -112.0, 60.0, "spring");
     return sketch.Finished();
 }
 
@@ -78,7 +82,7 @@ Figure DrawWeldJoint()
     sketch.DrawGlyphs(world);
     sketch.Note(b2Vec2(-2.7f, 0.5f), 80.0, 44.0, "welded to the wall");
     sketch.Label(last->GetWorldPoint(b2Vec2(0.3f, 0.0f)), Side::Below,
-                 "with frequencyHz = 20\nthe welds give a little", kInk, 20.0);
+                 "with frequencyHz = 20\nthe welds flex a little", kInk, 20.0);
     return sketch.Finished();
 }
 

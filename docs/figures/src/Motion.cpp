@@ -24,7 +24,8 @@ Figure DrawFallingBox()
     sketch.Label(start + edge, Side::Right, "start", kInk, 12.0);
     sketch.Label(box->GetPosition() + edge, Side::Right, "after 60 steps", kInk, 12.0);
     sketch.Arrow(start, box->GetPosition());
-    sketch.Measure(b2Vec2(-1.0f, 0.0f), b2Vec2(-1.0f, box->GetPosition().y), "1.015 m", 46.0);
+    const float32 height = box->GetPosition().y;
+    sketch.Measure(b2Vec2(-1.0f, 0.0f), b2Vec2(-1.0f, height), Text(height, 3) + " m", 46.0);
     return sketch.Finished();
 }
 
@@ -47,7 +48,7 @@ Figure DrawSlope()
         const b2Vec2 place = slope->GetPosition() + slider.start * turn.GetXAxis() + above;
         b2Body* const box = AddBody(world, b2_dynamicBody, Box(0.4f, 0.335f), place, angle);
         box->GetFixtureList()->SetFriction(slider.friction);
-        sketch.Label(place, Side::Above, Text(slider.friction, 1), kInk, 36.0);
+        sketch.Label(place, Side::AboveLeft, "friction " + Text(slider.friction, 1), kInk, 44.0);
     }
     sketch.DrawFaint(world, 0.4);
     Run(world, 45);
@@ -61,7 +62,7 @@ Figure DrawSlope()
 
 Figure DrawBounces()
 {
-    Sketch sketch(640, 320, b2Vec2(0.0f, 1.75f), 76.0);
+    Sketch sketch(640, 330, b2Vec2(0.0f, 1.8f), 76.0);
     b2World world(b2Vec2(0.0f, -10.0f), false);
     world.SetSubStepCount(4); // so that a restitution of 1 comes back to where it fell from
     AddBody(world, b2_staticBody, Box(4.0f, 0.3f), b2Vec2(0.0f, -0.3f));
@@ -72,7 +73,8 @@ Figure DrawBounces()
         ball->GetFixtureList()->SetRestitution(restitution);
         ball->SetLinearVelocity(b2Vec2(1.05f, 0.0f));
         ball->GetFixtureList()->SetFriction(0.0f);
-        sketch.Label(ball->GetPosition(), Side::Above, Text(restitution, 1), kInk, 20.0);
+        sketch.Label(ball->GetPosition() - b2Vec2(0.22f, 0.0f), Side::AboveRight,
+                     "restitution " + Text(restitution, 1), kInk, 34.0);
     }
     sketch.DrawFaint(world, 0.4);
     std::vector<std::vector<b2Vec2>> ways(3);
@@ -140,38 +142,57 @@ Figure DrawOneWayPlatform()
     sketch.Trail(way);
     sketch.Draw(world);
     sketch.Label(way.front(), Side::Right, "from below: through", kGood, 24.0);
-    sketch.Label(ball->GetPosition() + b2Vec2(0.3f, 0.25f), Side::Right, "from above: solid", kBad);
+    sketch.Label(ball->GetPosition() + b2Vec2(0.3f, 0.25f), Side::Right, "from above: solid",
+                 kGood);
     return sketch.Finished();
 }
 
 Figure DrawSmallSteps()
 {
     Sketch sketch(640, 380, b2Vec2(0.0f, 4.8f), 30.0);
-    struct Pile
+    struct Stack
     {
         float32 x;
-        int32 steps;
+        int32 subSteps;
         const char* name;
     };
-    for (const Pile& pile : {Pile{-5.0f, 1, "1 step"}, Pile{5.0f, 4, "4 small steps"}})
+    for (const Stack& stack : {Stack{-5.0f, 1, "1 step"}, Stack{5.0f, 4, "4 sub-steps"}})
     {
-        b2World world(b2Vec2(0.0f, -10.0f), false);
-        world.SetSubStepCount(pile.steps);
-        AddBody(world, b2_staticBody, Box(3.2f, 0.3f), b2Vec2(pile.x, -0.3f));
+        b2World world(b2Vec2(0.0f, -10.0f));
+        world.SetSubStepCount(stack.subSteps);
+        AddBody(world, b2_staticBody, Box(50.0f, 1.0f), b2Vec2(0.0f, -1.0f));
         b2Body* top = nullptr;
         for (int i = 0; i < 10; ++i)
         {
-            const b2Vec2 place(pile.x, 0.515f + 1.015f * float32(i)); // the skins' gap is 15 mm
+            const b2Vec2 place(0.0f, 0.515f + 1.015f * float32(i)); // the skins' gap is 15 mm
             top = AddBody(world, b2_dynamicBody, Box(0.5f, 0.5f), place);
         }
         top->GetFixtureList()->SetDensity(1000.0f);
         top->ResetMassData();
-        const b2Vec2 start = top->GetPosition() + b2Vec2(0.0f, 0.5f);
-        sketch.Dashes(start - b2Vec2(1.6f, 0.0f), start + b2Vec2(1.6f, 0.0f));
+        const b2Vec2 before = top->GetPosition() + b2Vec2(stack.x, 0.5f);
+        sketch.Dashes(before - b2Vec2(1.6f, 0.0f), before + b2Vec2(1.6f, 0.0f));
+        sketch.Label(before + b2Vec2(1.6f, 0.0f), Side::Right, "built to here", kQuiet, 6.0);
         Run(world, 600);
-        sketch.Draw(world);
+        // The manual's table has the same world: the stack is moved where it is drawn only.
+        world.ShiftOrigin(b2Vec2(-stack.x, 0.0f));
+        top->SetAwake(true); // and all that it rests on, for their colour
+        if (stack.subSteps == 1)
+        {
+            sketch.Draw(world);
+        }
+        else
+        {
+            sketch.DrawFaint(world, 1.0); // without the ground, which is there already
+        }
+        const b2Vec2 after = top->GetPosition() + b2Vec2(0.0f, 0.5f);
+        const float32 sunk = before.y - after.y;
+        if (sunk > 0.1f) // more than the width of a line
+        {
+            const b2Vec2 left(0.9f, 0.0f);
+            sketch.Measure(after - left, before - left, "sunk by " + Text(sunk, 2) + " m", 14.0);
+        }
         sketch.Label(top->GetPosition(), Side::Right, "1000 kg", kInk, 26.0);
-        sketch.Label(b2Vec2(pile.x, 0.0f), Side::Below, pile.name, kInk, 26.0);
+        sketch.Label(b2Vec2(stack.x, 0.0f), Side::Below, stack.name, kInk, 12.0);
     }
     return sketch.Finished();
 }

@@ -31,15 +31,17 @@ Figure DrawManifolds()
     b2World world(b2Vec2(0.0f, 0.0f));
     const b2CircleShape disc = Disc(0.75f);
     const b2PolygonShape box = Box(0.9f, 0.6f);
-    const b2PolygonShape wide = Box(1.1f, 0.6f);
+    const b2PolygonShape narrow = Box(0.7f, 0.6f);
+    const b2PolygonShape wide = Box(1.15f, 0.6f);
     // They overlap far more than a world lets them, to be seen.
     const b2Body* const discA = AddBody(world, b2_staticBody, disc, b2Vec2(-3.7f, -0.4f));
     const b2Body* const discB = AddBody(world, b2_dynamicBody, disc, b2Vec2(-3.1f, 0.85f));
     const b2Body* const boxA = AddBody(world, b2_staticBody, box, b2Vec2(0.0f, -0.5f));
     const b2Body* const onBox = AddBody(world, b2_dynamicBody, disc, b2Vec2(0.2f, 0.72f));
-    const b2Body* const wideA = AddBody(world, b2_staticBody, wide, b2Vec2(3.5f, -0.5f));
-    const b2Body* const boxB =
-        AddBody(world, b2_dynamicBody, box, b2Vec2(3.4f, 0.6f), Degrees(3.0f));
+    const b2Body* const narrowA = AddBody(world, b2_staticBody, narrow, b2Vec2(3.5f, -0.5f));
+    // B is wider than A, so that the normals do not lie on its sides.
+    const b2Body* const wideB =
+        AddBody(world, b2_dynamicBody, wide, b2Vec2(3.5f, 0.6f), Degrees(3.0f));
     sketch.Draw(world);
 
     b2Manifold manifold;
@@ -47,15 +49,15 @@ Figure DrawManifolds()
     AddManifold(sketch, manifold, *discA, *discB);
     b2CollidePolygonAndCircle(&manifold, &box, boxA->GetTransform(), &disc, onBox->GetTransform());
     AddManifold(sketch, manifold, *boxA, *onBox);
-    b2CollidePolygons(&manifold, &wide, wideA->GetTransform(), &box, boxB->GetTransform());
-    AddManifold(sketch, manifold, *wideA, *boxB);
-    for (const b2Body* a : {discA, boxA, wideA})
+    b2CollidePolygons(&manifold, &narrow, narrowA->GetTransform(), &wide, wideB->GetTransform());
+    AddManifold(sketch, manifold, *narrowA, *wideB);
+    for (const b2Body* a : {discA, boxA, narrowA})
     {
         sketch.Label(a->GetPosition(), Side::Below, "A", kInk, 6.0);
     }
-    for (const b2Body* b : {discB, onBox, boxB})
+    for (const b2Body* b : {discB, onBox, wideB})
     {
-        sketch.Label(b->GetPosition(), Side::Above, "B", kInk, b == boxB ? 2.0 : 18.0);
+        sketch.Label(b->GetPosition(), Side::Above, "B", kInk, b == wideB ? 2.0 : 18.0);
     }
     sketch.Caption(116.0, 246.0, Side::Above, "two circles:\none point");
     sketch.Caption(320.0, 246.0, Side::Above, "polygon and circle:\none point");

@@ -70,11 +70,18 @@ Figure DrawConvexAndConcave()
     AddBody(world, b2_dynamicBody, convex, b2Vec2(-2.6f, 0.3f));
     const b2Vec2 dent[6] = {{0.9f, -1.2f}, {4.3f, -1.2f}, {4.2f, 1.6f},
                             {3.0f, 1.3f},  {2.6f, -0.2f}, {1.2f, 1.7f}};
-    b2ChainShape concave;
+    b2ChainShape concave; // answers the rays below; no world has such a polygon
     concave.CreateLoop(dent, 6);
-    AddBody(world, b2_dynamicBody, concave, b2Vec2(0.0f, 0.0f));
     Run(world);
     sketch.Draw(world);
+    AddBody(world, b2_staticBody, concave, b2Vec2(0.0f, 0.0f));
+    // Two convex parts, half a line's width apart, so that their edges do not overlap.
+    const float32 half = 0.6f / 60.0f;
+    sketch.Fill({dent[0], {2.6f - half, -1.2f}, {2.6f - half, -0.2f}, dent[5]},
+                ColorRole::AwakeBody);
+    sketch.Fill({{2.6f + half, -1.2f}, dent[1], dent[2], dent[3], {2.6f + half, -0.2f}},
+                ColorRole::AwakeBody);
+    sketch.Outline({std::begin(dent), std::end(dent)}, kMoving);
 
     const b2Vec2 a(-3.7f, 0.0f);
     const b2Vec2 b(-1.5f, 0.8f);
@@ -156,11 +163,12 @@ Figure DrawPolygonSkin()
 Figure DrawSkinGap()
 {
     constexpr float32 kHalfHeight = 0.018f;
-    Sketch sketch(640, 320, b2Vec2(0.015f, 0.0095f), 2600.0);
+    Sketch sketch(640, 320, b2Vec2(-0.006f, 0.0095f), 2600.0);
     b2World world(b2Vec2(0.0f, -10.0f), false);
     const b2PolygonShape shape = Box(0.055f, kHalfHeight);
     const b2Body* const lower = AddBody(world, b2_staticBody, shape, b2Vec2(0.0f, -kHalfHeight));
-    const b2Body* const upper = AddBody(world, b2_dynamicBody, shape, b2Vec2(-0.02f, 0.045f));
+    // Dropped from so high that it comes to rest as deep as the engine lets skins overlap.
+    const b2Body* const upper = AddBody(world, b2_dynamicBody, shape, b2Vec2(-0.02f, 0.1f));
     Run(world, 120);
     sketch.Draw(world);
     for (const b2Body* body : {lower, upper})
@@ -168,12 +176,11 @@ Figure DrawSkinGap()
         sketch.Outline(SkinOf(shape, body->GetTransform()), kHelp);
     }
     const float32 gap = upper->GetPosition().y - kHalfHeight;
-    const b2Vec2 middle(-0.02f, 0.5f * gap);
-    sketch.Arrow(middle, b2Vec2(middle.x, 0.0f));
-    sketch.Arrow(middle, b2Vec2(middle.x, gap));
-    sketch.Label(b2Vec2(middle.x, 0.78f * gap), Side::Right, Text(100.0 * gap, 1) + " cm");
+    sketch.Measure(b2Vec2(-0.075f, 0.0f), b2Vec2(-0.075f, gap),
+                   "gap " + Text(1000.0 * gap, 0) + " mm", 42.0);
+    sketch.Line(b2Vec2(-0.075f, 0.0f), b2Vec2(-0.055f, 0.0f), kQuiet);
     const double overlap = 2.0 * b2_polygonRadius - gap;
-    sketch.Note(b2Vec2(0.033f, middle.y), 92.0, 46.0,
+    sketch.Note(b2Vec2(0.033f, 0.5f * gap), 92.0, 46.0,
                 "the skins overlap\nby " + Text(1000.0 * overlap, 0) + " mm", kHelp);
     return sketch.Finished();
 }

@@ -106,7 +106,7 @@ Figure DrawRegionQuery()
     AddBody(world, b2_dynamicBody, Box(0.4f, 0.4f), b2Vec2(-0.6f, -0.2f), Degrees(15.0f));
     AddBody(world, b2_dynamicBody, Disc(0.4f), b2Vec2(0.8f, 0.3f));
     AddBody(world, b2_dynamicBody, Box(0.09f, 0.8f), b2Vec2(-1.85f, -1.2f), Degrees(45.0f));
-    AddBody(world, b2_dynamicBody, Triangle(), b2Vec2(1.9f, -0.9f));
+    AddBody(world, b2_dynamicBody, Triangle(), b2Vec2(2.0f, -1.0f));
     AddBody(world, b2_dynamicBody, Disc(0.35f), b2Vec2(3.1f, 0.9f));
     AddBody(world, b2_dynamicBody, Box(0.5f, 0.25f), b2Vec2(0.2f, -1.5f), Degrees(-10.0f));
     AddBody(world, b2_dynamicBody, Disc(0.3f), b2Vec2(-2.8f, 0.8f));
@@ -118,11 +118,15 @@ Figure DrawRegionQuery()
     world.QueryAABB(&all, region);
     Run(world);
     sketch.Draw(world);
+    b2PolygonShape shape;
+    shape.SetAsBox(1.6f, 1.0f, region.GetCenter(), 0.0f);
     for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
     {
         const b2Fixture* const fixture = body->GetFixtureList();
         const bool isFound = std::ranges::find(all.found, fixture) != all.found.end();
-        sketch.Outline(CornersOf(fixture->GetAABB(0)), isFound ? kGood : kQuiet);
+        const bool isInside =
+            b2TestOverlap(fixture->GetShape(), 0, &shape, 0, body->GetTransform(), b2Transform());
+        sketch.Outline(CornersOf(fixture->GetAABB(0)), !isFound ? kQuiet : isInside ? kGood : kBad);
     }
     const std::vector<b2Vec2> corners = CornersOf(region);
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -130,8 +134,10 @@ Figure DrawRegionQuery()
         sketch.Dashes(corners[i], corners[(i + 1) % corners.size()], kInk);
     }
     sketch.Label(b2Vec2(0.0f, 1.1f), Side::Above, "the region");
-    sketch.Label(b2Vec2(-2.55f, -1.2f), Side::Left, "found: its\nbox overlaps", kGood);
-    sketch.Label(b2Vec2(3.1f, 0.5f), Side::Below, "not found", kQuiet);
+    sketch.Label(b2Vec2(-1.35f, 0.75f), Side::Right, "reported:\nshapes overlap", kGood, 0.0);
+    sketch.Label(b2Vec2(-2.55f, -1.2f), Side::Left, "reported too:\nonly its box\noverlaps", kBad);
+    sketch.Label(b2Vec2(2.62f, -1.0f), Side::Right, "reported too:\nonly its box\noverlaps", kBad);
+    sketch.Label(b2Vec2(3.1f, 0.5f), Side::Below, "not reported", kQuiet);
     return sketch.Finished();
 }
 

@@ -202,6 +202,18 @@ void Sketch::Outline(const std::vector<b2Vec2>& corners, Paint color)
     m_list.AddPolygon(points.data(), points.size(), color);
 }
 
+void Sketch::Fill(const std::vector<b2Vec2>& corners, ColorRole role)
+{
+    constexpr std::uint8_t kFillOpacity = 56; // as a theme's fillAlpha
+    Annotate();
+    std::vector<Vec2> points;
+    for (const b2Vec2& corner : corners)
+    {
+        points.push_back(From(corner));
+    }
+    m_list.AddSolidPolygon(points.data(), points.size(), Paint(role, kFillOpacity));
+}
+
 void Sketch::Trail(const std::vector<b2Vec2>& way, Paint color)
 {
     std::vector<Vec2> points;
@@ -261,6 +273,12 @@ b2Vec2 Sketch::Shifted(const b2Vec2& at, double right, double up) const
 {
     return {float(at.x + right / m_camera.pixelsPerMeter),
             float(at.y + up / m_camera.pixelsPerMeter)};
+}
+
+b2Vec2 Sketch::AtPixel(double x, double y) const
+{
+    const b2Vec2 middle(float32(m_camera.centerX), float32(m_camera.centerY));
+    return Shifted(middle, x - 0.5 * m_camera.width, 0.5 * m_camera.height - y);
 }
 
 void Sketch::Inset(const Sketch& detail, double x, double y)

@@ -27,9 +27,10 @@ inline constexpr boxreel::Paint kMoving = boxreel::ColorRole::AwakeBody; ///< of
 inline constexpr boxreel::Paint kHelp = boxreel::ColorRole::OldContact;  ///< skins, rays, axes
 inline constexpr boxreel::Paint kPair =
     boxreel::ColorRole::Pair; ///< of fixtures whose boxes overlap
-inline constexpr boxreel::Paint kGood = boxreel::ColorRole::NewContact;     ///< found, right
-inline constexpr boxreel::Paint kBox = boxreel::ColorRole::Aabb;            ///< bounding boxes
-inline constexpr boxreel::Paint kPush = boxreel::ColorRole::ContactImpulse; ///< forces and normals
+inline constexpr boxreel::Paint kGood = boxreel::ColorRole::NewContact; ///< found, right
+inline constexpr boxreel::Paint kBox = boxreel::ColorRole::Aabb;        ///< bounding boxes
+/// Forces and normals: the one colour that is far from the bodies' in light and in dark.
+inline constexpr boxreel::Paint kPush = boxreel::ColorRole::Joint;
 inline constexpr boxreel::Paint kBad{213, 94, 0}; ///< wrong; seen on white and on black
 
 /// Where a label lies, seen from its point.
@@ -78,6 +79,8 @@ public:
     void Dot(const b2Vec2& at, boxreel::Paint color = kInk, double diameter = 7.0);
     void Ring(const b2Vec2& at, double radius, boxreel::Paint color = kInk);
     void Outline(const std::vector<b2Vec2>& corners, boxreel::Paint color);
+    /// A convex area as light as the fill of a body's shape.
+    void Fill(const std::vector<b2Vec2>& corners, boxreel::ColorRole role);
     void Trail(const std::vector<b2Vec2>& way, boxreel::Paint color = kHelp);
     /// With arrows between extension lines, `offset` pixels away: above or on the left, on the
     /// other side when it is negative.
@@ -93,6 +96,8 @@ public:
               boxreel::Paint color = kInk);
 
     b2Vec2 Shifted(const b2Vec2& at, double right, double up) const;
+    /// The world's point at a place of the picture, from the top left corner.
+    b2Vec2 AtPixel(double x, double y) const;
 
     /// A smaller sketch in a frame, its top left corner at this place of the picture.
     void Inset(const Sketch& detail, double x, double y);

@@ -179,16 +179,21 @@ TEST(CollisionListing, ComputesAManifold)
 
     b2Manifold later;
     b2CollidePolygons(&later, &floor, floorAt, &box, At(5.48f, 0.99f));
-    int32 begun = 0;
+    int32 begun = 0, ended = 0;
     // [states]
     b2PointState before[b2_maxManifoldPoints], after[b2_maxManifoldPoints];
     b2GetPointStates(before, after, &manifold, &later);
     for (int32 i = 0; i < later.pointCount; ++i)
     {
-        begun += after[i] == b2_addState; // new since then; b2_persistState: was there
+        begun += after[i] == b2_addState;
+    }
+    for (int32 i = 0; i < manifold.pointCount; ++i)
+    {
+        ended += before[i] == b2_removeState;
     }
     // [/states]
     EXPECT_EQ(begun, 1) << "one corner has left the floor";
+    EXPECT_EQ(ended, 1);
 }
 
 TEST(CollisionListing, MeasuresTheDistance)
@@ -213,6 +218,13 @@ TEST(CollisionListing, MeasuresTheDistance)
     input.useRadii = false;
     b2Distance(&output, &cache, &input);
     EXPECT_NEAR(output.distance, 3.0f, 1e-5f);
+
+    EXPECT_EQ(b2DistanceProxy().m_count, 0);
+    EXPECT_EQ(input.proxyA.GetVertexCount(), 4);
+    EXPECT_EQ(input.proxyA.m_radius, b2_polygonRadius);
+    EXPECT_EQ(input.proxyB.GetVertexCount(), 1);
+    EXPECT_EQ(input.proxyB.m_radius, 0.5f);
+    EXPECT_EQ(input.proxyA.GetSupportVertex(b2Vec2(1.0f, 1.0f)), b2Vec2(1.0f, 1.0f));
 }
 
 TEST(CollisionListing, FindsTheTimeOfImpact)
@@ -233,6 +245,22 @@ TEST(CollisionListing, FindsTheTimeOfImpact)
     // [/toi]
     EXPECT_TRUE(meets);
     EXPECT_NEAR(output.t, 0.4945f, 0.001f);
+
+    // [sweep]
+    b2Sweep sweep;
+    sweep.c0.Set(-10.0f, 0.0f);
+    sweep.c.Set(10.0f, 0.0f);
+    input.sweepB = sweep;
+    b2TimeOfImpact(&output, &input);
+
+    b2Transform atImpact;
+    sweep.GetTransform(&atImpact, output.t); // a transform at the time of impact
+    sweep.Advance(output.t);                 // what is left: from the impact to the end
+    // [/sweep]
+    EXPECT_NEAR(atImpact.p.x, -0.125f, 0.02f) << "half of the wall, half of the box, skins";
+    EXPECT_NEAR(b2Distance(sweep.c0, atImpact.p), 0.0f, 1e-4f);
+    EXPECT_EQ(sweep.alpha0, output.t);
+    EXPECT_EQ(sweep.c, b2Vec2(10.0f, 0.0f));
 
     // A rod that is clear of the post at both ends of a turn, and not in between.
     b2PolygonShape post, rod;
@@ -261,6 +289,25 @@ struct Found
 };
 // [/tree]
 
+// [tree-ray]
+/// Keeps the nearest thing that a ray hits; the tree knows only its box.
+struct NearestLamp
+{
+    float32 RayCastCallback(const b2RayCastInput& input, int32 proxy)
+    {
+        b2RayCastOutput hit;
+        if (!tree.GetFatAABB(proxy).RayCast(&hit, input))
+        {
+            return -1.0f; // no hit: the ray stays as it is
+        }
+        nearest = proxy;
+        return hit.fraction; // the ray ends here from now on
+    }
+    const b2DynamicTree& tree;
+    int32 nearest = b2_nullNode; ///< none
+};
+// [/tree-ray]
+
 b2AABB BoxFrom(float32 x, float32 y, float32 size)
 {
     b2AABB box;
@@ -287,6 +334,30 @@ TEST(CollisionListing, AsksATree)
         const auto index = static_cast<int*>(tree.GetUserData(proxy)) - lamps;
         EXPECT_TRUE(index == 10 || index == 11) << index;
     }
+    // [cast]
+    b2RayCastInput ray;
+    ray.p1.Set(-5.0f, 0.5f);
+    ray.p2.Set(50.0f, 0.5f);
+    ray.maxFraction = 1.0f;
+    NearestLamp lamp{tree};
+    tree.RayCast(&lamp, ray);
+    // [/cast]
+    ASSERT_NE(lamp.nearest, b2_nullNode);
+    EXPECT_EQ(tree.GetUserData(lamp.nearest), &lamps[0]);
+}
+
+TEST(CollisionListing, BouncesWithinAStep)
+{
+    manual::Stage stage(b2Vec2_zero);
+    EXPECT_TRUE(stage.world.GetContinuousPhysics());
+    EXPECT_FALSE(stage.world.GetSubStepping());
+    stage.Ground();
+    b2Body* ball = stage.Ball(0.0f, 1.0f, 0.1f);
+    ball->GetFixtureList()->SetRestitution(0.8f);
+    ball->SetLinearVelocity(b2Vec2(0.0f, -90.0f));
+    stage.Run(1.0f / 60.0f);
+    EXPECT_GT(ball->GetPosition().y, 0.3f) << "on its way up";
+    EXPECT_NEAR(ball->GetLinearVelocity().y, 72.0f, 1.0f);
 }
 
 } // namespace

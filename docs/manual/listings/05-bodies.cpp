@@ -115,6 +115,49 @@ TEST(BodiesListing, PushesAndKicks)
     EXPECT_TRUE(boat->IsAwake());
 }
 
+TEST(BodiesListing, ChangesTheState)
+{
+    manual::Stage stage;
+    b2Body* ground = stage.Ground();
+    b2Body* crate = stage.Box(0.0f, 0.515f);
+    b2WeldJointDef weld;
+    weld.Initialize(ground, crate, crate->GetPosition());
+    stage.world.CreateJoint(&weld);
+    EXPECT_TRUE(crate->IsAwake() && crate->IsSleepingAllowed() && !crate->IsFixedRotation());
+    crate->SetAngularVelocity(1.0f);
+    b2MassData heavy{5.0f, b2Vec2_zero, 1.0f};
+    crate->SetMassData(&heavy);
+    // [set-static]
+    crate->SetType(b2_staticBody); // anchored where it is: it stops and weighs nothing
+    // [/set-static]
+    EXPECT_EQ(crate->GetType(), b2_staticBody);
+    EXPECT_EQ(crate->GetMass(), 0.0f);
+    EXPECT_EQ(crate->GetAngularVelocity(), 0.0f);
+    EXPECT_EQ(crate->GetContactList(), nullptr);
+    EXPECT_NE(crate->GetJointList(), nullptr);
+    int resting = 0;
+    crate->SetAwake(false);
+    // [state]
+    crate->SetType(b2_dynamicBody); // loose again, awake, with the mass of its fixtures
+    crate->SetFixedRotation(true);  // slides, never tips over
+    if (!crate->IsAwake() && crate->IsSleepingAllowed())
+    {
+        ++resting;
+    }
+    // [/state]
+    EXPECT_EQ(resting, 0) << "it is awake";
+    EXPECT_EQ(crate->GetMass(), 1.0f);
+    EXPECT_EQ(crate->GetInertia(), 0.0f);
+    crate->SetSleepingAllowed(false);
+    stage.Run(2.0f);
+    EXPECT_TRUE(crate->IsAwake());
+    crate->SetSleepingAllowed(true);
+    stage.Run(2.0f);
+    EXPECT_FALSE(crate->IsAwake());
+    crate->SetSleepingAllowed(false);
+    EXPECT_TRUE(crate->IsAwake());
+}
+
 TEST(BodiesListing, GoesBetweenFrames)
 {
     manual::Stage stage(b2Vec2_zero);
@@ -125,11 +168,13 @@ TEST(BodiesListing, GoesBetweenFrames)
     const b2Vec2 gun = ship->GetWorldPoint(b2Vec2(2.0f, 0.0f));      // a point of the ship
     const b2Vec2 ahead = ship->GetWorldVector(b2Vec2(1.0f, 0.0f));   // a direction
     const b2Vec2 back = ship->GetLocalPoint(gun);                    // (2, 0)
+    const b2Vec2 down = ship->GetLocalVector(b2Vec2(0.0f, -1.0f));   // gravity as the ship feels it
     const b2Vec2 speed = ship->GetLinearVelocityFromWorldPoint(gun); // the turning included
     // [/frames]
     EXPECT_NEAR(b2Distance(gun, b2Vec2(10.0f, 2.0f)), 0.0f, 1e-5f);
     EXPECT_NEAR(b2Distance(ahead, b2Vec2(0.0f, 1.0f)), 0.0f, 1e-6f);
     EXPECT_NEAR(b2Distance(back, b2Vec2(2.0f, 0.0f)), 0.0f, 1e-5f);
+    EXPECT_NEAR(b2Distance(down, b2Vec2(-1.0f, 0.0f)), 0.0f, 1e-6f);
     EXPECT_NEAR(b2Distance(speed, b2Vec2(-2.0f, 0.0f)), 0.0f, 1e-5f);
 }
 

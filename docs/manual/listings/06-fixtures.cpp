@@ -163,6 +163,13 @@ TEST(FixturesListing, NeverCollidesWithinANegativeGroup)
     // [/group]
     stage.Run(0.1f);
     EXPECT_TRUE(hits.touched.empty());
+    // [get-filter]
+    b2Filter solid = wheel->GetFilterData();
+    solid.groupIndex = 0; // category and mask stay
+    wheel->SetFilterData(solid);
+    // [/get-filter]
+    stage.Run(0.1f);
+    EXPECT_FALSE(hits.touched.empty()) << "they collide now";
     stage.world.SetContactListener(nullptr);
 }
 

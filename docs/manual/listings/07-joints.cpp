@@ -100,6 +100,17 @@ TEST(JointsListing, SwingsOnARodAndBouncesOnASpring)
     // A spring of f hertz gives way by g / (2 pi f)^2, whatever hangs on it.
     EXPECT_NEAR(7.0f - load->GetPosition().y, 0.25f, 0.005f);
 
+    auto* winch = static_cast<b2DistanceJoint*>(world.CreateJoint(&rod));
+    for (int i = 0; i < 100; ++i)
+    {
+        // [haul]
+        winch->SetLength(winch->GetLength() - 0.01f); // hauls in 1 cm [m]; before each step
+        // [/haul]
+    }
+    EXPECT_NEAR(winch->GetLength(), 2.0f, 1e-4f);
+    EXPECT_EQ(winch->SetLength(0.5f), 0.5f);
+    world.DestroyJoint(winch);
+
     const std::string section = manual::SectionText(kPage, "## Distance joint");
     EXPECT_DEFAULT(section, b2DistanceJointDef(), length);
     EXPECT_DEFAULT(section, b2DistanceJointDef(), frequencyHz);
@@ -152,6 +163,20 @@ TEST(JointsListing, LimitsAndDrivesAHinge)
     }
     EXPECT_NEAR(joint->GetJointAngle(), target, 0.001f);
 
+    // [hinge-setters]
+    joint->SetLimits(-0.1f, 0.1f);  // [rad], lower first
+    joint->EnableLimit(true);       // the limits are kept while they are disabled
+    joint->SetMaxMotorTorque(5.0f); // [N m]
+    joint->EnableMotor(false);      // hangs freely between its limits
+    // [/hinge-setters]
+    stage.Run(1.0f);
+    EXPECT_NEAR(joint->GetJointAngle(), 0.1f, b2_angularSlop);
+    EXPECT_EQ(joint->GetMaxMotorTorque(), 5.0f);
+    EXPECT_FALSE(joint->IsMotorEnabled());
+    joint->EnableLimit(false);
+    EXPECT_FALSE(joint->IsLimitEnabled());
+    EXPECT_EQ(joint->GetUpperLimit(), 0.1f);
+
     const std::string section = manual::SectionText(kPage, "## Revolute joint");
     EXPECT_DEFAULT(section, b2RevoluteJointDef(), referenceAngle);
     EXPECT_DEFAULT(section, b2RevoluteJointDef(), enableLimit);
@@ -184,6 +209,14 @@ TEST(JointsListing, LiftsOnASlider)
     EXPECT_NEAR(joint->GetMotorForce(), 40.0f, 0.5f);
     stage.Run(4.0f);
     EXPECT_NEAR(joint->GetJointTranslation(), 6.0f, b2_linearSlop);
+    // [brake]
+    joint->SetMotorSpeed(0.0f);
+    joint->SetMaxMotorForce(1000.0f); // [N]: holds what weighs less
+    // [/brake]
+    joint->EnableLimit(false);
+    stage.Run(1.0f);
+    EXPECT_NEAR(joint->GetJointTranslation(), 6.0f, 2.0f * b2_linearSlop);
+    EXPECT_EQ(joint->GetMaxMotorForce(), 1000.0f);
 
     const std::string section = manual::SectionText(kPage, "## Prismatic joint");
     EXPECT_DEFAULT(section, b2PrismaticJointDef(), localAxisA);

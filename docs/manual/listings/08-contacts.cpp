@@ -277,6 +277,49 @@ TEST(ContactsListing, FiltersByAFunction)
     world.SetContactFilter(nullptr);
 }
 
+// [usual-filter]
+/// The same rule as that of b2ContactFilter.
+class Usual : public b2ContactFilter
+{
+public:
+    bool ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) override
+    {
+        const b2Filter a = fixtureA->GetFilterData();
+        const b2Filter b = fixtureB->GetFilterData();
+        if (a.groupIndex == b.groupIndex && a.groupIndex != 0)
+        {
+            return a.groupIndex > 0; // one group: always or never
+        }
+        return (a.maskBits & b.categoryBits) != 0 && (b.maskBits & a.categoryBits) != 0;
+    }
+};
+// [/usual-filter]
+
+TEST(ContactsListing, FiltersAsTheEngineDoesUnlessToldOtherwise)
+{
+    manual::Stage stage;
+    b2Fixture* a = stage.Ball(0.0f, 0.0f)->GetFixtureList();
+    b2Fixture* b = stage.Ball(0.0f, 0.0f)->GetFixtureList();
+    b2ContactFilter engine;
+    Usual usual;
+    int collide = 0;
+    for (int i = 0; i < 1024; ++i)
+    {
+        b2Filter filter;
+        filter.categoryBits = uint16(i & 3);
+        filter.maskBits = uint16(i >> 2 & 3);
+        filter.groupIndex = int16((i >> 8) % 3 - 1);
+        a->SetFilterData(filter);
+        filter.categoryBits = uint16(i >> 4 & 3);
+        filter.maskBits = uint16(i >> 6 & 3);
+        b->SetFilterData(filter);
+        EXPECT_EQ(usual.ShouldCollide(a, b), engine.ShouldCollide(a, b)) << i;
+        collide += engine.ShouldCollide(a, b) ? 1 : 0;
+    }
+    EXPECT_GT(collide, 100);
+    EXPECT_LT(collide, 900);
+}
+
 class Belt : public b2ContactListener
 {
 public:

@@ -58,6 +58,67 @@ TEST(LooseEndsListing, GivesFixturesAMaterial)
     EXPECT_TRUE(static_cast<Material*>(fixture->GetUserData())->burns);
 }
 
+// [cleaner]
+/// Frees the materials of fixtures that go with their body.
+class Cleaner : public b2DestructionListener
+{
+public:
+    void SayGoodbye(b2Fixture* fixture) override { Free(fixture); }
+    void SayGoodbye(b2Joint*) override {}
+    static void Free(b2Fixture* fixture)
+    {
+        delete static_cast<Material*>(fixture->GetUserData());
+        fixture->SetUserData(nullptr); // so that nothing frees it twice
+    }
+};
+// [/cleaner]
+
+int HowManyHaveAMaterial(b2World& world)
+{
+    int count = 0;
+    for (b2Body* b = world.GetBodyList(); b; b = b->GetNext())
+    {
+        for (b2Fixture* f = b->GetFixtureList(); f; f = f->GetNext())
+        {
+            count += f->GetUserData() != nullptr;
+        }
+    }
+    return count;
+}
+
+TEST(LooseEndsListing, FreesWhatFixturesOwn)
+{
+    Cleaner cleaner;
+    manual::Stage stage;
+    b2World& world = stage.world;
+    world.SetDestructionListener(&cleaner);
+    b2Body* body = stage.Ball(0.0f, 0.0f);
+    b2Body* other = stage.Ball(5.0f, 0.0f);
+    b2Body* third = stage.Ball(9.0f, 0.0f);
+    for (b2Body* owner : {body, other, third})
+    {
+        owner->GetFixtureList()->SetUserData(new Material);
+    }
+    b2Fixture* fixture = body->GetFixtureList();
+    // [free]
+    Cleaner::Free(fixture); // by hand: nobody is told
+    body->DestroyFixture(fixture);
+    // [/free]
+    EXPECT_EQ(HowManyHaveAMaterial(world), 2);
+    world.DestroyBody(other);
+    EXPECT_EQ(HowManyHaveAMaterial(world), 1);
+    // [free-all]
+    for (b2Body* b = world.GetBodyList(); b; b = b->GetNext()) // before the world goes
+    {
+        for (b2Fixture* f = b->GetFixtureList(); f; f = f->GetNext())
+        {
+            Cleaner::Free(f);
+        }
+    }
+    // [/free-all]
+    EXPECT_EQ(HowManyHaveAMaterial(world), 0);
+}
+
 // [goodbye]
 /// Forgets the joint that drags a body when the body goes away under it.
 class Dragging : public b2DestructionListener

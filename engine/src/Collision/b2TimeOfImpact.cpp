@@ -236,7 +236,7 @@ struct Marks
     }
 };
 
-// Returns the time for which the bound stays above the target; at most `most`. Negative if the
+// Returns the time for which the bound stays above the target; at most `maximum`. Negative if the
 // shapes are closer than the target already. The root of the pair that is closest at h is not
 // before that of the whole bound, so h decreases monotonically to it.
 double SafeStep(const Marks& a, const Marks& b, double curvature, double target, double maximum,

@@ -10,6 +10,7 @@ namespace
 b2AllocFunction g_alloc = std::malloc;
 b2FreeFunction g_free = std::free;
 b2LogFunction g_log = nullptr;
+b2MisuseFunction g_misuse = nullptr;
 } // namespace
 
 void* b2Alloc(int32 size)
@@ -59,6 +60,21 @@ void b2Log(const char* format, ...)
 void b2SetLog(b2LogFunction log)
 {
     g_log = log;
+}
+
+void b2SetMisuse(b2MisuseFunction function)
+{
+    g_misuse = function;
+}
+
+bool box2d::ReportMisuse(const char* sentence, const char* file, int line)
+{
+    if (g_misuse == nullptr)
+    {
+        return false;
+    }
+    g_misuse(sentence, file, line);
+    return true;
 }
 
 void box2d::AssertionFailed(const char* sentence, const char* file, int line)

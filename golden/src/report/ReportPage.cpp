@@ -5,6 +5,7 @@
 #include <base/ErrorMacros.h>
 #include <base/Quoting.h>
 #include <base/ReadWhole.h>
+#include <base/Words.h>
 #include <golden/ReportPage.h>
 
 #include <algorithm>
@@ -135,7 +136,7 @@ Result<std::string> Card(const ReportedMoment& moment, const FilmStrip* strip)
     {
         text += "<p class=\"other\">This is of " + MarkupEscaped(shown.folder) + "; " +
                 MarkupEscaped(other.folder) + " says <b>" + MarkupEscaped(LabelOf(other.status)) +
-                "</b>: " + MarkupEscaped(Join(other.findings, "; ")) + "</p>\n";
+                "</b>: " + MarkupEscaped(JoinedBy("; ", other.findings)) + "</p>\n";
     }
     return text + "<div class=\"views\"></div>\n<script type=\"application/json\">" + data +
            "</script>\n</article>\n";

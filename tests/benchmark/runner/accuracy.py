@@ -38,7 +38,7 @@ def usual(result: Result, engine: str, steps: int = 4) -> Result:
     return next((one for one in own if [one[key] for key in SETTINGS] == wanted), {"failure": "not run"})
 
 
-def summary(results: list[Result], steps: int) -> str:
+def summary(results: list[Result], steps: int, with_goals: bool = True) -> str:
     """A row a case: what every engine reaches with its usual settings, ours with so many sub-steps."""
     first, *others = engines_of(results[0])
     rows = [[f"{steps} sub-steps", "goal", "", first, "", *(cell for name in others for cell in (name, "", ""))]]
@@ -55,7 +55,9 @@ def summary(results: list[Result], steps: int) -> str:
         said = ours.get("verdict", "not run")
         rows.append([result["case"], goals_of(result).get("error", "")[3:], result["unit"], *cells,
                      "goal met" + ", slower" * slower if said == "goal met" else f"goal not met {said}"])
-    return table("<>>>>" + ">>>" * len(others) + "<", rows)
+    if with_goals:
+        return table("<>>>>" + ">>>" * len(others) + "<", rows)
+    return table("<>>>" + ">>>" * len(others), [[row[0], *row[2:5 + 3 * len(others)]] for row in rows])
 
 
 def points_of(result: Result, engine: str, floor: float) -> Iterator[tuple[str, str, charts.Point]]:
@@ -64,17 +66,22 @@ def points_of(result: Result, engine: str, floor: float) -> Iterator[tuple[str, 
     own = rest = [one for one in result["runs"] if one["engine"] == engine and "failure" not in one]
 
     def point(one: Result, label: str = "", optional: bool = True) -> charts.Point:
-        mark = "x" if one["verdict"] not in ("goal met", "") else "o" if one is base else "." if label else "speck"
+        mark = "x" if ending(one) else "o" if one is base else "." if label else "speck"
         error = max(one["error"], floor) if is_number(one["error"]) else None
         return charts.Point(one["cpuOfFrame"] * 1e6, error, label, mark, optional)
 
     for key, (stroke, unit) in VARIED.items():
         line = sorted((one for one in own if all(one[other] == base.get(other) for other in VARIED if other != key)),
                       key=lambda one: one[key])
+        # Labels of settings that change nothing would all stand at one point.
+        errors = [max(one["error"], floor) if is_number(one["error"]) else math.inf for one in line]
+        times = [one["cpuOfFrame"] for one in line]
+        is_point = not unit and bool(line) and max(errors) < 1.3 * min(errors) and max(times) < 1.3 * min(times)
         for one in line if len(line) > 1 else []:
             is_named = unit and one is line[-1]
             words = f"{one[key]}{unit * is_named}" if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
-            yield engine, stroke, point(one, words if one is not base or key == "subSteps" else "", not is_named)
+            has_label = key == "subSteps" or not (is_point or one is base)
+            yield engine, stroke, point(one, words if has_label else "", not is_named)
             rest = [other for other in rest if other is not one]
     yield from ((engine, "", point(one)) for one in rest)
 

@@ -144,7 +144,9 @@ def draw_lines(axes, chart: Lines, ink: str, soft: str) -> None:
 
 
 def label_points(axes, curves: list[Curve]) -> None:
-    """Puts each label where it covers no mark, no line and no other label; the optional ones only there."""
+    """Puts each label where it covers no mark, no line and no other label; the optional ones only there. A rim keeps the
+    others clear of a line."""
+    from matplotlib.patheffects import withStroke
     axes.figure.draw_without_rendering()
     box, unit = axes.get_window_extent(), axes.figure.dpi / 72.0  # pixels of a point
     taken, spots = [], []  # what is covered, as (x, y, half width, half height) in pixels; where labels belong
@@ -157,6 +159,7 @@ def label_points(axes, curves: list[Curve]) -> None:
         spots += [(point, *place, f"C{curve.color % 6}") for point, place in zip(curve.points, places) if point.label]
     for point, x, y, color in sorted(spots, key=lambda spot: spot[0].optional):
         label = axes.figure.text(0, 0, point.label, fontsize=8, color=color, ha="center", va="center", zorder=6)
+        label.set_path_effects([withStroke(linewidth=2.5, foreground=axes.get_facecolor())])  # a line may cross it
         size = label.get_window_extent()
         w, h = 0.5 * size.width + unit, 0.5 * size.height + 0.5 * unit
 

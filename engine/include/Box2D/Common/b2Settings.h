@@ -157,15 +157,30 @@ inline constexpr b2Version b2_version = {2, 3, 0};
 #endif
 #endif
 
+/// Receives the sentence of a broken requirement, and where it was checked.
+typedef void (*b2MisuseFunction)(const char* sentence, const char* file, int line);
+
+/// Replaces the reaction to an invalid call, in every build. The function is called, and then the
+/// call has the effect that it has with asserts off. Null restores the default. For bindings to
+/// languages that have exceptions. An addition to the manual's interface.
+void b2SetMisuse(b2MisuseFunction function);
+
 namespace box2d
 {
 /// Prints "file:line: sentence" to standard error and aborts.
 [[noreturn]] void AssertionFailed(const char* sentence, const char* file, int line);
 
-/// Handles a broken requirement: aborts with asserts on, returns false with asserts off.
-inline bool Misuse([[maybe_unused]] const char* sentence, [[maybe_unused]] const char* file,
-                   [[maybe_unused]] int line)
+/// Calls the function of b2SetMisuse; false if there is none.
+bool ReportMisuse(const char* sentence, const char* file, int line);
+
+/// Handles a broken requirement. Returns false after the function of b2SetMisuse. Without one it
+/// aborts with asserts on, and returns false with asserts off.
+inline bool Misuse(const char* sentence, const char* file, int line)
 {
+    if (ReportMisuse(sentence, file, line))
+    {
+        return false;
+    }
 #if BOXREEL_ASSERTS
     AssertionFailed(sentence, file, line);
 #else
@@ -186,7 +201,7 @@ inline bool Misuse([[maybe_unused]] const char* sentence, [[maybe_unused]] const
 #endif
 
 /// Checks a condition that the caller can violate. True if it holds; otherwise it prints the
-/// sentence and aborts with asserts on, or is false with asserts off. Usage:
+/// sentence and aborts with asserts on, or is false with asserts off (see b2SetMisuse). Usage:
 ///
 ///     if (!B2_REQUIRE(count >= 3, "A polygon needs at least 3 points.")) return;
 #define B2_REQUIRE(condition, sentence) ((condition) || box2d::Misuse(sentence, __FILE__, __LINE__))

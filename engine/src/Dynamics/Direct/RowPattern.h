@@ -20,7 +20,7 @@ inline bool IsMoved(const BodyData& body)
 }
 
 /// The bodies of a constraint that the solver moves, each once; nullptr for the others. By side, as
-/// in ConstraintRows.
+/// in JointRows.
 struct RowSides
 {
     const BodyData* sides[4] = {};

@@ -14,7 +14,7 @@
 namespace box2d
 {
 
-/// Of what pulls back with k x, but never with more than `most`.
+/// Of what pulls back with k x, but never with more than `maximum`.
 struct SpringState
 {
     double stiffness = 0.0; ///< k [N/m] or [N m], of the present pose
@@ -22,7 +22,7 @@ struct SpringState
     double maximum = std::numeric_limits<double>::infinity(); ///< [N] or [N m]
 
     double Energy() const { return EnergyAt(error); }
-    /// Returns k x^2 / 2, and a linear function beyond `most` / k [J].
+    /// Returns k x^2 / 2, and a linear function beyond `maximum` / k [J].
     double EnergyAt(double x) const;
 };
 

@@ -52,7 +52,8 @@ struct JointRows
     }
 
     /// The law of a bounded row. Its target speed is `wanted` - softness * impulse, with an impulse
-    /// of at most `most`. Independent of the impulse, the speed is between `slowest` and `fastest`.
+    /// of at most `maximum`. Independent of the impulse, the speed is between `slowest` and
+    /// `fastest`.
     struct Law
     {
         float32 wanted = 0.0f;   ///< [m/s] or [rad/s]
@@ -101,7 +102,7 @@ struct JointRows
     int32 rows = 0;        ///< 0 to 3; the remaining array elements are zero
     int32 boundedRows = 0; ///< number of bounded rows, the last ones
     bool point = false;    ///< the first two rows hold a point
-    /// The first two rows are bounded together: `most` limits the length of both impulses.
+    /// The first two rows are bounded together: `maximum` limits the length of both impulses.
     bool disc = false;
     float32 length = 0.0f; ///< length of the line for the first row
     int32 bodies = 0;      ///< number of columns

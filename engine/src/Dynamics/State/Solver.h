@@ -249,7 +249,7 @@ struct Overlap
 Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody& a,
                        const SolverBody& b);
 
-/// The rate of position correction: the fraction of the excess over the slop, limited by `most`
+/// The rate of position correction: the fraction of the excess over the slop, limited by `maximum`
 /// [m].
 struct PushPace
 {

@@ -47,11 +47,11 @@ Pair ResponseOf(const JointRows& rows)
     return k;
 }
 
-/// Returns the impulse x of length `most` that is parallel to its residual g - K x. `residual` is
-/// that of `now`, so that g = residual + K now. The condition is (K + s) x = g, s >= 0. Newton's
+/// Returns the impulse x of length `maximum` that is parallel to its residual g - K x. `residual`
+/// is that of `now`, so that g = residual + K now. The condition is (K + s) x = g, s >= 0. Newton's
 /// method for 1 / |x(s)| = 1 / most, in the axes of K, converges from below (More and Sorensen,
 /// "Computing a Trust Region Step", 1983). If a shorter impulse leaves no residual, returns that;
-/// otherwise the length slightly exceeds `most`.
+/// otherwise the length slightly exceeds `maximum`.
 b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& residual, float32 maximum)
 {
     const double half = 0.5 * (k.xx - k.yy);

@@ -433,8 +433,8 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
     }
 }
 
-/// Scales all pushes of an island equally, so that no point of its bodies moves further than `most`
-/// [m]. Directions are kept, and points that separate still do.
+/// Scales all pushes of an island equally, so that no point of its bodies moves further than
+/// `maximum` [m]. Directions are kept, and points that separate still do.
 void SubStepSolver::LimitPushes(float32 maximum)
 {
     m_subSteps.farthestPushes.assign(std::size_t(m_memory.islands.Count()), 0.0f);

@@ -72,6 +72,6 @@ public:
 
 private:
     /// Copies the vertices that are finite and far enough apart, with room for one more. Copies
-    /// none when fewer than `least` remain.
+    /// none when fewer than `minimum` remain.
     void TakeVertices(const b2Vec2* vertices, int32 count, int32 minimum, bool isLoop);
 };

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// @file
+/// Texts taken apart and put together.
+namespace boxreel
+{
+
+/// Splits at every separator: one more part than there are separators.
+std::vector<std::string> SplitAt(char separator, std::string_view text);
+
+/// Returns "a, b, c": the words with `separator` between them.
+std::string JoinedBy(std::string_view separator, const std::vector<std::string>& words);
+
+} // namespace boxreel

@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: MIT
+"""Definitions of bodies, fixtures and joints. Names and defaults are those of the engine's tables."""
+
+import copy
+import difflib
+
+from _boxreel import _defaults, b2Error, b2Filter, b2Vec2
+
+
+class _Definition:
+    """Has the fields of the engine's definition as attributes; every keyword sets one."""
+
+    _fields = {}
+    _extra = ()
+
+    def __init__(self, **keywords):
+        for name, value in self._fields.items():
+            self.__dict__[name] = copy.copy(value)
+        self._set_all(keywords)
+
+    @classmethod
+    def _names(cls):
+        names = set(cls._fields) | set(cls._extra)
+        return names | {name for name in dir(cls) if isinstance(getattr(cls, name), property)}
+
+    def _set_all(self, keywords):
+        names = self._names()
+        for name, value in keywords.items():
+            if name not in names:
+                near = difflib.get_close_matches(name, names, 1)
+                hint = f"; did you mean '{near[0]}'?" if near else ""
+                raise TypeError(f"{type(self).__name__} has no field '{name}'{hint}")
+            setattr(self, name, value)
+
+    def __setattr__(self, name, value):
+        if isinstance(self._fields.get(name), b2Vec2):
+            value = b2Vec2(value)
+        object.__setattr__(self, name, value)
+
+    def _values(self):
+        """Returns the fields by name."""
+        return {name: self.__dict__[name] for name in self._fields}
+
+    def __repr__(self):
+        text = ", ".join(f"{name}={value!r}" for name, value in sorted(self._values().items()))
+        return f"{type(self).__name__}({text})"
+
+
+class b2BodyDef(_Definition):
+    """Definition of a body. `fixtures` is a b2FixtureDef or a list, `shapes` a shape or a list; `shapeFixture`
+    has the material of the shapes."""
+
+    _fields = {**_defaults["b2BodyDef"], "userData": None, "fixtures": None, "shapes": None, "shapeFixture": None}
+
+
+def _filter_part(name):
+    def get(self):
+        return getattr(self.filter, name)
+
+    def put(self, value):
+        setattr(self.filter, name, value)
+
+    return property(get, put, doc=f"`{name}` of the filter.")
+
+
+class b2FixtureDef(_Definition):
+    """Definition of a fixture: a shape with friction, restitution, density [kg/m^2] and a collision filter."""
+
+    _fields = {**_defaults["b2FixtureDef"], "filter": b2Filter(), "userData": None}
+
+    categoryBits = _filter_part("categoryBits")
+    maskBits = _filter_part("maskBits")
+    groupIndex = _filter_part("groupIndex")
+
+    @property
+    def sensor(self):
+        """True if the fixture reports contacts without a collision response."""
+        return self.isSensor
+
+    @sensor.setter
+    def sensor(self, value):
+        self.isSensor = value
+
+
+def _require_bodies(definition):
+    if definition.bodyA is None or definition.bodyB is None:
+        raise ValueError(f"{type(definition).__name__}: set bodyA and bodyB before an anchor")
+
+
+def _world_anchor(letter):
+    """Returns a property for the anchor on body A or B in the world."""
+    body, local = "body" + letter, "localAnchor" + letter
+
+    def get(self):
+        if getattr(self, body) is None:
+            raise ValueError(f"{type(self).__name__}: {body} is not set")
+        return getattr(self, body).GetWorldPoint(getattr(self, local))
+
+    def put(self, value):
+        if getattr(self, body) is None:
+            raise ValueError(f"{type(self).__name__}: set {body} before anchor{letter}")
+        setattr(self, local, getattr(self, body).GetLocalPoint(value))
+        self._given.add(local)
+
+    return property(get, put, doc=f"Anchor on body {letter}, in the world [m].")
+
+
+class b2JointDef(_Definition):
+    """The base of the definitions of joints. The bodies are set before the other keywords."""
+
+    _fields = {"bodyA": None, "bodyB": None, "collideConnected": False, "userData": None}
+    type = 0
+
+    def __init__(self, **keywords):
+        self.__dict__["_given"] = set(keywords)
+        bodies = {name: keywords.pop(name) for name in ("bodyA", "bodyB") if name in keywords}
+        super().__init__(**bodies)
+        self._set_all(keywords)
+        if self.bodyA is not None and self.bodyB is not None:
+            self._complete(self._given)
+
+    def _complete(self, given):
+        """Sets what follows from the bodies and was not given."""
+
+
+class _Anchors(b2JointDef):
+    anchorA = _world_anchor("A")
+    anchorB = _world_anchor("B")
+
+
+class _Anchor(_Anchors):
+    @property
+    def anchor(self):
+        """The point that both anchors are at, in the world [m]."""
+        return self.anchorA if self.bodyA is not None else self.anchorB
+
+    @anchor.setter
+    def anchor(self, value):
+        _require_bodies(self)
+        self.anchorA = value
+        self.anchorB = value
+
+    def _complete(self, given):
+        # As the 2.3 module does, also for anchors in the frames of the bodies.
+        if "referenceAngle" in self._fields and "referenceAngle" not in given:
+            self.referenceAngle = self.bodyB.angle - self.bodyA.angle
+
+
+class _Axis(_Anchor):
+    @property
+    def axis(self):
+        """The axis in the world."""
+        if self.bodyA is None:
+            raise ValueError(f"{type(self).__name__}: bodyA is not set")
+        return self.bodyA.GetWorldVector(self.localAxisA)
+
+    @axis.setter
+    def axis(self, value):
+        if self.bodyA is None:
+            raise ValueError(f"{type(self).__name__}: set bodyA before axis")
+        self.localAxisA = self.bodyA.GetLocalVector(value)
+
+
+class _Distance(_Anchors):
+    def _complete(self, given):
+        if {"localAnchorA", "localAnchorB"} <= given and "length" not in given:
+            self.length = (self.anchorB - self.anchorA).length
+
+
+class _Pulley(_Anchors):
+    def _complete(self, given):
+        for letter in "AB":
+            if "length" + letter not in given:
+                rope = getattr(self, "anchor" + letter) - getattr(self, "groundAnchor" + letter)
+                setattr(self, "length" + letter, rope.length)
+
+
+class _Gear(b2JointDef):
+    def __init__(self, **keywords):
+        for joint, body in (("joint1", "bodyA"), ("joint2", "bodyB")):
+            if keywords.get(joint) is not None and keywords.get(body) is None:
+                keywords[body] = keywords[joint].bodyB
+        super().__init__(**keywords)
+
+
+class _Motor(b2JointDef):
+    def _complete(self, given):
+        if "linearOffset" not in given:
+            self.linearOffset = self.bodyA.GetLocalPoint(self.bodyB.position)
+        if "angularOffset" not in given:
+            self.angularOffset = self.bodyB.angle - self.bodyA.angle
+
+
+_BASES = {
+    "Revolute": (_Anchor, 1, "a hinge"),
+    "Prismatic": (_Axis, 2, "a slider"),
+    "Distance": (_Distance, 3, "a distance joint; without a length it keeps that of the anchors"),
+    "Pulley": (_Pulley, 4, "a pulley; without lengths it keeps those of the anchors"),
+    "Mouse": (b2JointDef, 5, "a mouse joint"),
+    "Gear": (_Gear, 6, "a gear; without bodies it takes those that its joints move"),
+    "Wheel": (_Axis, 7, "a wheel with a suspension"),
+    "Weld": (_Anchor, 8, "a weld"),
+    "Friction": (_Anchor, 9, "a friction joint"),
+    "Rope": (_Anchors, 10, "a rope"),
+    "Motor": (_Motor, 11, "a motor joint; without offsets it keeps the current ones"),
+}
+
+
+def _make(kind):
+    base, number, doc = _BASES[kind]
+    name = f"b2{kind}JointDef"
+    return type(name, (base,), {"__doc__": f"Definition of {doc}.", "__module__": "Box2D", "type": number,
+                                "_fields": {**_defaults[name], "userData": None}})
+
+
+JOINT_DEFINITIONS = {f"b2{kind}JointDef": _make(kind) for kind in _BASES}
+globals().update(JOINT_DEFINITIONS)
+
+__all__ = ["b2BodyDef", "b2FixtureDef", "b2JointDef", "b2Error", *JOINT_DEFINITIONS]

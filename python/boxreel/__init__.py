@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: MIT
+"""Films, pictures, snapshots and comparisons of the worlds of Box2D, with no screen.
+
+    with boxreel.film("ball.mp4", size=(1280, 720), fps=60) as film:
+        for _ in range(600):
+            world.Step(1 / 60, 8, 3)
+            film.add(world)
+
+Sizes are in pixels, lengths in metres, times in seconds.
+"""
+
+import base64 as _base64
+import os as _os
+import threading as _threading
+
+import _boxreel
+from _boxreel import Camera, Error
+from Box2D import b2World as _World
+from Box2D._additions import _from_snapshot
+
+__version__ = "0.1.0"
+
+_THEMES = ("classic", "okabe-ito", "print", "dark")
+_local = _threading.local()
+
+
+def _require_world(world):
+    if not isinstance(world, _World):
+        raise TypeError(f"world: expected a b2World, not '{type(world).__name__}'")
+
+
+def _renderer(size, theme, scale):
+    """Returns this thread's renderer of the size. A thread keeps the last four."""
+    cache = _local.__dict__.setdefault("renderers", {})
+    key = (int(size[0]), int(size[1]), theme, float(scale))
+    renderer = cache.pop(key, None) or _boxreel._Renderer(*key)
+    cache[key] = renderer
+    while len(cache) > 4:
+        del cache[next(iter(cache))]
+    return renderer
+
+
+def _size_of(size, camera):
+    return (int(size[0]), int(size[1])) if camera is None else (camera.width, camera.height)
+
+
+def fit(world, size=(1280, 720), margin=0.06):
+    """Returns the camera that shows all moving bodies and what is near them. `margin` is a fraction of the
+    smaller side of the picture."""
+    _require_world(world)
+    return _boxreel._fit(world, int(size[0]), int(size[1]), margin)
+
+
+def render(world, size=(1280, 720), *, camera=None, theme="classic", scale=1.0, layers=None, trails=None):
+    """Returns a picture of the world as an array (height, width, 4) of uint8: red, green, blue, opacity.
+
+    camera: a Camera, by default fit(world); its size is that of the picture.
+    theme: classic, okabe-ito, print or dark.
+    scale: factor of the widths of lines.
+    layers: some of shapes, joints, boxes, pairs, masses (default: shapes, joints).
+    trails: paths to draw, each a sequence of points [m], oldest first.
+    """
+    _require_world(world)
+    width, height = _size_of(size, camera)
+    view = _boxreel._camera(camera, world, width, height)
+    return _renderer((width, height), theme, scale).draw(world, view, layers, trails)
+
+
+def shot(world, path, size=(1280, 720), *, camera=None, theme="classic", scale=1.0, layers=None, trails=None,
+         overwrite=True):
+    """Writes a picture (.png) or a figure (.svg, .pdf) of the world. Arguments as of render."""
+    _require_world(world)
+    path = _os.fspath(path)
+    if path.endswith(".png"):
+        _boxreel._write_png(path, render(world, size, camera=camera, theme=theme, scale=scale, layers=layers,
+                                         trails=trails), overwrite)
+    elif path.endswith((".svg", ".pdf")):
+        width, height = _size_of(size, camera)
+        view = _boxreel._camera(camera, world, width, height)
+        _boxreel._figure(world, path, view, theme, scale, layers, trails, overwrite)
+    else:
+        raise ValueError(f"{path}: unsupported extension; use .png, .svg or .pdf")
+
+
+class Film:
+    """A film; see film."""
+
+    def __init__(self, path, **options):
+        self._film = _boxreel._Film(path, options)
+
+    def add(self, frame, *, camera=None, layers=None, trails=None):
+        """Appends a frame: a world as it is now, or an array (height, width, 3 or 4) of uint8.
+
+        camera: a Camera; by default one that keeps moving bodies in view. layers, trails: as of render.
+        """
+        if isinstance(frame, _World):
+            self._film.add_world(frame, camera, layers, trails)
+        else:
+            self._film.add_array(frame)
+
+    def close(self):
+        """Waits for the encoder and gives the film its name."""
+        self._film.close()
+
+    @property
+    def path(self):
+        """The file."""
+        return self._film.path
+
+    @property
+    def frames(self):
+        """Number of frames added."""
+        return self._film.frames
+
+    @property
+    def size(self):
+        """Width and height [px]."""
+        return self._film.size
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, error, trace):
+        if kind is None:
+            self.close()
+        else:
+            self._film.discard()  # no file under the final name
+
+    def __repr__(self):
+        return f"Film({self.path!r}, frames={self.frames})"
+
+    def _repr_html_(self):
+        """Plays the film in Jupyter."""
+        kind = _os.path.splitext(self.path)[1][1:]
+        if not _os.path.exists(self.path):
+            return f"<p>{self!r}: not closed yet</p>"
+        with open(self.path, "rb") as file:
+            data = _base64.b64encode(file.read()).decode()
+        if kind in ("gif", "apng", "webp"):
+            return f'<img src="data:image/{kind};base64,{data}">'
+        return f'<video controls loop width="{self.size[0]}" src="data:video/{kind};base64,{data}"></video>'
+
+
+def film(path, size=None, fps=60, *, quality="standard", codec="", theme="classic", scale=1.0, overwrite=True):
+    """Opens a film. The extension chooses the format: .mp4, .mkv, .webm, .gif, .apng, .webp, or frames-####.png.
+
+    size: width and height [px], by default 1280 x 720, or that of the first array.
+    fps: frames per second, a number or a fraction such as "30000/1001".
+    quality: draft, standard, high or lossless.
+
+    Use it in a `with` block: an exception there leaves no film.
+    """
+    width, height = (1280, 720) if size is None else size
+    result = Film(_os.fspath(path), width=int(width), height=int(height), fps=fps, quality=quality, codec=codec,
+                  theme=theme, scale=scale, overwrite=overwrite)
+    result._film.size_is_given(size is not None)
+    return result
+
+
+def state_hash(world):
+    """Returns 16 hex digits of all bodies' poses and velocities, bit by bit."""
+    _require_world(world)
+    return _boxreel._state_hash(world)
+
+
+def save(world):
+    """Returns the world as bytes, for restore."""
+    _require_world(world)
+    return world._save()
+
+
+def restore(world, snapshot):
+    """Puts a world back to a snapshot. Bodies, fixtures and joints that were there keep their Python objects and
+    their attributes as they are; those created later are destroyed."""
+    _require_world(world)
+    world._restore(snapshot)
+
+
+def _world_of(snapshot):
+    content, names, steps = snapshot
+    world = _from_snapshot(_World, content)
+    for body in world.bodies:
+        if body.number in names:
+            body.name = names[body.number]
+    world.steps = steps
+    return world
+
+
+def scenes():
+    """Returns the names of the scenes and what each shows."""
+    return _boxreel._scenes()
+
+
+def scene(name, seed=1):
+    """Returns the world of a scene at its start. Bodies with a name have it as `name`; `world.steps` are the
+    arguments of Step that the scene prefers. What a scene steers in each step is not part of it."""
+    try:
+        return _world_of(_boxreel._scene(name, seed))
+    except KeyError:
+        import difflib
+
+        by_lower = {known.lower(): known for known in scenes()}
+        near = difflib.get_close_matches(name.lower(), by_lower, 1)
+        if near and near[0] == name.lower():
+            return _world_of(_boxreel._scene(by_lower[near[0]], seed))
+        hint = f"; did you mean '{by_lower[near[0]]}'?" if near else "; boxreel.scenes() lists them"
+        raise ValueError(f"there is no scene '{name}'{hint}") from None
+
+
+def load(path):
+    """Returns the world of a R.U.B.E. scene file; as of scene. `world.left_out` tells what could not be built."""
+    snapshot, left_out = _boxreel._load_rube(_os.fspath(path))
+    world = _world_of(snapshot)
+    world.left_out = left_out
+    return world
+
+
+def dump(world, path):
+    """Writes the world as a R.U.B.E. scene file. Returns what the format cannot say."""
+    _require_world(world)
+    names = {body.number: str(body.name) for body in world.bodies if hasattr(body, "name")}
+    text, left_out = _boxreel._rube_text(world, names)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return left_out
+
+
+class Comparison:
+    """The result of compare. True if the pictures are equal within the limits."""
+
+    def __init__(self, verdict):
+        self.__dict__.update(verdict)
+
+    def __bool__(self):
+        return self.equal
+
+    def __repr__(self):
+        return f"Comparison({self.text!r})"
+
+    def _repr_png_(self):
+        return _boxreel._png(self.difference)
+
+
+def _pixels(picture):
+    if isinstance(picture, _World):
+        return render(picture)
+    return _boxreel._read_png(_os.fspath(picture)) if isinstance(picture, (str, _os.PathLike)) else picture
+
+
+def compare(expected, actual, preset="same-machine"):
+    """Compares two pictures: arrays, PNG files or worlds. `preset` has the limits: exact, same-machine or
+    cross-machine. The result has equal, text, differentPixels, overTolerance, largestDistance, difference."""
+    return Comparison(_boxreel._compare(_pixels(expected), _pixels(actual), preset))
+
+
+_World._repr_png_ = lambda self: _boxreel._png(render(self, (640, 360)))
+
+__all__ = ["Camera", "Comparison", "Error", "Film", "compare", "dump", "film", "fit", "load", "render", "restore",
+           "save", "scene", "scenes", "shot", "state_hash"]

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "Module.h"
+#include "Toolkit.h"
+
+#include <debugdraw/WorldBounds.h>
+#include <recorder/Recording.h>
+
+#include <optional>
+
+/// Films of worlds and of arrays.
+namespace boxreel::python
+{
+namespace
+{
+
+Quality QualityFrom(const std::string& name)
+{
+    constexpr std::pair<const char*, Quality> kQualities[] = {{"draft", Quality::Draft},
+                                                              {"standard", Quality::Standard},
+                                                              {"high", Quality::High},
+                                                              {"lossless", Quality::Lossless}};
+    for (const auto& [known, quality] : kQualities)
+    {
+        if (name == known)
+        {
+            return quality;
+        }
+    }
+    ThrowMisuse("quality: there is no '" + name + "'; expected one of draft, standard, high, lossless");
+}
+
+/// Calls a function without Python's lock.
+template <class Function>
+auto Unlocked(Function function)
+{
+    const py::gil_scoped_release unlocked;
+    return function();
+}
+
+/// A film. Its first frame decides whether it shows worlds, which are drawn here, or arrays.
+class Film
+{
+public:
+    Film(std::string path, const py::dict& options) : m_path(std::move(path))
+    {
+        m_video.width = From<int32>(options["width"], "size");
+        m_video.height = From<int32>(options["height"], "size");
+        m_video.framesPerSecond = Need(Rational::Parse(std::string(py::str(options["fps"]))));
+        m_video.quality = QualityFrom(py::str(options["quality"]));
+        m_video.codec = py::str(options["codec"]);
+        m_video.overwrite = From<bool>(options["overwrite"], "overwrite");
+        m_drawing.theme = ThemeFrom(py::str(options["theme"]));
+        m_drawing.scale = From<double>(options["scale"], "scale");
+        Need(CheckVideoPath(m_path, m_video)); // before anything is simulated
+    }
+
+    void AddWorld(WorldObject& world, py::handle camera, const Look& look)
+    {
+        RequireOpen();
+        if (m_writer)
+        {
+            ThrowMisuse("this film is of arrays; use another for a world");
+        }
+        const Camera view = ViewOf(world, camera);
+        const DrawList list = ListOf(world, view, look);
+        if (!m_recording)
+        {
+            Result<Recording> recording = Unlocked([&] { return Recording::Open(m_path, m_video, m_drawing); });
+            m_recording.emplace(Need(std::move(recording)));
+        }
+        if (!Unlocked([&] { return m_recording->Add(list, view); }))
+        {
+            Result<void> reason = Unlocked([&] { return m_recording->Close(); });
+            Discard();
+            Need(reason);
+        }
+        ++m_frames;
+    }
+
+    void AddArray(py::handle array)
+    {
+        RequireOpen();
+        if (m_recording)
+        {
+            ThrowMisuse("this film is of a world; use another for arrays");
+        }
+        const Frame frame = FrameFrom(array);
+        if (!m_writer)
+        {
+            if (!m_sizeIsGiven)
+            {
+                m_video.width = frame.width;
+                m_video.height = frame.height;
+            }
+            Result<VideoWriter> writer = Unlocked([&] { return VideoWriter::Open(m_path, m_video); });
+            m_writer.emplace(Need(std::move(writer)));
+        }
+        Need(Unlocked([&] { return m_writer->Append(frame); }));
+        ++m_frames;
+    }
+
+    void Close()
+    {
+        if (m_isDone)
+        {
+            return;
+        }
+        m_isDone = true;
+        if (!m_recording && !m_writer)
+        {
+            ThrowMisuse("a film needs at least one frame; call add before close");
+        }
+        Result<void> result =
+            Unlocked([&] { return m_recording ? m_recording->Close() : m_writer->Close(); });
+        Discard();
+        Need(result);
+    }
+
+    void Discard()
+    {
+        m_isDone = true;
+        Unlocked([&] {
+            m_recording.reset();
+            m_writer.reset();
+            return 0;
+        });
+    }
+
+    void SizeIsGiven(bool isGiven) { m_sizeIsGiven = isGiven; }
+    std::int64_t Frames() const { return m_frames; }
+    const std::string& Path() const { return m_path; }
+    py::tuple Size() const { return py::make_tuple(m_video.width, m_video.height); }
+
+private:
+    void RequireOpen() const
+    {
+        if (m_isDone)
+        {
+            ThrowMisuse("this film is closed; nothing can be added");
+        }
+    }
+
+    /// Returns the camera of the caller, or one that keeps what moves in view.
+    Camera ViewOf(WorldObject& world, py::handle camera)
+    {
+        if (!camera.is_none())
+        {
+            return CameraFrom(camera, world, m_video.width, m_video.height);
+        }
+        if (!m_follower)
+        {
+            m_follower.emplace(m_video.width, m_video.height, BoundsAtStart(world.world));
+        }
+        else
+        {
+            m_follower->Update(BoundsOfMovers(world.world), 1.0 / m_video.framesPerSecond.ToDouble());
+        }
+        return m_follower->View();
+    }
+
+    std::string m_path;
+    VideoSettings m_video;
+    RendererSettings m_drawing;
+    std::optional<Recording> m_recording;
+    std::optional<VideoWriter> m_writer;
+    std::optional<FitCamera> m_follower;
+    std::int64_t m_frames = 0;
+    bool m_isDone = false;
+    bool m_sizeIsGiven = false;
+};
+
+} // namespace
+
+void BindFilms(py::module_& module)
+{
+    py::class_<Film>(module, "_Film")
+        .def(py::init<std::string, const py::dict&>())
+        .def("size_is_given", &Film::SizeIsGiven)
+        .def("add_world",
+             [](Film& self, py::handle world, py::handle camera, py::handle layers, py::handle trails) {
+                 self.AddWorld(WorldFrom(world, "world"), camera, LookFrom(layers, trails));
+             })
+        .def("add_array", &Film::AddArray)
+        .def("close", &Film::Close)
+        .def("discard", &Film::Discard)
+        .def_property_readonly("frames", &Film::Frames)
+        .def_property_readonly("path", &Film::Path)
+        .def_property_readonly("size", &Film::Size);
+}
+
+} // namespace boxreel::python

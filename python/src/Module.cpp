@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "Module.h"
+
+#include "Convert.h"
+
+#include <pybind11/pybind11.h>
+
+/// The module _boxreel. The packages Box2D and boxreel are what programs import.
+namespace boxreel::python
+{
+namespace
+{
+
+void BindConstants(py::module_& module)
+{
+    const auto number = [&module](const char* name, auto value) { module.attr(name) = value; };
+    number("b2_pi", double(b2_pi));
+    number("b2_epsilon", double(b2_epsilon));
+    number("b2_maxFloat", double(b2_maxFloat));
+    number("b2_maxManifoldPoints", b2_maxManifoldPoints);
+    number("b2_maxPolygonVertices", b2_maxPolygonVertices);
+    number("b2_aabbExtension", double(b2_aabbExtension));
+    number("b2_aabbMultiplier", double(b2_aabbMultiplier));
+    number("b2_linearSlop", double(b2_linearSlop));
+    number("b2_angularSlop", double(b2_angularSlop));
+    number("b2_polygonRadius", double(b2_polygonRadius));
+    number("b2_maxSubSteps", b2_maxSubSteps);
+    number("b2_maxTOIContacts", b2_maxTOIContacts);
+    number("b2_velocityThreshold", double(b2_velocityThreshold));
+    number("b2_maxLinearCorrection", double(b2_maxLinearCorrection));
+    number("b2_maxAngularCorrection", double(b2_maxAngularCorrection));
+    number("b2_maxTranslation", double(b2_maxTranslation));
+    number("b2_maxTranslationSquared", double(b2_maxTranslationSquared));
+    number("b2_maxRotation", double(b2_maxRotation));
+    number("b2_maxRotationSquared", double(b2_maxRotationSquared));
+    number("b2_baumgarte", double(b2_baumgarte));
+    number("b2_toiBaugarte", double(b2_toiBaugarte));
+    number("b2_timeToSleep", double(b2_timeToSleep));
+    number("b2_linearSleepTolerance", double(b2_linearSleepTolerance));
+    number("b2_angularSleepTolerance", double(b2_angularSleepTolerance));
+    number("b2_minPulleyLength", double(b2_minPulleyLength));
+    number("b2_nullFeature", int(b2_nullFeature));
+    number("b2_staticBody", int(b2_staticBody));
+    number("b2_kinematicBody", int(b2_kinematicBody));
+    number("b2_dynamicBody", int(b2_dynamicBody));
+    number("b2_nullState", int(b2_nullState));
+    number("b2_addState", int(b2_addState));
+    number("b2_persistState", int(b2_persistState));
+    number("b2_removeState", int(b2_removeState));
+    number("e_unknownJoint", int(e_unknownJoint));
+    number("e_revoluteJoint", int(e_revoluteJoint));
+    number("e_prismaticJoint", int(e_prismaticJoint));
+    number("e_distanceJoint", int(e_distanceJoint));
+    number("e_pulleyJoint", int(e_pulleyJoint));
+    number("e_mouseJoint", int(e_mouseJoint));
+    number("e_gearJoint", int(e_gearJoint));
+    number("e_wheelJoint", int(e_wheelJoint));
+    number("e_weldJoint", int(e_weldJoint));
+    number("e_frictionJoint", int(e_frictionJoint));
+    number("e_ropeJoint", int(e_ropeJoint));
+    number("e_motorJoint", int(e_motorJoint));
+    number("e_inactiveLimit", int(e_inactiveLimit));
+    number("e_atLowerLimit", int(e_atLowerLimit));
+    number("e_atUpperLimit", int(e_atUpperLimit));
+    number("e_equalLimits", int(e_equalLimits));
+    number("_toi_states",
+           py::make_tuple(int(b2TOIOutput::e_unknown), int(b2TOIOutput::e_failed),
+                          int(b2TOIOutput::e_overlapped), int(b2TOIOutput::e_touching),
+                          int(b2TOIOutput::e_separated)));
+}
+
+} // namespace
+} // namespace boxreel::python
+
+PYBIND11_MODULE(_boxreel, module)
+{
+    using namespace boxreel::python;
+    py::options options;
+    options.disable_function_signatures();
+    module.doc() = "The engine and the toolkit, for the packages Box2D and boxreel.";
+    InstallMisuse(module);
+    BindConstants(module);
+    BindMath(module);
+    BindShapes(module);
+    BindCollision(module);
+    BindDefinitions(module);
+    BindContacts(module);
+    BindBodies(module);
+    BindJoints(module);
+    BindWorld(module);
+    BindPictures(module);
+    BindFilms(module);
+    BindScenes(module);
+    BindGolden(module);
+}

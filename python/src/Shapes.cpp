@@ -1,0 +1,505 @@
+// SPDX-License-Identifier: MIT
+#include "Shapes.h"
+
+#include "Bind.h"
+#include "Module.h"
+
+namespace boxreel::python
+{
+namespace
+{
+
+using Circle = ShapeOf<b2CircleShape>;
+using Edge = ShapeOf<b2EdgeShape>;
+using Polygon = ShapeOf<b2PolygonShape>;
+using Chain = ShapeOf<b2ChainShape>;
+
+/// Call before a change.
+void RequireOwn(const ShapeObject& shape)
+{
+    if (shape.isOfFixture)
+    {
+        ThrowMisuse(
+            "a shape of a fixture cannot be changed; destroy the fixture and create another");
+    }
+}
+
+int32 Child(const b2Shape& shape, py::handle index)
+{
+    const int32 child = From<int32>(index, "childIndex");
+    if (child < 0 || child >= shape.GetChildCount())
+    {
+        ThrowMisuse("childIndex: " + std::to_string(child) + " is out of range; the shape has " +
+                    std::to_string(shape.GetChildCount()) + " children");
+    }
+    return child;
+}
+
+void SetVertices(Polygon& self, py::handle value)
+{
+    RequireOwn(self);
+    const std::vector<b2Vec2> points = From<std::vector<b2Vec2>>(value, "vertices");
+    if (const char* reason =
+            b2PolygonShape::WhyNotConvex(points.data(), static_cast<int32>(points.size())))
+    {
+        ThrowMisuse(reason);
+    }
+    self.shape.Set(points.data(), static_cast<int32>(points.size()));
+    CheckMisuse();
+}
+
+void SetBox(Polygon& self, py::handle width, py::handle height, py::handle center, py::handle angle)
+{
+    RequireOwn(self);
+    b2PolygonShape box;
+    box.SetAsBox(From<float32>(width, "box"), From<float32>(height, "box"),
+                 From<b2Vec2>(center, "box"), From<float32>(angle, "box"));
+    CheckMisuse();
+    box.m_radius = self.shape.m_radius;
+    self.shape = box;
+}
+
+void SetBoxTuple(Polygon& self, py::handle value)
+{
+    const bool isSequence = PySequence_Check(value.ptr()) != 0 && PyUnicode_Check(value.ptr()) == 0;
+    const std::size_t count = isSequence ? py::len(value) : 0;
+    if (count < 2 || count > 4)
+    {
+        ThrowType("box", "(hx, hy), (hx, hy, center) or (hx, hy, center, angle)", value);
+    }
+    const py::sequence box = py::reinterpret_borrow<py::sequence>(value);
+    SetBox(self, py::object(box[0]), py::object(box[1]),
+           count > 2 ? py::object(box[2]) : py::object(py::make_tuple(0.0, 0.0)),
+           count > 3 ? py::object(box[3]) : py::object(py::float_(0.0)));
+}
+
+void SetVertices(Edge& self, py::handle value)
+{
+    RequireOwn(self);
+    const std::vector<b2Vec2> points = From<std::vector<b2Vec2>>(value, "vertices");
+    if (points.size() < 2 || points.size() > 4)
+    {
+        ThrowMisuse("vertices: an edge has 2 points, up to 4 with those of its neighbours; got " +
+                    std::to_string(points.size()));
+    }
+    b2EdgeShape& edge = self.shape;
+    const std::size_t first = points.size() == 4 ? 1 : 0;
+    edge.Set(points[first], points[first + 1]);
+    edge.m_hasVertex0 = first == 1;
+    edge.m_vertex0 = first == 1 ? points[0] : b2Vec2();
+    edge.m_hasVertex3 = points.size() > 2;
+    edge.m_vertex3 = points.size() > 2 ? points.back() : b2Vec2();
+    CheckMisuse();
+}
+
+void SetVertices(Chain& self, py::handle value, bool isLoop)
+{
+    RequireOwn(self);
+    const std::vector<b2Vec2> points = From<std::vector<b2Vec2>>(value, "vertices");
+    const int32 count = static_cast<int32>(points.size());
+    self.shape.Clear();
+    if (isLoop && count > 2)
+    {
+        self.shape.CreateLoop(points.data(), count);
+    }
+    else
+    {
+        self.shape.CreateChain(points.data(), count);
+    }
+    CheckMisuse();
+}
+
+py::object ChildEdge(const Chain& self, py::handle index)
+{
+    b2EdgeShape edge;
+    self.shape.GetChildEdge(&edge, Child(self.shape, index));
+    CheckMisuse();
+    auto object = std::make_unique<Edge>();
+    object->shape = edge;
+    return py::cast(std::move(object));
+}
+
+/// Casts a ray. `points` are those of the ray in the world.
+py::object CastRay(const ShapeObject& self, const b2RayCastInput& input,
+                   const b2Transform& transform, int32 child)
+{
+    b2RayCastOutput output;
+    const bool hit = self.Get().RayCast(&output, input, transform, child);
+    return py::make_tuple(hit, output.normal, static_cast<double>(output.fraction));
+}
+
+template <class Class>
+void CopiesOf(Class& type)
+{
+    using T = typename Class::type;
+    const auto copy = [](const T& self) {
+        auto other = std::make_unique<T>();
+        other->shape = self.shape;
+        return other;
+    };
+    type.def("copy", copy, "Returns a copy.")
+        .def("__copy__", copy)
+        .def(
+            "__deepcopy__", [copy](const T& self, py::handle) { return copy(self); },
+            py::arg("memo"));
+}
+
+void BindBase(py::module_& module)
+{
+    py::class_<ShapeObject> type(module, "b2Shape", "The base class of shapes.");
+    type.attr("e_circle") = int(b2Shape::e_circle);
+    type.attr("e_edge") = int(b2Shape::e_edge);
+    type.attr("e_polygon") = int(b2Shape::e_polygon);
+    type.attr("e_chain") = int(b2Shape::e_chain);
+    type.def_property_readonly(
+            "type", [](const ShapeObject& s) { return int(s.Get().GetType()); },
+            "One of e_circle, e_edge, e_polygon and e_chain.")
+        .def_property_readonly(
+            "childCount", [](const ShapeObject& s) { return s.Get().GetChildCount(); },
+            "Number of edges of a chain; 1 for other shapes.")
+        .def_property(
+            "radius", [](const ShapeObject& s) { return s.Get().m_radius; },
+            [](ShapeObject& s, py::handle value) {
+                RequireOwn(s);
+                const float32 radius = From<float32>(value, "radius");
+                if (!b2IsValid(radius) || radius < 0.0f)
+                {
+                    ThrowMisuse("radius: expected a finite number that is not negative");
+                }
+                s.Get().m_radius = radius;
+            },
+            "Radius of a circle, or of the skin of another shape [m].")
+        .def(
+            "TestPoint",
+            [](const ShapeObject& s, py::handle xf, py::handle p) {
+                return s.Get().TestPoint(From<b2Transform>(xf, "xf"), From<b2Vec2>(p, "p"));
+            },
+            py::arg("xf"), py::arg("p"), "True if the world point [m] is inside.")
+        .def(
+            "RayCast",
+            [](const ShapeObject& s, py::handle p1, py::handle p2, py::handle fraction,
+               py::handle xf, py::handle child) {
+                const b2RayCastInput input{From<b2Vec2>(p1, "p1"), From<b2Vec2>(p2, "p2"),
+                                           From<float32>(fraction, "maxFraction")};
+                return CastRay(s, input, From<b2Transform>(xf, "transform"), Child(s.Get(), child));
+            },
+            py::arg("p1"), py::arg("p2"), py::arg("maxFraction"), py::arg("transform"),
+            py::arg("childIndex") = 0,
+            "Returns (hit, normal, fraction) of a ray from p1 to p2 [m].")
+        .def(
+            "RayCast",
+            [](const ShapeObject& s, const b2RayCastInput& input, py::handle xf, py::handle child) {
+                return CastRay(s, input, From<b2Transform>(xf, "transform"), Child(s.Get(), child));
+            },
+            py::arg("input"), py::arg("transform"), py::arg("childIndex") = 0,
+            "Returns (hit, normal, fraction) of the ray of a b2RayCastInput.")
+        .def(
+            "getAABB",
+            [](const ShapeObject& s, py::handle xf, py::handle child) {
+                b2AABB box;
+                s.Get().ComputeAABB(&box, From<b2Transform>(xf, "transform"),
+                                    Child(s.Get(), child));
+                return box;
+            },
+            py::arg("transform"), py::arg("childIndex") = 0,
+            "Returns the bounding box of a child [m].")
+        .def(
+            "getMass",
+            [](const ShapeObject& s, py::handle density) {
+                b2MassData mass;
+                s.Get().ComputeMass(&mass, From<float32>(density, "density"));
+                return mass;
+            },
+            py::arg("density"), "Returns the mass data for a density [kg/m^2].");
+    type.attr("ComputeAABB") = type.attr("getAABB");
+    type.attr("ComputeMass") = type.attr("getMass");
+}
+
+void BindCircle(py::module_& module)
+{
+    py::class_<Circle, ShapeObject> type(module, "b2CircleShape", "A solid circle: radius=, pos=.");
+    KeywordInit<Circle>(type);
+    type.def_property(
+            "pos", [](Circle& s) { return s.shape.m_p; },
+            [](Circle& s, py::handle value) {
+                RequireOwn(s);
+                s.shape.m_p = From<b2Vec2>(value, "pos");
+            },
+            "Centre [m].")
+        .def_property_readonly(
+            "vertices", [](const Circle& s) { return TuplesOf(&s.shape.m_p, 1); },
+            "The centre, in a list [m].")
+        .def_property_readonly(
+            "vertexCount", [](const Circle&) { return 1; }, "Always 1.")
+        .def("__repr__",
+             [](const Circle& s) {
+                 return "b2CircleShape(radius=" +
+                        std::string(py::str(py::float_(double(s.shape.m_radius)))) +
+                        ", pos=" + std::string(py::repr(py::cast(s.shape.m_p))) + ")";
+             })
+        .def(py::pickle(
+            [](const Circle& s) { return py::make_tuple(s.shape.m_radius, s.shape.m_p); },
+            [](const py::tuple& state) {
+                auto circle = std::make_unique<Circle>();
+                circle->shape.m_radius = From<float32>(state[0], "radius");
+                circle->shape.m_p = From<b2Vec2>(state[1], "pos");
+                return circle;
+            }));
+    CopiesOf(type);
+}
+
+template <auto member, class Class>
+void GhostVertex(Class& type, const char* name)
+{
+    type.def_property(
+        name, [](const Edge& s) { return s.shape.*member; },
+        [name](Edge& s, py::handle value) {
+            RequireOwn(s);
+            s.shape.*member = From<std::remove_reference_t<decltype(s.shape.*member)>>(value, name);
+        },
+        "A vertex [m]; vertex0 and vertex3 are those of the neighbours.");
+}
+
+void BindEdge(py::module_& module)
+{
+    py::class_<Edge, ShapeObject> type(module, "b2EdgeShape", "A line segment: vertices=[a, b].");
+    KeywordInit<Edge>(type);
+    GhostVertex<&b2EdgeShape::m_vertex0>(type, "vertex0");
+    GhostVertex<&b2EdgeShape::m_vertex1>(type, "vertex1");
+    GhostVertex<&b2EdgeShape::m_vertex2>(type, "vertex2");
+    GhostVertex<&b2EdgeShape::m_vertex3>(type, "vertex3");
+    GhostVertex<&b2EdgeShape::m_hasVertex0>(type, "hasVertex0");
+    GhostVertex<&b2EdgeShape::m_hasVertex3>(type, "hasVertex3");
+    const auto all = [](const Edge& s) {
+        const b2Vec2 points[4] = {s.shape.m_vertex0, s.shape.m_vertex1, s.shape.m_vertex2,
+                                  s.shape.m_vertex3};
+        return TuplesOf(points, 4);
+    };
+    type.def_property(
+            "vertices",
+            [](const Edge& s) {
+                const b2Vec2 points[2] = {s.shape.m_vertex1, s.shape.m_vertex2};
+                return TuplesOf(points, 2);
+            },
+            [](Edge& s, py::handle value) { SetVertices(s, value); },
+            "The two ends [m]. May be set with those of the neighbours: 3 or 4 points.")
+        .def_property(
+            "all_vertices", all, [](Edge& s, py::handle value) { SetVertices(s, value); },
+            "The vertex before, the two ends, and the vertex after [m].")
+        .def_property_readonly(
+            "vertexCount", [](const Edge&) { return 2; }, "Always 2.")
+        .def("__iter__", [](py::handle s) { return py::iter(s.attr("vertices")); })
+        .def("__repr__",
+             [](py::handle s) {
+                 return "b2EdgeShape(vertices=" + std::string(py::repr(s.attr("vertices"))) + ")";
+             })
+        .def(py::pickle(
+            [](const Edge& s) {
+                const b2EdgeShape& e = s.shape;
+                return py::make_tuple(e.m_vertex0, e.m_vertex1, e.m_vertex2, e.m_vertex3,
+                                      e.m_hasVertex0, e.m_hasVertex3, e.m_oneSided, e.m_radius);
+            },
+            [](const py::tuple& state) {
+                auto edge = std::make_unique<Edge>();
+                b2EdgeShape& e = edge->shape;
+                e.m_vertex0 = From<b2Vec2>(state[0], "");
+                e.m_vertex1 = From<b2Vec2>(state[1], "");
+                e.m_vertex2 = From<b2Vec2>(state[2], "");
+                e.m_vertex3 = From<b2Vec2>(state[3], "");
+                e.m_hasVertex0 = From<bool>(state[4], "");
+                e.m_hasVertex3 = From<bool>(state[5], "");
+                e.m_oneSided = From<bool>(state[6], "");
+                e.m_radius = From<float32>(state[7], "");
+                return edge;
+            }));
+    CopiesOf(type);
+}
+
+void BindPolygon(py::module_& module)
+{
+    py::class_<Polygon, ShapeObject> type(
+        module, "b2PolygonShape",
+        "A convex polygon: vertices=[…], or box=(hx, hy[, center, angle]).");
+    KeywordInit<Polygon>(type);
+    type.def_property(
+            "vertices",
+            [](const Polygon& s) { return TuplesOf(s.shape.m_vertices, s.shape.m_count); },
+            [](Polygon& s, py::handle value) { SetVertices(s, value); },
+            "The vertices, counter-clockwise [m]. Setting them takes their convex hull.")
+        .def_property(
+            "box", [](py::handle s) { return s.attr("vertices"); },
+            [](Polygon& s, py::handle value) { SetBoxTuple(s, value); },
+            "Half-width and half-height [m], and optionally a centre [m] and an angle [rad].")
+        .def_property_readonly(
+            "normals",
+            [](const Polygon& s) { return TuplesOf(s.shape.m_normals, s.shape.m_count); },
+            "Outward unit normals of the edges.")
+        .def_property_readonly(
+            "centroid", [](const Polygon& s) { return s.shape.m_centroid; },
+            "Centroid of the area [m].")
+        .def_property_readonly(
+            "vertexCount", [](const Polygon& s) { return s.shape.m_count; }, "Number of vertices.")
+        .def_property_readonly(
+            "valid", [](const Polygon& s) { return s.shape.m_count >= 3 && s.shape.Validate(); },
+            "True if the polygon is convex and has a size.")
+        .def(
+            "SetAsBox",
+            [](Polygon& s, py::handle hx, py::handle hy, py::handle center, py::handle angle) {
+                SetBox(s, hx, hy, center, angle);
+            },
+            py::arg("hx"), py::arg("hy"), py::arg("center") = py::make_tuple(0.0, 0.0),
+            py::arg("angle") = 0.0, "Sets a box of half-width hx and half-height hy [m].")
+        .def("__iter__", [](py::handle s) { return py::iter(s.attr("vertices")); })
+        .def("__len__", [](const Polygon& s) { return s.shape.m_count; })
+        .def("__repr__",
+             [](py::handle s) {
+                 return "b2PolygonShape(vertices=" + std::string(py::repr(s.attr("vertices"))) +
+                        ")";
+             })
+        .def(py::pickle(
+            [](const Polygon& s) {
+                return py::make_tuple(TuplesOf(s.shape.m_vertices, s.shape.m_count),
+                                      TuplesOf(s.shape.m_normals, s.shape.m_count),
+                                      s.shape.m_centroid, s.shape.m_radius);
+            },
+            [](const py::tuple& state) {
+                auto polygon = std::make_unique<Polygon>();
+                const std::vector<b2Vec2> vertices = From<std::vector<b2Vec2>>(state[0], "");
+                const std::vector<b2Vec2> normals = From<std::vector<b2Vec2>>(state[1], "");
+                b2PolygonShape& shape = polygon->shape;
+                shape.m_count =
+                    int32(std::min({vertices.size(), normals.size(), std::size(shape.m_vertices)}));
+                std::copy_n(vertices.begin(), shape.m_count, shape.m_vertices);
+                std::copy_n(normals.begin(), shape.m_count, shape.m_normals);
+                shape.m_centroid = From<b2Vec2>(state[2], "");
+                shape.m_radius = From<float32>(state[3], "");
+                return polygon;
+            }));
+    type.attr("__bool__") =
+        py::cpp_function([](const Polygon&) { return true; }, py::is_method(type));
+    CopiesOf(type);
+}
+
+void BindChain(py::module_& module)
+{
+    py::class_<Chain, ShapeObject> type(
+        module, "b2ChainShape",
+        "Connected edges: vertices_chain=[…] is open; vertices=[…] or vertices_loop=[…] closed.");
+    KeywordInit<Chain>(type);
+    const auto vertices = [](const Chain& s) {
+        return TuplesOf(s.shape.m_vertices, s.shape.m_count);
+    };
+    const auto loop = [](Chain& s, py::handle value) { SetVertices(s, value, true); };
+    type.def_property("vertices", vertices, loop,
+                      "The vertices [m]. Setting them makes a closed loop.")
+        .def_property("vertices_loop", vertices, loop,
+                      "The vertices [m]. Setting them makes a closed loop.")
+        .def_property(
+            "vertices_chain", vertices,
+            [](Chain& s, py::handle value) { SetVertices(s, value, false); },
+            "The vertices [m]. Setting them makes an open chain.")
+        .def_property_readonly(
+            "vertexCount", [](const Chain& s) { return s.shape.m_count; },
+            "Number of vertices; a loop stores its first one twice.")
+        .def_property_readonly(
+            "edges",
+            [](const Chain& s) {
+                py::list edges;
+                for (int32 i = 0; i < s.shape.GetChildCount(); ++i)
+                {
+                    edges.append(ChildEdge(s, py::int_(i)));
+                }
+                return edges;
+            },
+            "The edges, as a list of b2EdgeShape.")
+        .def_property(
+            "prevVertex", [](const Chain& s) { return s.shape.m_prevVertex; },
+            [](Chain& s, py::handle value) {
+                RequireOwn(s);
+                s.shape.SetPrevVertex(From<b2Vec2>(value, "prevVertex"));
+                CheckMisuse();
+            },
+            "The vertex before the first [m].")
+        .def_property(
+            "nextVertex", [](const Chain& s) { return s.shape.m_nextVertex; },
+            [](Chain& s, py::handle value) {
+                RequireOwn(s);
+                s.shape.SetNextVertex(From<b2Vec2>(value, "nextVertex"));
+                CheckMisuse();
+            },
+            "The vertex after the last [m].")
+        .def("getChildEdge", ChildEdge, py::arg("index"),
+             "Returns an edge with the vertices of its neighbours.")
+        .def("__iter__", [](py::handle s) { return py::iter(s.attr("vertices")); })
+        .def("__len__", [](const Chain& s) { return s.shape.m_count; })
+        .def("__repr__",
+             [](py::handle s) {
+                 return "b2ChainShape(vertices=" + std::string(py::repr(s.attr("vertices"))) + ")";
+             })
+        .def(py::pickle(
+            [](const Chain& s) {
+                const b2ChainShape& c = s.shape;
+                return py::make_tuple(TuplesOf(c.m_vertices, c.m_count), c.m_prevVertex,
+                                      c.m_nextVertex, c.m_hasPrevVertex, c.m_hasNextVertex,
+                                      c.m_oneSided, c.m_radius);
+            },
+            [](const py::tuple& state) {
+                auto chain = std::make_unique<Chain>();
+                SetVertices(*chain, state[0], false);
+                b2ChainShape& c = chain->shape;
+                c.m_prevVertex = From<b2Vec2>(state[1], "");
+                c.m_nextVertex = From<b2Vec2>(state[2], "");
+                c.m_hasPrevVertex = From<bool>(state[3], "");
+                c.m_hasNextVertex = From<bool>(state[4], "");
+                c.m_oneSided = From<bool>(state[5], "");
+                c.m_radius = From<float32>(state[6], "");
+                return chain;
+            }));
+    type.attr("__bool__") =
+        py::cpp_function([](const Chain&) { return true; }, py::is_method(type));
+    type.attr("GetChildEdge") = type.attr("getChildEdge");
+    CopiesOf(type);
+}
+
+} // namespace
+
+ShapeObject& ShapeFrom(py::handle value, const char* name)
+{
+    if (!py::isinstance<ShapeObject>(value))
+    {
+        ThrowType(name, "a shape", value);
+    }
+    return value.cast<ShapeObject&>();
+}
+
+py::object CopyOfShape(const b2Shape& shape)
+{
+    const auto copy = [](const auto& original) {
+        auto object = std::make_unique<ShapeOf<std::remove_cvref_t<decltype(original)>>>();
+        object->shape = original;
+        object->isOfFixture = true;
+        return py::cast(std::move(object));
+    };
+    switch (shape.GetType())
+    {
+    case b2Shape::e_circle:
+        return copy(static_cast<const b2CircleShape&>(shape));
+    case b2Shape::e_edge:
+        return copy(static_cast<const b2EdgeShape&>(shape));
+    case b2Shape::e_polygon:
+        return copy(static_cast<const b2PolygonShape&>(shape));
+    default:
+        return copy(static_cast<const b2ChainShape&>(shape));
+    }
+}
+
+void BindShapes(py::module_& module)
+{
+    BindBase(module);
+    BindCircle(module);
+    BindEdge(module);
+    BindPolygon(module);
+    BindChain(module);
+}
+
+} // namespace boxreel::python

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "WorldObject.h"
+
+#include <base/Result.h>
+#include <debugdraw/Camera.h>
+#include <debugdraw/DrawList.h>
+#include <debugdraw/Theme.h>
+#include <render/Frame.h>
+
+#include <pybind11/numpy.h>
+
+/// What the parts of the package boxreel share.
+namespace boxreel::python
+{
+
+/// Throws boxreel.Error.
+[[noreturn]] void ThrowError(const Error& error);
+
+/// Returns the value, or throws boxreel.Error.
+template <class T>
+T Need(Result<T> result)
+{
+    if (!result)
+    {
+        ThrowError(result.GetError());
+    }
+    if constexpr (!std::is_void_v<T>)
+    {
+        return std::move(*result);
+    }
+}
+
+/// Returns the theme of that name.
+Theme ThemeFrom(const std::string& name);
+
+/// What a picture of a world shows.
+struct Look
+{
+    std::uint32_t layers;                  ///< b2Draw's bits
+    std::vector<std::vector<Vec2>> trails; ///< paths [m], oldest point first
+};
+
+/// Reads layers (names) and trails (sequences of points).
+Look LookFrom(py::handle layers, py::handle trails);
+
+/// Returns the draw list of a world in the view of a camera.
+DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look);
+
+/// Returns the camera, or for None the view of a world that a film starts with.
+Camera CameraFrom(py::handle camera, WorldObject& world, int width, int height);
+
+/// Returns a picture as an array (height, width, 4) that owns it.
+py::array ArrayOf(Frame&& frame);
+
+/// Returns an array (height, width, 3 or 4) of uint8 as a picture.
+Frame FrameFrom(py::handle array);
+
+} // namespace boxreel::python

@@ -1,0 +1,409 @@
+# SPDX-License-Identifier: MIT
+"""Wrong arguments, callbacks, lifetimes, copies: what must raise and never crash."""
+
+import copy
+import gc
+import math
+import pickle
+import random
+import threading
+import unittest
+import weakref
+
+import Box2D
+from Box2D import (b2CircleShape, b2ContactFilter, b2ContactListener, b2DestructionListener, b2EdgeShape, b2Error,
+                   b2FixtureDef, b2PolygonShape, b2World)
+
+
+def ground(world):
+    return world.CreateStaticBody(shapes=b2EdgeShape(vertices=[(-50, 0), (50, 0)]))
+
+
+def ball(world, position=(0, 0.4)):
+    return world.CreateDynamicBody(position=position, fixtures=b2FixtureDef(shape=b2CircleShape(radius=0.5), density=1))
+
+
+class Arguments(unittest.TestCase):
+    def setUp(self):
+        self.world = b2World()
+        self.body = ball(self.world)
+
+    def test_numbers_out_of_range_are_refused(self):
+        joint = self.world.CreateRevoluteJoint(bodyA=ground(self.world), bodyB=self.body, anchor=(0, 0))
+        for change in (lambda: setattr(self.body, "position", (math.nan, 0)),
+                       lambda: setattr(self.body, "linearDamping", -1),
+                       lambda: setattr(self.body, "angularVelocity", math.inf),
+                       lambda: setattr(self.body, "type", 7),
+                       lambda: setattr(self.body.fixtures[0], "friction", -1),
+                       lambda: setattr(self.body.fixtures[0], "categoryBits", 0x10000),
+                       lambda: setattr(joint, "limits", (1, -1)),
+                       lambda: setattr(joint, "maxMotorTorque", -1),
+                       lambda: setattr(self.world, "subStepCount", 0),
+                       lambda: self.world.Step(-1, 8, 3),
+                       lambda: self.world.Step(1 / 60, -8, 3),
+                       lambda: self.world.CreateDynamicBody(linearVelocity=(math.nan, 0)),
+                       lambda: self.body.CreateCircleFixture(radius=1, density=-1),
+                       lambda: self.body.fixtures[0].GetAABB(1),
+                       lambda: self.world.RayCast(lambda *_: 1, (0, 0), (math.nan, 0))):
+            with self.assertRaises(b2Error):
+                change()
+        self.assertEqual(self.world.subStepCount, 1)
+
+    def test_an_error_is_each_kind_that_programs_catch(self):
+        for kind in (ValueError, AssertionError, RuntimeError):
+            with self.assertRaises(kind):
+                self.body.linearDamping = -1
+
+    def test_wrong_types_name_the_argument(self):
+        for change, name in ((lambda: setattr(self.body, "angle", "x"), "angle"),
+                             (lambda: self.body.ApplyForce(1, (0, 0), True), "force"),
+                             (lambda: self.world.CreateDynamicBody(position=5), "b2Vec2"),
+                             (lambda: self.world.CreateDynamicBody(positon=(0, 0)), "position"),
+                             (lambda: self.world.CreateDynamicBody(fixtures=3), "b2FixtureDef"),
+                             (lambda: self.world.Step(None, 8, 3), "timeStep"),
+                             (lambda: self.world.CreateJoint(5), "joint")):
+            with self.assertRaisesRegex(TypeError, name):
+                change()
+
+    def test_joints_need_two_bodies_of_this_world(self):
+        second = b2World()
+        other = ball(second)
+        for bodies in ({}, {"bodyA": self.body}, {"bodyA": self.body, "bodyB": self.body},
+                       {"bodyA": self.body, "bodyB": other}):
+            with self.assertRaises(ValueError):
+                self.world.CreateWeldJoint(**bodies)
+        with self.assertRaises(b2Error):
+            self.world.DestroyBody(other)
+
+
+class Destroyed(unittest.TestCase):
+    def test_objects_refuse_every_use(self):
+        world = b2World()
+        body = ball(world)
+        fixture = body.fixtures[0]
+        joint = world.CreateWeldJoint(bodyA=ground(world), bodyB=body, anchor=(0, 0))
+        body.mark = 1
+        world.DestroyBody(body)
+        for use in (lambda: body.position, lambda: body.ApplyTorque(1, True), lambda: world.DestroyBody(body),
+                    lambda: body.fixtures, lambda: body.CreateCircleFixture(radius=1), lambda: fixture.shape,
+                    lambda: setattr(fixture, "friction", 1), lambda: joint.anchorA, lambda: world.DestroyJoint(joint),
+                    lambda: body.userData, lambda: body.next, lambda: fixture.body, lambda: joint.bodyA):
+            with self.assertRaises(b2Error):
+                use()
+        self.assertEqual(body.mark, 1)
+        self.assertIn("destroyed", repr(body))
+
+    def test_objects_of_a_dropped_world_refuse(self):
+        world = b2World()
+        body, contacts = ball(world), None
+        ground(world)
+        world.Step(1 / 60, 8, 3)
+        contacts = world.contacts
+        del world
+        with self.assertRaises(b2Error):
+            body.position
+        with self.assertRaises(b2Error):
+            contacts[0].touching
+
+    def test_contacts_that_are_gone_refuse(self):
+        world = b2World()
+        ground(world)
+        body = ball(world)
+        world.Step(1 / 60, 8, 3)
+        contact = world.contacts[0]
+        self.assertTrue(contact.touching)
+        world.Step(1 / 60, 8, 3)
+        self.assertTrue(contact.touching)
+        self.assertEqual(contact, body.contacts[0].contact)
+        world.DestroyBody(body)
+        with self.assertRaises(b2Error):
+            contact.touching
+
+    def test_a_world_without_references_goes_at_once(self):
+        world = b2World()
+        ball(world).CreateCircleFixture(radius=1)
+        gone = weakref.ref(world)
+        gc.disable()
+        try:
+            del world
+            self.assertIsNone(gone())
+        finally:
+            gc.enable()
+
+    def test_cycles_are_collected(self):
+        class Environment(b2ContactListener):
+            def __init__(self):
+                super().__init__()
+                self.world = b2World(contactListener=self)
+                self.body = ball(self.world)
+                self.body.userData = self
+                self.body.fixtures[0].owner = self
+
+        environment = Environment()
+        gone = weakref.ref(environment), weakref.ref(environment.body), weakref.ref(environment.world)
+        del environment
+        gc.collect()
+        self.assertEqual([each() for each in gone], [None, None, None])
+
+    def test_any_order_with_a_collection_at_every_step(self):
+        dice = random.Random(1)
+        for _ in range(20):
+            world = b2World()
+            things = [world, ground(world)] + [ball(world, (i, 0.4)) for i in range(6)]
+            things += [world.CreateRevoluteJoint(bodyA=things[2], bodyB=body, anchor=(0, 0)) for body in things[3:6]]
+            for _ in range(5):
+                world.Step(1 / 60, 8, 3)
+                gc.collect()
+                things += world.contacts + [f for body in world.bodies for f in body.fixtures]
+            world.DestroyBody(things[2])
+            del world
+            while things:
+                things.pop(dice.randrange(len(things)))
+                gc.collect(0)
+                for thing in things:
+                    repr(thing)
+
+
+class Callbacks(unittest.TestCase):
+    def setUp(self):
+        self.world = b2World()
+        self.ground = ground(self.world)
+        self.body = ball(self.world)
+
+    def step_with(self, **functions):
+        self.world.contactListener = type("Listener", (b2ContactListener,), functions)()
+        self.world.Step(1 / 60, 8, 3)
+
+    def test_listener_hears_all_four(self):
+        heard = []
+        listener = type("Listener", (b2ContactListener,), {
+            "BeginContact": lambda self, contact: heard.append("begin"),
+            "EndContact": lambda self, contact: heard.append("end"),
+            "PreSolve": lambda self, contact, old: heard.append(("pre", old.pointCount)),
+            "PostSolve": lambda self, contact, impulse: heard.append(("post", impulse.normalImpulses[0] > 0))})
+        self.world.contactListener = listener()
+        self.world.Step(1 / 60, 8, 3)
+        self.body.position = 0, 5
+        self.world.Step(1 / 60, 8, 3)
+        self.assertEqual(heard, ["begin", ("pre", 0), ("post", True), "end"])
+
+    def test_presolve_can_disable(self):
+        self.step_with(PreSolve=lambda self, contact, old: setattr(contact, "enabled", False))
+        self.assertLess(self.body.linearVelocity.y, 0)
+
+    def test_exceptions_reach_the_caller(self):
+        for name in ("BeginContact", "PreSolve", "PostSolve"):
+            self.setUp()
+
+            def fail(*arguments):
+                raise KeyError(name)
+
+            with self.assertRaisesRegex(KeyError, name):
+                self.step_with(**{name: fail})
+            self.world.contactListener = None
+            self.world.Step(1 / 60, 8, 3)
+
+    def test_only_the_first_exception_counts(self):
+        ball(self.world, (3, 0.4))
+        calls = []
+
+        def fail(self, contact):
+            calls.append(contact)
+            raise ValueError("once")
+
+        with self.assertRaises(ValueError):
+            self.step_with(BeginContact=fail)
+        self.assertEqual(len(calls), 1)
+
+    def test_the_world_cannot_be_changed(self):
+        world, body, fixture = self.world, self.body, self.body.fixtures[0]
+        for change in (lambda: world.DestroyBody(body), lambda: world.CreateStaticBody(),
+                       lambda: body.CreateCircleFixture(radius=1), lambda: body.DestroyFixture(fixture),
+                       lambda: world.CreateWeldJoint(bodyA=world.bodies[0], bodyB=body, anchor=(0, 0)),
+                       lambda: setattr(body, "position", (0, 9)), lambda: setattr(body, "active", False),
+                       lambda: setattr(body, "type", 0), lambda: world.Step(1 / 60, 8, 3), lambda: world.ShiftOrigin((1, 0)),
+                       lambda: copy.deepcopy(world)):
+            self.world.contactListener = None
+            self.body.position = 0, 0.4
+            self.world.Step(0, 0, 0)
+            with self.assertRaises(b2Error):
+                self.step_with(PreSolve=lambda self, contact, old: change())
+            self.assertEqual(self.world.bodyCount, 2)
+        world.contactListener = None
+        world.DestroyBody(body)
+
+    def test_listener_may_be_removed_inside(self):
+        self.step_with(BeginContact=lambda listener, contact: setattr(self.world, "contactListener", None))
+        self.assertIsNone(self.world.contactListener)
+        self.world.Step(1 / 60, 8, 3)
+
+    def test_filter(self):
+        class Filter(b2ContactFilter):
+            def ShouldCollide(self, fixtureA, fixtureB):
+                return b2ContactFilter.ShouldCollide(self, fixtureA, fixtureB) and self.allows
+
+        self.world.contactFilter = Filter(allows=False)
+        self.world.Step(1 / 60, 8, 3)
+        self.assertEqual(self.world.contactCount, 0)
+
+    def test_destruction_listener(self):
+        gone = []
+
+        class Listener(b2DestructionListener):
+            def SayGoodbye(self, object):
+                gone.append((type(object), object.userData))
+
+        joint = self.world.CreateWeldJoint(bodyA=self.ground, bodyB=self.body, anchor=(0, 0), userData="j")
+        self.body.fixtures[0].userData = "f"
+        self.world.destructionListener = Listener()
+        self.world.DestroyBody(self.body)
+        self.assertEqual(gone, [(Box2D.b2WeldJoint, "j"), (Box2D.b2Fixture, "f")])
+        with self.assertRaises(b2Error):
+            joint.anchorA
+
+    def test_destroying_inside_a_goodbye_is_refused(self):
+        class Listener(b2DestructionListener):
+            def SayGoodbye(listener, object):
+                self.world.DestroyBody(self.ground)
+
+        self.world.destructionListener = Listener()
+        with self.assertRaises(b2Error):
+            self.world.DestroyBody(self.body)
+        self.assertEqual(self.world.bodies, [self.ground])
+
+    def test_queries_pass_exceptions(self):
+        def fail(*arguments):
+            raise KeyError("query")
+
+        with self.assertRaises(KeyError):
+            self.world.QueryAABB(fail, Box2D.b2AABB((-9, -9), (9, 9)))
+        with self.assertRaises(KeyError):
+            self.world.RayCast(fail, (0, 9), (0, -9))
+        with self.assertRaises(TypeError):
+            self.world.RayCast(lambda *_: None, (0, 9), (0, -9))
+
+
+class Copies(unittest.TestCase):
+    def setUp(self):
+        self.world = b2World()
+        ground(self.world)
+        self.body = ball(self.world, (0, 3))
+        self.body.friend = ball(self.world, (0.2, 6))
+        self.body.userData = [self.body]
+        self.joint = self.world.CreateDistanceJoint(bodyA=self.body, bodyB=self.body.friend, anchorA=(0, 3),
+                                                    anchorB=(0.2, 6))
+        self.joint.name = "rod"
+
+    def run_world(self, world, steps=60):
+        for _ in range(steps):
+            world.Step(1 / 60, 8, 3)
+        return world.poses().tobytes()
+
+    def test_deep_copies_and_pickles_continue_with_the_same_bits(self):
+        self.run_world(self.world, 20)
+        twins = [copy.deepcopy(self.world), copy.copy(self.world), pickle.loads(pickle.dumps(self.world))]
+        expected = self.run_world(self.world)
+        for twin in twins:
+            body = twin.bodies[1]
+            self.assertIs(body.friend, twin.bodies[2])
+            self.assertIs(body.userData[0], body)
+            self.assertEqual(twin.joints[0].name, "rod")
+            self.assertEqual(self.run_world(twin), expected)
+        self.assertIsNot(twins[0].bodies[1], self.body)
+
+    def test_a_program_that_holds_a_world_is_copied(self):
+        class Environment:
+            pass
+
+        environment = Environment()
+        environment.body, environment.world = self.body, self.world
+        twin = copy.deepcopy(environment)
+        self.assertIs(twin.body, twin.world.bodies[1])
+        world, body = pickle.loads(pickle.dumps((self.world, self.body)))
+        self.assertIs(body, world.bodies[1])
+        self.assertIs(body.userData[0], body)
+
+    def test_restore_keeps_the_objects(self):
+        snapshot = self.world._save()
+        first = self.run_world(self.world)
+        later = ball(self.world, (9, 9))
+        self.body.position = 5, 5
+        self.world._restore(snapshot)
+        self.assertEqual((self.body.position, self.world.bodies[1]), ((0, 3), self.body))
+        self.assertEqual(self.joint.name, "rod")
+        with self.assertRaises(b2Error):
+            later.position
+        self.assertEqual(self.run_world(self.world), first)
+
+    def test_restore_forgets_what_was_destroyed(self):
+        snapshot = self.world._save()
+        self.world.DestroyBody(self.body)
+        self.world._restore(snapshot)
+        self.assertEqual(self.world.bodyCount, 3)
+        with self.assertRaises(b2Error):
+            self.body.position
+
+    def test_a_snapshot_of_another_world_is_safe(self):
+        other = b2World()
+        other.CreateStaticBody().CreatePolygonFixture(box=(1, 1))
+        other.CreateStaticBody()
+        self.world._restore(other._save())
+        self.assertEqual(self.world.bodyCount, 2)
+        for thing in (self.body, self.joint, *self.world.bodies):
+            repr(thing)
+        self.run_world(self.world)
+
+    def test_a_damaged_snapshot_changes_nothing(self):
+        with self.assertRaises(b2Error):
+            self.world._restore(self.world._save()[:-9])
+        self.assertEqual(self.body.position, (0, 3))
+
+
+class Threads(unittest.TestCase):
+    def test_worlds_are_stepped_at_once_with_the_same_bits(self):
+        def build():
+            world = b2World()
+            ground(world)
+            for i in range(60):
+                ball(world, (i % 8, 1 + i // 8))
+            return world
+
+        def run(world):
+            for _ in range(50):
+                world.Step(1 / 60, 8, 3)
+
+        worlds = [build() for _ in range(6)]
+        threads = [threading.Thread(target=run, args=(world,)) for world in worlds]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(len({world.poses().tobytes() for world in worlds}), 1)
+
+    def test_another_thread_is_refused_meanwhile(self):
+        world = b2World()
+        ground(world)
+        bodies = [ball(world, (i % 40, 1 + i // 40)) for i in range(2000)]
+        stop = threading.Event()
+        problems = []
+
+        def watch():
+            while not stop.is_set():
+                try:
+                    bodies[0].position
+                except b2Error:
+                    pass
+                except BaseException as error:  # any other is a failure
+                    problems.append(error)
+
+        thread = threading.Thread(target=watch)
+        thread.start()
+        for _ in range(30):
+            world.Step(1 / 60, 8, 3)
+        stop.set()
+        thread.join()
+        self.assertEqual(problems, [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: MIT
+"""Films, pictures, snapshots, scenes and comparisons of the package boxreel."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+import boxreel
+import boxreel_golden
+from Box2D import b2CircleShape, b2EdgeShape, b2Error, b2FixtureDef, b2World
+
+
+def drop():
+    world = b2World()
+    world.CreateStaticBody(shapes=b2EdgeShape(vertices=[(-5, 0), (5, 0)]))
+    world.CreateDynamicBody(position=(0, 3), fixtures=b2FixtureDef(shape=b2CircleShape(radius=1), density=1))
+    return world
+
+
+def step(world, count=1):
+    for _ in range(count):
+        world.Step(1 / 50, 8, 3)
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+
+class Pictures(InFolder):
+    def test_render_is_an_array_that_owns_its_pixels(self):
+        world = drop()
+        camera = boxreel.fit(world, (320, 180))
+        first = boxreel.render(world, camera=camera)
+        self.assertEqual((first.shape, first.dtype), ((180, 320, 4), numpy.uint8))
+        kept = first.copy()
+        step(world, 20)
+        second = boxreel.render(world, camera=camera)
+        self.assertTrue((first == kept).all())
+        self.assertFalse((first == second).all())
+        self.assertGreater(len(numpy.unique(first.reshape(-1, 4), axis=0)), 3)
+
+    def test_camera_and_theme(self):
+        world = drop()
+        camera = boxreel.Camera(200, 100, center=(0, 3), pixelsPerMeter=20)
+        picture = boxreel.render(world, camera=camera, theme="print")
+        self.assertEqual(picture.shape, (100, 200, 4))
+        self.assertEqual(camera.to_pixel((0, 3)), (100, 50))
+        self.assertEqual(camera.to_world((120, 50)), (1, 3))
+        self.assertNotEqual(picture[50, 90].tolist(), picture[5, 5].tolist())
+        with self.assertRaises(b2Error):
+            boxreel.render(world, theme="printed")
+        with self.assertRaises(b2Error):
+            boxreel.render(world, layers=["shape"])
+        with self.assertRaises(TypeError):
+            boxreel.render(None)
+
+    def test_shot_writes_pictures_and_figures(self):
+        world = drop()
+        for name, start in (("a.png", b"\x89PNG"), ("a.svg", b"<svg"), ("a.pdf", b"%PDF")):
+            boxreel.shot(world, self.path(name), (320, 180), theme="print", trails=[[(0, 0), (1, 2), (3, 2)]])
+            with open(self.path(name), "rb") as file:
+                self.assertIn(start, file.read(400))
+        with self.assertRaises(ValueError):
+            boxreel.shot(world, self.path("a.bmp"))
+        with self.assertRaises(boxreel.Error):
+            boxreel.shot(world, self.path("a.svg"), overwrite=False)
+
+    def test_jupyter_shows_a_world(self):
+        self.assertTrue(drop()._repr_png_().startswith(b"\x89PNG"))
+
+    def test_compare(self):
+        world = drop()
+        camera = boxreel.fit(world, (320, 180))
+        first = boxreel.render(world, camera=camera)
+        self.assertTrue(boxreel.compare(first, first))
+        step(world, 10)
+        result = boxreel.compare(first, boxreel.render(world, camera=camera))
+        self.assertFalse(result)
+        self.assertGreater(result.overTolerance, 100)
+        self.assertEqual(result.difference.shape, (180, 320, 4))
+
+
+class Films(InFolder):
+    def frames_of(self, path):
+        out = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames,width",
+                              "-of", "csv=p=0", path], capture_output=True, text=True, check=True).stdout
+        return [int(number) for number in out.strip().split(",")]
+
+    def test_film_of_a_world(self):
+        world = drop()
+        with boxreel.film(self.path("a.mp4"), size=(320, 180), fps=50, quality="draft") as film:
+            for _ in range(30):
+                step(world)
+                film.add(world)
+        self.assertEqual(film.frames, 30)
+        self.assertEqual(self.frames_of(film.path), [320, 30])
+        self.assertIn("<video", film._repr_html_())
+
+    def test_film_of_arrays_has_their_size(self):
+        pixels = numpy.zeros((90, 160, 3), numpy.uint8)
+        with boxreel.film(self.path("a.mkv"), fps=10, quality="lossless") as film:
+            for i in range(5):
+                pixels[:, : 20 * i] = 255
+                film.add(pixels)
+        self.assertEqual(self.frames_of(film.path), [160, 5])
+        self.assertEqual(film.size, (160, 90))
+
+    def test_an_exception_leaves_no_film(self):
+        with self.assertRaises(KeyError):
+            with boxreel.film(self.path("a.mp4"), size=(320, 180)) as film:
+                film.add(drop())
+                raise KeyError
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_wrong_calls_are_refused(self):
+        with self.assertRaises(boxreel.Error):
+            boxreel.film(self.path("a.avi"))
+        with self.assertRaises(b2Error):
+            with boxreel.film(self.path("a.mp4")):
+                pass
+        film = boxreel.film(self.path("b.mp4"), size=(320, 180))
+        film.add(drop())
+        for frame in (numpy.zeros((180, 320, 4), numpy.uint8), numpy.zeros((9, 9)), "pixels"):
+            with self.assertRaises((b2Error, TypeError)):
+                film.add(frame)
+        film.close()
+        with self.assertRaises(b2Error):
+            film.add(drop())
+
+    def test_the_same_film_has_the_same_bytes(self):
+        contents = []
+        for name in ("a.mp4", "b.mp4"):
+            world = drop()
+            with boxreel.film(self.path(name), size=(320, 180)) as film:
+                for _ in range(20):
+                    step(world)
+                    film.add(world)
+            with open(self.path(name), "rb") as file:
+                contents.append(file.read())
+        self.assertEqual(*contents)
+
+
+class States(InFolder):
+    def test_hash_save_and_restore(self):
+        world = drop()
+        step(world, 5)
+        snapshot, before = boxreel.save(world), boxreel.state_hash(world)
+        step(world, 50)
+        after = boxreel.state_hash(world)
+        self.assertNotEqual(before, after)
+        boxreel.restore(world, snapshot)
+        self.assertEqual(boxreel.state_hash(world), before)
+        step(world, 50)
+        self.assertEqual(boxreel.state_hash(world), after)
+
+    def test_scenes(self):
+        self.assertIn("Pyramid", boxreel.scenes())
+        world = boxreel.scene("pyramid")
+        self.assertGreater(world.bodyCount, 20)
+        world.Step(*world.steps)
+        with self.assertRaisesRegex(ValueError, "Pyramid"):
+            boxreel.scene("Pyramit")
+
+    def test_scene_files(self):
+        world = drop()
+        world.bodies[1].name = "ball"
+        self.assertEqual(boxreel.dump(world, self.path("a.json")), [])
+        twin = boxreel.load(self.path("a.json"))
+        self.assertEqual([body.position for body in twin], [body.position for body in world])
+        self.assertEqual((twin.bodies[1].name, twin.left_out), ("ball", []))
+        with self.assertRaises(boxreel.Error):
+            boxreel.load(self.path("b.json"))
+
+    def test_golden(self):
+        world = drop()
+        options = {"references": self.path("references"), "output": self.path("output")}
+        with self.assertRaises(AssertionError):
+            boxreel_golden.check(world, "drop", **options)
+        boxreel_golden.check(world, "drop", accept="all", **options)
+        boxreel_golden.check(world, "drop", **options)
+        step(world)
+        with self.assertRaisesRegex(AssertionError, "drop"):
+            boxreel_golden.check(world, "drop", **options)
+
+
+if __name__ == "__main__":
+    unittest.main()

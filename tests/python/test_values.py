@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: MIT
+"""Vectors, matrices, transforms, colours, boxes and shapes."""
+
+import copy
+import math
+import pickle
+import unittest
+
+import Box2D
+from Box2D import (b2AABB, b2ChainShape, b2CircleShape, b2Color, b2EdgeShape, b2Error, b2LoopShape, b2Mat22, b2Mat33,
+                   b2PolygonShape, b2Rot, b2Sweep, b2Transform, b2Vec2, b2Vec3)
+
+
+class Vectors(unittest.TestCase):
+    def test_arithmetic_takes_tuples(self):
+        a = b2Vec2(1, 2)
+        self.assertEqual(a + (1, 1), (2, 3))
+        self.assertEqual((1, 1) + a, b2Vec2(2, 3))
+        self.assertEqual(a - (1, 1), (0, 1))
+        self.assertEqual((1, 1) - a, (0, -1))
+        self.assertEqual(2 * a, a * 2)
+        self.assertEqual(a / 2, (0.5, 1))
+        self.assertEqual(-a, (-1, -2))
+        self.assertNotEqual(a, (1, 3))
+
+    def test_in_place_changes_the_same_object(self):
+        a = b = b2Vec2(1, 2)
+        a += (1, 0)
+        a *= 2
+        a -= b2Vec2(0, 1)
+        a /= 1
+        self.assertIs(a, b)
+        self.assertEqual(b, (4, 3))
+
+    def test_behaves_as_a_sequence(self):
+        a = b2Vec2((3, 4))
+        x, y = a
+        self.assertEqual((x, y, len(a), a[-1], a.tuple, list(a)), (3, 4, 2, 4, (3, 4), [3, 4]))
+        a[0] = 6
+        self.assertEqual(a.x, 6)
+        with self.assertRaises(IndexError):
+            a[2]
+
+    def test_has_length_and_products(self):
+        a = b2Vec2(3, 4)
+        self.assertEqual((a.length, a.lengthSquared, a.dot((1, 1)), a.cross((1, 0)), a.skew), (5, 25, 7, -4, (-4, 3)))
+        self.assertEqual(a.cross(2), (8, -6))
+        self.assertEqual(a.Normalize(), 5)
+        self.assertAlmostEqual(a.length, 1, 6)
+        self.assertFalse(b2Vec2(math.nan, 0).valid)
+
+    def test_takes_keywords(self):
+        self.assertEqual(b2Vec2(x=1, y=2), (1, 2))
+        self.assertEqual(b2Vec2(y=2), (0, 2))
+        self.assertEqual(b2Vec3(x=1, z=3), (1, 0, 3))
+        with self.assertRaises(TypeError):
+            b2Vec2(z=1)
+
+    def test_refuses_other_values(self):
+        for value in ("ab", (1, 2, 3), 5, None):
+            with self.assertRaises(TypeError):
+                b2Vec2(value)
+        with self.assertRaises(TypeError):
+            b2Vec2(1, 2) + 1
+        with self.assertRaises(ZeroDivisionError):
+            b2Vec2(1, 2) / 0
+
+    def test_copies_and_pickles(self):
+        for value in (b2Vec2(1, 2), b2Vec3(1, 2, 3), b2Color(0.5, 0.25, 1, 0.5), b2Mat22((1, 2), (3, 4)),
+                      b2AABB((0, 0), (1, 1))):
+            for twin in (copy.copy(value), copy.deepcopy(value), pickle.loads(pickle.dumps(value)), value.copy()):
+                self.assertEqual(value, twin)
+                self.assertIsNot(value, twin)
+
+    def test_three_components(self):
+        a = b2Vec3(1, 2, 3)
+        self.assertEqual(a + (1, 1, 1), (2, 3, 4))
+        self.assertEqual(a.dot((1, 1, 1)), 6)
+        self.assertEqual(b2Vec3(1, 0, 0).cross((0, 1, 0)), (0, 0, 1))
+
+
+class Matrices(unittest.TestCase):
+    def test_solve_and_inverse(self):
+        m = b2Mat22((2, 1), (1, 3))
+        self.assertEqual(m * m.Solve((1, 2)), (1, 2))
+        self.assertEqual(m.inverse * (m * (1, 0)), (1, 0))
+        n = b2Mat33((2, 0, 0), (0, 4, 0), (0, 0, 8))
+        self.assertEqual(n.Solve33((2, 4, 8)), (1, 1, 1))
+        self.assertEqual(n.Solve22((2, 4)), (1, 1))
+
+    def test_transform_rotates_then_moves(self):
+        t = b2Transform(position=(1, 0), angle=math.pi / 2)
+        moved = t * (1, 0)
+        self.assertAlmostEqual(moved.x, 1, 6)
+        self.assertAlmostEqual(moved.y, 1, 6)
+        back = Box2D.b2MulT(t, moved)
+        self.assertAlmostEqual(back.x, 1, 6)
+        self.assertAlmostEqual(t.R.angle, math.pi / 2, 6)
+        t.position.x = 5
+        self.assertEqual(t.position, (5, 0))
+
+    def test_rotation_and_sweep(self):
+        self.assertAlmostEqual((b2Rot(0.5) * b2Rot(0.25)).angle, 0.75, 6)
+        sweep = b2Sweep(c0=(0, 0), c=(2, 0), a=1.0)
+        self.assertEqual(sweep.GetTransform(0.5).position, (1, 0))
+
+    def test_colour(self):
+        c = b2Color(1, 0.5, 0)
+        self.assertEqual((c.bytes, c.list, tuple(c * 0.5)), ((255, 127, 0), [1, 0.5, 0], (0.5, 0.25, 0)))
+
+    def test_box(self):
+        box = b2AABB(lowerBound=b2Vec2(0, 0) - (1, 1), upperBound=(1, 2))
+        self.assertEqual((box.center, box.extents, box.perimeter, box.valid), ((0, 0.5), (1, 1.5), 10, True))
+        self.assertIn((0, 0), box)
+        self.assertNotIn((3, 0), box)
+        self.assertTrue(Box2D.b2TestOverlap(box, b2AABB((0, 0), (5, 5))))
+
+
+class Shapes(unittest.TestCase):
+    def test_polygon_by_box_and_vertices(self):
+        box = b2PolygonShape(box=(1, 2))
+        self.assertEqual(box.vertices, [(-1, -2), (1, -2), (1, 2), (-1, 2)])
+        self.assertEqual(b2PolygonShape(box=(1, 1, (2, 3), 0)).centroid, (2, 3))
+        triangle = b2PolygonShape(vertices=[(0, 0), (1, 0), b2Vec2(0, 1)])
+        self.assertEqual((triangle.vertexCount, len(triangle.normals), triangle.valid), (3, 3, True))
+
+    def test_polygon_refuses_what_is_none(self):
+        for vertices in ([], [(0, 0), (1, 1)], [(0, 0), (1, 0), (2, 0)], [(i, i * i) for i in range(9)]):
+            with self.assertRaises(ValueError):
+                b2PolygonShape(vertices=vertices)
+        with self.assertRaises(ValueError):
+            b2PolygonShape(box=(0, 1))
+        with self.assertRaises(TypeError):
+            b2PolygonShape(vertices=3)
+        with self.assertRaises(TypeError):
+            b2PolygonShape(boxes=(1, 1))
+
+    def test_circle(self):
+        circle = b2CircleShape(radius=2, pos=(1, 0))
+        self.assertTrue(circle.TestPoint(b2Transform(), (2.5, 0)))
+        self.assertAlmostEqual(circle.getMass(1).mass, 4 * math.pi, 5)
+        self.assertEqual(circle.getAABB(b2Transform(), 0).upperBound, (3, 2))
+
+    def test_edge_and_chain(self):
+        edge = b2EdgeShape(vertices=[(0, 0), (1, 0)])
+        self.assertEqual(edge.vertices, [(0, 0), (1, 0)])
+        edge.vertices = [(-1, 0), (0, 0), (1, 0), (2, 0)]
+        self.assertEqual((edge.vertex0, edge.vertex1, edge.hasVertex3), ((-1, 0), (0, 0), True))
+        points = [(0, 0), (1, 0), (1, 1)]
+        self.assertEqual(b2ChainShape(vertices_chain=points).childCount, 2)
+        loop = b2LoopShape(vertices=points)
+        self.assertEqual((loop.childCount, loop.getChildEdge(2).vertices), (3, [(1, 1), (0, 0)]))
+        with self.assertRaises(ValueError):
+            loop.getChildEdge(3)
+
+    def test_ray(self):
+        hit, normal, fraction = b2PolygonShape(box=(1, 1)).RayCast((-3, 0), (3, 0), 1, b2Transform(), 0)
+        self.assertTrue(hit)
+        self.assertEqual(normal, (-1, 0))
+        self.assertAlmostEqual(fraction, 1 / 3, 2)
+
+    def test_copies_and_pickles(self):
+        for shape in (b2PolygonShape(box=(1, 2)), b2CircleShape(radius=1, pos=(2, 3)),
+                      b2EdgeShape(vertices=[(0, 0), (1, 0), (2, 0)]), b2LoopShape(vertices=[(0, 0), (1, 0), (1, 1)])):
+            for twin in (copy.copy(shape), copy.deepcopy(shape), pickle.loads(pickle.dumps(shape))):
+                self.assertEqual((type(twin), twin.vertices, twin.radius), (type(shape), shape.vertices, shape.radius))
+
+    def test_distance_and_time_of_impact(self):
+        box, circle = b2PolygonShape(box=(1, 1)), b2CircleShape(radius=1)
+        result = Box2D.b2Distance(shapeA=box, shapeB=circle, transformB=b2Transform(position=(5, 0), angle=0),
+                                  useRadii=False)
+        self.assertAlmostEqual(result.distance, 4, 5)
+        self.assertEqual(result.pointA.x, 1)
+        state, t = Box2D.b2TimeOfImpact(shapeA=box, shapeB=circle, sweepA=b2Sweep(),
+                                        sweepB=b2Sweep(c0=(6, 0), c=(0, 0)), tMax=1)
+        self.assertEqual(state, Box2D.b2TOIOutput.e_touching)
+        self.assertAlmostEqual(t, 4 / 6, 2)
+
+    def test_manifold(self):
+        a, b = b2PolygonShape(box=(1, 1)), b2PolygonShape(box=(1, 1))
+        manifold = Box2D.b2Manifold()
+        Box2D.b2CollidePolygons(manifold, a, b2Transform(), b, b2Transform(position=(1.9, 0), angle=0))
+        self.assertEqual(manifold.pointCount, 2)
+        before = Box2D.b2Manifold()
+        self.assertEqual(Box2D.b2GetPointStates(before, manifold)[1], (Box2D.b2_addState, Box2D.b2_addState))
+        with self.assertRaises(b2Error):
+            Box2D.b2CollidePolygons(b2PolygonShape(), b2Transform(), b, b2Transform())
+
+
+if __name__ == "__main__":
+    unittest.main()
