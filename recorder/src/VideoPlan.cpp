@@ -121,10 +121,10 @@ void PlanH264(EncoderPlan& plan, const VideoSettings& settings)
         Add(plan, {{"preset", "ultrafast"}, {"crf", "28"}});
         break;
     case Quality::Standard:
-        Add(plan, {{"preset", "veryfast"}, {"crf", "20"}});
+        Add(plan, {{"preset", "veryfast"}, {"crf", "18"}});
         break;
     case Quality::High:
-        Add(plan, {{"preset", "medium"}, {"crf", "14"}, {"weightb", "0"}});
+        Add(plan, {{"preset", "medium"}, {"crf", "13"}, {"weightb", "0"}});
         break;
     case Quality::Lossless:
         plan.encoder = "libx264rgb";
