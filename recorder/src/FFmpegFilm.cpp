@@ -23,6 +23,15 @@ namespace boxreel
 namespace
 {
 
+/// Returns the longest distance of frames from which a decoder can start [frames]. The encoder
+/// cannot keep it, because it does not see repeated frames. The default is that of x264.
+std::int64_t KeyframeDistance(const EncoderPlan& plan, const AVCodecContext& context)
+{
+    constexpr std::int64_t kDefault = 250;
+    const bool isAsked = plan.needsGroups && context.gop_size >= 0; // `g` of the user
+    return isAsked ? std::max<std::int64_t>(context.gop_size, 1) : kDefault;
+}
+
 class FFmpegFilm final : public VideoSink
 {
 public:
@@ -87,6 +96,7 @@ private:
     std::int64_t m_held = -1; // with m_repeat, the frame of m_picture that is not encoded yet; its
                               // type depends on the next one
     bool m_isAfterRepeat = false; // the frame before the held one was repeated
+    std::int64_t m_keyframeDistance = 1;
     std::int64_t m_resumed = 0;
     std::int64_t m_frames = 0;      // resumed, appended or repeated
     std::int64_t m_group = -1;      // group that m_codec encodes
@@ -109,6 +119,7 @@ Result<void> FFmpegFilm::Open()
     m_codec.emplace(std::move(codec));
     m_tick = m_codec->Context().time_base;
     m_delay = m_codec->Context().has_b_frames;
+    m_keyframeDistance = KeyframeDistance(m_plan, m_codec->Context());
     m_decodingTimes.emplace(m_delay);
     RETURN_IF_ERROR(OpenPicture());
     RETURN_IF_ERROR(OpenFile());
@@ -234,7 +245,7 @@ bool FFmpegFilm::MustEncode(std::int64_t index) const
     const bool isImproved =
         still >= kFirstImproved && std::has_single_bit(static_cast<std::uint64_t>(still));
     return m_frameTimes.GroupOf(index) != m_frameTimes.GroupOf(index - 1) ||
-           index % kKeyframeDistance == 0 || isImproved;
+           index % m_keyframeDistance == 0 || isImproved;
 }
 
 /// Encodes the frame that waits. Frames before and after repeated ones are P, so that no other
@@ -246,7 +257,7 @@ Result<void> FFmpegFilm::ShowHeld(AVPictureType type)
         return {};
     }
     const bool isKeyframe =
-        m_isAfterRepeat && m_shown / kKeyframeDistance != m_held / kKeyframeDistance;
+        m_isAfterRepeat && m_shown / m_keyframeDistance != m_held / m_keyframeDistance;
     m_picture->pict_type = isKeyframe        ? AV_PICTURE_TYPE_I
                            : m_isAfterRepeat ? AV_PICTURE_TYPE_P
                                              : type;

@@ -16,10 +16,6 @@
 namespace boxreel
 {
 
-/// Longest distance of frames from which a decoder can start, where frames are repeated [frames].
-/// It is the default of x264.
-inline constexpr std::int64_t kKeyframeDistance = 250;
-
 class FFmpegRepeat
 {
 public:
