@@ -139,6 +139,7 @@ public:
     {}
 
     Result<void> Open();
+    std::optional<std::int64_t> StoredFrames() const override { return m_stored; }
     Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed) override;
     Result<void> Repeat() override;
     Result<void> TakePlace() override { return m_file->Mark("part"); }
@@ -160,6 +161,7 @@ private:
     std::optional<AtomicFile> m_file;
     GifPalette m_palette;
     std::int64_t m_frames = 0; // appended or repeated
+    std::int64_t m_stored = 0;
     Frame m_last;
     bool m_isDue = false;                // the last frame is not stored yet
     std::int64_t m_group = -1;           // of the last stored frame
@@ -211,6 +213,7 @@ bool GifFilm::MustShow() const
 Result<void> GifFilm::Show()
 {
     m_isDue = false;
+    ++m_stored;
     const bool isWhole = m_times.GroupOf(Last()) != m_group;
     if (isWhole)
     {

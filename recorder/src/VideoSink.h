@@ -26,7 +26,7 @@ public:
     virtual std::int64_t ResumedFrames() const { return 0; }
 
     /// Returns the number of frames in the file so far, with those kept; none if each appended
-    /// frame is stored, or the format counts them in another way.
+    /// frame is stored.
     virtual std::optional<std::int64_t> StoredFrames() const { return std::nullopt; }
 
     /// `changed`: where the frame may differ from the last one; the whole frame for the first.

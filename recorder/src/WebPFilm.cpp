@@ -5,10 +5,13 @@
 #include <base/ErrorMacros.h>
 #include <base/SharedLibrary.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <webp/encode.h>
@@ -129,6 +132,25 @@ Result<void> SetOption(const std::string& name, const std::string& text, WebPCon
                  "use one of " + known};
 }
 
+/// Returns the number of frames in a film: its chunks ANMF. A film of one frame is a still picture.
+std::int64_t CountFrames(std::span<const std::uint8_t> film)
+{
+    constexpr std::size_t kFileHeader = 12;
+    constexpr std::size_t kChunkHeader = 8;
+    std::int64_t frames = 0;
+    std::size_t at = kFileHeader;
+    while (at + kChunkHeader <= film.size())
+    {
+        const auto chunk = film.subspan(at);
+        frames +=
+            std::string_view(reinterpret_cast<const char*>(chunk.data()), 4) == "ANMF" ? 1 : 0;
+        const std::size_t size = std::size_t(chunk[4]) | std::size_t(chunk[5]) << 8 |
+                                 std::size_t(chunk[6]) << 16 | std::size_t(chunk[7]) << 24;
+        at += kChunkHeader + size + (size & 1); // chunks begin at even bytes
+    }
+    return std::max<std::int64_t>(frames, 1);
+}
+
 class WebPFilm final : public VideoSink
 {
 public:
@@ -138,6 +160,7 @@ public:
     ~WebPFilm() override;
 
     Result<void> Open();
+    std::optional<std::int64_t> StoredFrames() const override { return m_stored; }
     Result<void> Append(const Frame& frame, std::span<const PixelBounds> changed) override;
     Result<void> Repeat() override;
     Result<void> TakePlace() override { return m_file->Mark("part"); }
@@ -156,7 +179,8 @@ private:
     std::optional<AtomicFile> m_file;
     WebPConfig m_config{};
     WebPAnimEncoder* m_encoder = nullptr;
-    std::int64_t m_frames = 0; // appended or repeated
+    std::int64_t m_frames = 0;            // appended or repeated
+    std::optional<std::int64_t> m_stored; // known at the end
 };
 
 WebPFilm::~WebPFilm()
@@ -254,6 +278,7 @@ Result<void> WebPFilm::Write()
     {
         return EncodeError();
     }
+    m_stored = CountFrames({data.bytes, data.size});
     Result<void> written = m_file->Write({data.bytes, data.size});
     m_library.free(const_cast<std::uint8_t*>(data.bytes));
     return written;

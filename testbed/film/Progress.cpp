@@ -180,7 +180,7 @@ std::string ReportText(const FilmReport& report)
         text += Format(" (kept of %lld: a GIF shows at most 50 a second)",
                        Printable(report.framesFilmed));
     }
-    if (report.stored)
+    if (report.stored && *report.stored != report.frames)
     {
         text += Format(", %lld of them stored", Printable(*report.stored));
     }

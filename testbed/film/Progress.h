@@ -33,9 +33,10 @@ struct FilmReport
     int width = 0;                 ///< [px]
     int height = 0;                ///< [px]
     double framesPerSecond = 60.0;
-    double seconds = 0.0;               ///< that making it took
-    std::int64_t bytes = -1;            ///< of the file; -1: not one file
-    std::optional<std::int64_t> stored; ///< frames in a file of variable rate; none: all
+    double seconds = 0.0;    ///< that making it took
+    std::int64_t bytes = -1; ///< of the file; -1: not one file
+    std::optional<std::int64_t>
+        stored; ///< frames in the file where identical ones may be left out; none: all
 };
 
 /// The texts, without line ends. `seconds`: since the first frame was begun.

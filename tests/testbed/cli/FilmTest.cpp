@@ -167,16 +167,6 @@ TEST_F(Film, WritesGivenFramesInEveryFormat)
     }
 }
 
-TEST_F(Film, ReportsFramesKeptInFastGif)
-{
-    const Outcome outcome =
-        Run({"record", "pyramid", "-o", "film.gif", "--frames", "5", "--size", "160x90"});
-    ASSERT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_EQ(Decode("film.gif", Frames::Stored).size(), 3u);
-    EXPECT_THAT(outcome.errors, HasSubstr("film.gif: 3 frames of 160x90 at 30 fps (kept of 5: a "
-                                          "GIF shows at most 50 a second)"));
-}
-
 TEST_F(Film, ForceOverwrites)
 {
     for (const char* frames : {"5", "7"})
@@ -351,28 +341,6 @@ TEST_F(Film, ContinuesAtItsLastKeyframeWithoutGroups)
     EXPECT_THAT(resumed.errors, Not(testing::ContainsRegex("frames +500 "))) << "none were there";
     EXPECT_EQ(Decode("film.mp4", Frames::Stored).size(), 500u);
     EXPECT_THAT(folder.Files(), ElementsAre("film.mp4"));
-}
-
-TEST_F(Film, StoresEveryFrameUnlessTheRateIsVariable)
-{
-    const auto make = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> command{"record", "pyramid", "--frames",   "40",   "--from", "8s",
-                                         "--size", "160x90",  "--progress", "json", "--force"};
-        command.insert(command.end(), more.begin(), more.end());
-        return Run(command);
-    };
-    for (const std::string film : {"film.mp4", "film.mkv", "film.webm"})
-    {
-        SCOPED_TRACE(film);
-        const Outcome constant = make({"-o", film});
-        EXPECT_THAT(constant.errors, HasSubstr("\"frames\":40,"));
-        EXPECT_EQ(Decode(film, Frames::Stored).size(), 40u);
-        const Outcome variable = make({"-o", film, "--variable-rate"});
-        const std::size_t stored = Decode(film, Frames::Stored).size();
-        EXPECT_LT(stored, 5u);
-        EXPECT_THAT(variable.errors, HasSubstr("\"stored\":" + std::to_string(stored)));
-    }
-    EXPECT_EQ(make({"-o", "film.mp4", "--variable-rate", "--constant-rate"}).code, 1);
 }
 
 TEST_F(Film, ResumedAndJoinedAnimationsEqualWholeOnes)

@@ -75,6 +75,17 @@ TEST(Progress, TheReportSaysWhatWasMade)
               R"("height":720,"fps":60,"bytes":1234567,"seconds":4.250})");
 }
 
+TEST(Progress, TheReportCountsStoredFramesOfAVariableRate)
+{
+    FilmReport report{"drop.gif", 600, 600, 1280, 720, 60.0, 4.25, 1'234'567, 424};
+    EXPECT_EQ(
+        ReportText(report),
+        "drop.gif: 600 frames of 1280x720 at 60 fps, 424 of them stored, 1.2 MB, made in 4.2 s");
+    EXPECT_THAT(ReportJsonText(report), HasSubstr(R"("fps":60,"stored":424,"bytes")"));
+    report.stored = 600;
+    EXPECT_THAT(ReportText(report), Not(HasSubstr("stored")));
+}
+
 TEST(Progress, AFileNameCannotBreakTheJson)
 {
     FilmReport report;
