@@ -180,11 +180,11 @@ void AddFormat(Command& command, RecordOptions& record)
         .Group("Format");
     AddValue(command, "--group", "N", film.groupFrames, WholeBetween(1, 100000),
              "Encode each N frames independently; parts begin at multiples of N\n"
-             "(100 with --frame-range or --resume; otherwise the film is one)")
+             "(100 with --frame-range or --resume, otherwise no groups)")
         .Group("Format");
     AddFlag(command, "--variable-rate", record.variableRate,
-            "Show a frame for longer instead of storing an identical one, in\n"
-            ".mp4, .mkv and .webm; .gif, .apng and .webp do without it")
+            "Store identical frames once in .mp4, .mkv and .webm, with a longer\n"
+            "duration (.gif, .apng and .webp always do)")
         .Group("Format");
     AddFlag(command, "--constant-rate", record.constantRate, "Store every frame of a .gif or .apng")
         .Group("Format");
