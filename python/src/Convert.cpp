@@ -125,6 +125,11 @@ void InstallMisuse(py::module_& module)
     b2SetMisuse(NoteMisuse);
 }
 
+bool IsNumber(py::handle value)
+{
+    return PyNumber_Check(value.ptr()) != 0 && PySequence_Check(value.ptr()) == 0;
+}
+
 bool IsVec2(py::handle value)
 {
     float32 ignored[2];

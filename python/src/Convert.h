@@ -26,6 +26,9 @@ void CheckMisuse();
 /// Registers b2Error, and lets the engine report refused calls instead of aborting.
 void InstallMisuse(py::module_& module);
 
+/// True if the value is a number, and no vector, which has an arithmetic too.
+bool IsNumber(py::handle value);
+
 /// True if the value is a b2Vec2 or a sequence of two numbers.
 bool IsVec2(py::handle value);
 

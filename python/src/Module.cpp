@@ -81,6 +81,7 @@ PYBIND11_MODULE(_boxreel, module)
     InstallMisuse(module);
     BindConstants(module);
     BindMath(module);
+    BindMathFunctions(module);
     BindShapes(module);
     BindCollision(module);
     BindDefinitions(module);

@@ -8,6 +8,7 @@ namespace boxreel::python
 {
 
 void BindMath(pybind11::module_& module);
+void BindMathFunctions(pybind11::module_& module);
 void BindShapes(pybind11::module_& module);
 void BindCollision(pybind11::module_& module);
 void BindDefinitions(pybind11::module_& module);

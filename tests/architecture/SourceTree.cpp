@@ -123,6 +123,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"cairo", {"render/src/FigureCairo."}},
         {"ft2build.h", {"render/src/FigureCairo."}},
         {"freetype", {"render/src/FigureCairo."}},
+        {"pybind11/", {"python/src/"}},
         {"chipmunk/", {"tests/benchmark/"}},
         {"box2d/",
          {"debugdraw/include/debugdraw/Box2d24Draw.", "docs/examples/box2d24",
