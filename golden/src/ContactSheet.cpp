@@ -174,30 +174,26 @@ Result<ContactSheet> ContactSheetOf(const std::filesystem::path& film,
     {
         return Unusable(film, why);
     }
-    const Result<std::vector<Frame>> pictures = Sample(film, settings);
-    if (!pictures)
-    {
-        return pictures.GetError();
-    }
-    const Frame& first = pictures->front();
+    ASSIGN_OR_RETURN(const std::vector<Frame> pictures, Sample(film, settings));
+    const Frame& first = pictures.front();
     ContactSheet sheet;
     SheetLayout& layout = sheet.layout;
-    layout.columns = int(std::min(std::size_t(settings.columns), pictures->size()));
+    layout.columns = int(std::min(std::size_t(settings.columns), pictures.size()));
     layout.width = std::min(settings.width, first.width);
     layout.height = std::max(
         1, int((std::int64_t(first.height) * layout.width + first.width / 2) / first.width));
-    layout.pictures = pictures->size();
+    layout.pictures = pictures.size();
     layout.every = settings.every;
     layout.stepsPerSecond = settings.stepsPerSecond;
-    const PixelBounds last = layout.Place(pictures->size() - 1);
+    const PixelBounds last = layout.Place(pictures.size() - 1);
     sheet.frame = Frame(layout.Place(std::size_t(layout.columns) - 1).x1, last.y1);
     for (std::size_t i = 0; i < sheet.frame.rgba.size(); ++i)
     {
         sheet.frame.rgba[i] = i % 4 == 3 ? std::uint8_t(255) : kGray;
     }
-    for (std::size_t i = 0; i < pictures->size(); ++i)
+    for (std::size_t i = 0; i < pictures.size(); ++i)
     {
-        Put(Shrunk((*pictures)[i], layout.width, layout.height), layout.Place(i), sheet.frame);
+        Put(Shrunk(pictures[i], layout.width, layout.height), layout.Place(i), sheet.frame);
     }
     return sheet;
 }

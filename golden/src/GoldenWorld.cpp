@@ -20,13 +20,9 @@ Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
 {
     // A new renderer each time: the second takes two milliseconds, and none exists at program exit.
     // It also rejects invalid sizes.
-    Result<Renderer> renderer =
-        Renderer::Create({.width = look.camera ? look.camera->width : look.width,
-                          .height = look.camera ? look.camera->height : look.height});
-    if (!renderer)
-    {
-        return renderer.GetError();
-    }
+    ASSIGN_OR_RETURN(Renderer renderer,
+                     Renderer::Create({.width = look.camera ? look.camera->width : look.width,
+                                       .height = look.camera ? look.camera->height : look.height}));
     const Camera camera =
         look.camera ? *look.camera : FitTo(BoundsAtStart(world), look.width, look.height);
     GoldenCandidate candidate;
@@ -36,14 +32,9 @@ Result<GoldenCandidate> CandidateOf(b2World& world, const std::string& name,
     candidate.trace = look.trace;
     candidate.list = DrawListOf(world, look.layers);
     candidate.camera = camera;
-    candidate.renderer = renderer->Description();
-    const Result<std::string> fingerprint = renderer->Fingerprint();
-    if (!fingerprint)
-    {
-        return fingerprint.GetError();
-    }
-    candidate.fingerprint = *fingerprint;
-    RETURN_IF_ERROR(renderer->Draw(candidate.list, camera, candidate.frame));
+    candidate.renderer = renderer.Description();
+    ASSIGN_OR_RETURN(candidate.fingerprint, renderer.Fingerprint());
+    RETURN_IF_ERROR(renderer.Draw(candidate.list, camera, candidate.frame));
     return candidate;
 }
 

@@ -53,12 +53,8 @@ Error Damaged(const Kept& kept, const std::string& what)
 
 Result<Kept> Read(const fs::path& root, const fs::path& relative)
 {
-    Result<std::optional<std::string>> text = ReadStoredText(root, relative);
-    if (!text)
-    {
-        return text.GetError();
-    }
-    Kept kept{*std::move(text), (root / relative).string()};
+    Kept kept{{}, (root / relative).string()};
+    ASSIGN_OR_RETURN(kept.text, ReadStoredText(root, relative));
     // A checkout may convert line ends; every line would then differ invisibly.
     if (kept.text && kept.text->find("\r\n") != std::string::npos)
     {
@@ -152,18 +148,9 @@ Result<void> ReadFrame(const fs::path& root, const std::string& name, Moment& mo
     {
         return {};
     }
-    Result<Frame> frame = ReadPng(path);
-    if (!frame)
-    {
-        return frame.GetError();
-    }
-    Result<std::string> fingerprint = ReadPngText(path, kFingerprint);
-    if (!fingerprint)
-    {
-        return fingerprint.GetError();
-    }
-    moment.frame = *std::move(frame);
-    moment.fingerprint = *std::move(fingerprint);
+    ASSIGN_OR_RETURN(Frame frame, ReadPng(path));
+    ASSIGN_OR_RETURN(moment.fingerprint, ReadPngText(path, kFingerprint));
+    moment.frame = std::move(frame);
     return {};
 }
 

@@ -2,8 +2,10 @@
 #include <golden/StateHash.h>
 
 #include <Box2D/Box2D.h>
+#include <base/Bytes.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <string>
 #include <vector>
@@ -14,19 +16,13 @@ namespace boxreel
 namespace
 {
 
-// G. Fowler, L. C. Noll, K.-P. Vo: FNV-1a, 64 bits (RFC 9923). Byte by byte, so that a single
-// changed bit affects all later ones.
-constexpr std::uint64_t kOffsetBasis = 0xcbf29ce484222325u;
-constexpr std::uint64_t kPrime = 0x100000001b3u;
-
 // Little-endian on every machine. -0 equals 0, so it has the same hash.
 void Mix(std::uint64_t& hash, float value)
 {
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(value == 0.0f ? 0.0f : value);
-    for (int shift = 0; shift < 32; shift += 8)
-    {
-        hash = (hash ^ (bits >> shift & 255u)) * kPrime;
-    }
+    const std::array<std::uint8_t, 4> bytes{std::uint8_t(bits), std::uint8_t(bits >> 8),
+                                            std::uint8_t(bits >> 16), std::uint8_t(bits >> 24)};
+    hash = ChecksumOf(bytes, hash);
 }
 
 void Mix(std::uint64_t& hash, const b2Body& body)
@@ -50,27 +46,15 @@ std::vector<const b2Body*> OldestFirst(const b2World& world)
     return bodies;
 }
 
-constexpr const char* kHex = "0123456789abcdef";
-
-std::string Digits(std::uint64_t value, int count)
-{
-    std::string text;
-    for (int shift = 4 * (count - 1); shift >= 0; shift -= 4)
-    {
-        text += kHex[value >> shift & 15u];
-    }
-    return text;
-}
-
 // FNV's low bits depend only on the low bits of the input; its middle bits on all of them.
 char Digit(std::uint64_t hash)
 {
-    return kHex[(hash ^ hash >> 32) >> 24 & 15u];
+    return HexText((hash ^ hash >> 32) >> 24 & 15u).back();
 }
 
 std::uint64_t HashOf(const b2Body& body)
 {
-    std::uint64_t hash = kOffsetBasis;
+    std::uint64_t hash = ChecksumOf(std::string());
     Mix(hash, body);
     return hash;
 }
@@ -117,7 +101,7 @@ std::string DigitsOfRowsAndColumns(const std::vector<const b2Body*>& bodies, int
 
 std::uint64_t StateHash(const b2World& world)
 {
-    std::uint64_t hash = kOffsetBasis;
+    std::uint64_t hash = ChecksumOf(std::string());
     for (const b2Body* body : OldestFirst(world))
     {
         Mix(hash, *body);
@@ -127,7 +111,7 @@ std::uint64_t StateHash(const b2World& world)
 
 std::string StateHashText(const b2World& world)
 {
-    return Digits(StateHash(world), 16);
+    return HexText(StateHash(world));
 }
 
 WorldState ReadWorldState(const b2World& world)
@@ -148,7 +132,7 @@ TraceStep ReadTraceStep(const b2World& world, std::int64_t step)
     const std::vector<const b2Body*> bodies = OldestFirst(world);
     const int made = bodies.empty() ? 0 : bodies.back()->GetNumber() + 1;
     const std::uint64_t hash = StateHash(world);
-    return {step, Digits(hash ^ hash >> 32, 8),
+    return {step, HexText(hash ^ hash >> 32).substr(8),
             made <= kLongestTrace ? DigitsOfEach(bodies, made)
                                   : DigitsOfRowsAndColumns(bodies, made)};
 }

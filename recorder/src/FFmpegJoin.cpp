@@ -32,12 +32,7 @@ Result<std::vector<Part>> LookAt(const std::vector<FilmPart>& films, const Frame
     {
         const std::int64_t index = film.firstFrame - films.front().firstFrame;
         Part part{{.from = film.path, .tick = tick, .offset = times.TimeOf(index)}, {}, {}};
-        Result<std::vector<std::int64_t>> shown = TimesIn(part.copied);
-        if (!shown)
-        {
-            return shown.GetError();
-        }
-        part.shown = std::move(*shown);
+        ASSIGN_OR_RETURN(part.shown, TimesIn(part.copied));
         parts.push_back(std::move(part));
     }
     return parts;

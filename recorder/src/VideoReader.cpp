@@ -137,13 +137,8 @@ VideoReader::~VideoReader() = default;
 
 Result<VideoReader> VideoReader::Open(const std::filesystem::path& path, Frames frames)
 {
-    Result<std::unique_ptr<VideoSource>> source = OpenVideoSource(path);
-    if (!source)
-    {
-        return source.GetError();
-    }
     auto impl = std::make_unique<Impl>();
-    impl->source = std::move(*source);
+    ASSIGN_OR_RETURN(impl->source, OpenVideoSource(path));
     // The rate of an animated WebP is unknown: its frames are returned once each.
     impl->frames = FormatOf(path, {}) == VideoFormat::WebP ? Frames::Stored : frames;
     return VideoReader(std::move(impl));

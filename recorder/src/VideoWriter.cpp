@@ -69,13 +69,8 @@ Result<VideoWriter> VideoWriter::Open(const std::filesystem::path& path,
                                       const VideoSettings& settings)
 {
     RETURN_IF_ERROR(CheckVideoPath(path, settings));
-    Result<std::unique_ptr<VideoSink>> sink = OpenSink(path, *FormatOf(path, settings), settings);
-    if (!sink)
-    {
-        return sink.GetError();
-    }
     auto impl = std::make_unique<Impl>();
-    impl->sink = std::move(*sink);
+    ASSIGN_OR_RETURN(impl->sink, OpenSink(path, *FormatOf(path, settings), settings));
     impl->width = settings.width;
     impl->height = settings.height;
     impl->stages = settings.stages;

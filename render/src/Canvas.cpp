@@ -349,12 +349,8 @@ Result<void> Canvas::Draw(const Overlay& overlay, std::span<const PixelBounds> r
     {
         return {};
     }
-    const Result<const Program*> program = NeedMesh();
-    if (!program)
-    {
-        return program.GetError();
-    }
-    m_gl.UseProgram((*program)->program);
+    ASSIGN_OR_RETURN(const Program* program, NeedMesh());
+    m_gl.UseProgram(program->program);
     m_gl.BindVertexArray(m_meshArray);
     m_gl.BindBuffer(GL_ARRAY_BUFFER, m_meshCorners);
     m_gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(m_mesh.corners.size() * sizeof(MeshCorner)),

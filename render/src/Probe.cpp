@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "Probe.h"
 
+#include <base/Bytes.h>
 #include <base/ErrorMacros.h>
 #include <render/Renderer.h>
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <map>
 #include <mutex>
 
@@ -67,19 +67,6 @@ void AddLetters(DrawList& list)
     }
 }
 
-/// 64-bit FNV-1a (Fowler, Noll, Vo; RFC 9923), as in StateHash.
-std::string HashText(const Frame& frame)
-{
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const std::uint8_t byte : frame.rgba)
-    {
-        hash = (hash ^ byte) * 0x100000001b3u;
-    }
-    char digits[17];
-    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-    return digits;
-}
-
 } // namespace
 
 DrawList ProbeList()
@@ -115,7 +102,7 @@ Result<std::string> ProbeFingerprint(Backend backend, const std::string& descrip
     if (fingerprint.empty())
     {
         ASSIGN_OR_RETURN(const Frame probe, DrawProbe(backend));
-        fingerprint = HashText(probe);
+        fingerprint = HexText(ChecksumOf(probe.rgba));
     }
     return fingerprint;
 }

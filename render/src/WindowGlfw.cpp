@@ -333,12 +333,8 @@ Window::~Window() = default;
 
 Result<Window> Window::Create(const std::string& title, int width, int height)
 {
-    const Result<Glfw> glfw = Start();
-    if (!glfw)
-    {
-        return glfw.GetError();
-    }
-    auto impl = std::make_unique<Impl>(*glfw);
+    ASSIGN_OR_RETURN(const Glfw glfw, Start());
+    auto impl = std::make_unique<Impl>(glfw);
     impl->glfw.WindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     impl->glfw.WindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     impl->glfw.WindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

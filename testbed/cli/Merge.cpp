@@ -166,13 +166,9 @@ Result<int> Run(const MergeOptions& options)
     settings.plays = first.plays;
     settings.groupFrames = GroupOf(first, options.output);
     const StopSignals stopSignals;
-    const Result<bool> joined =
-        JoinFilms(films, options.output, settings, [] { return StopSignals::Caught() != 0; });
-    if (!joined)
-    {
-        return joined.GetError();
-    }
-    if (!*joined)
+    ASSIGN_OR_RETURN(const bool isWhole, JoinFilms(films, options.output, settings,
+                                                   [] { return StopSignals::Caught() != 0; }));
+    if (!isWhole)
     {
         WriteMessage("Stopped; nothing of " + options.output.string() + " is left.");
         return StopSignals::kExitCode;

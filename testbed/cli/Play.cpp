@@ -110,6 +110,7 @@ public:
 private:
     Result<void> Add(const ScriptProduct& product);
     Result<void> AddExpectation(const ScriptProduct& product);
+    Result<void> AddExpectedState(const ScriptProduct& product);
     Result<void> AddGolden(const ScriptProduct& product);
     Result<void> AddStill(const ScriptProduct& product);
     Result<void> AddFilm(const ScriptProduct& product);
@@ -152,6 +153,8 @@ Result<void> Planner::Add(const ScriptProduct& product)
     {
     case ScriptProduct::Kind::Expect:
         return AddExpectation(product);
+    case ScriptProduct::Kind::ExpectState:
+        return AddExpectedState(product);
     case ScriptProduct::Kind::Golden:
         return AddGolden(product);
     case ScriptProduct::Kind::Shot:
@@ -164,21 +167,22 @@ Result<void> Planner::Add(const ScriptProduct& product)
 
 Result<void> Planner::AddExpectation(const ScriptProduct& product)
 {
-    if (product.name.starts_with("state "))
-    {
-        const std::string hash = product.name.substr(6);
-        const bool isHash =
-            hash.size() == 16 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
-        if (!isHash)
-        {
-            return Error{ErrorKind::Unusable, Quoted(hash), "is not a state hash",
-                         "give the 16 hex digits that the window and verdicts print"};
-        }
-        m_play.expectations.push_back({product.line, product.at, std::nullopt, hash});
-        return {};
-    }
     ASSIGN_OR_RETURN(const Condition condition, Condition::Parse("expect", product.name));
     m_play.expectations.push_back({product.line, product.at, condition});
+    return {};
+}
+
+Result<void> Planner::AddExpectedState(const ScriptProduct& product)
+{
+    const std::string& hash = product.name;
+    const bool isHash =
+        hash.size() == 16 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (!isHash)
+    {
+        return Error{ErrorKind::Unusable, Quoted(hash), "is not a state hash",
+                     "give the 16 hex digits that the window and verdicts print"};
+    }
+    m_play.expectations.push_back({product.line, product.at, std::nullopt, hash});
     return {};
 }
 

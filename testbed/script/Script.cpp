@@ -7,6 +7,7 @@
 #include <base/Nearest.h>
 #include <base/Quoting.h>
 #include <base/ReadWhole.h>
+#include <base/Words.h>
 #include <options/Values.h>
 #include <options/ViewChoice.h>
 
@@ -253,14 +254,17 @@ Result<void> Parser::TakeExpectation(ScriptMoment at, Words& words)
     ScriptProduct product;
     product.line = m_line;
     product.at = at;
-    for (const std::string& word : words.TakeRest())
-    {
-        product.name += (product.name.empty() ? "" : " ") + word;
-    }
-    if (product.name.empty())
+    std::vector<std::string> rest = words.TakeRest();
+    if (rest.empty())
     {
         return Unusable(Quoted("expect"), "requires a condition", "for example expect ball.y < 2");
     }
+    if (rest.front() == "state")
+    {
+        product.kind = ScriptProduct::Kind::ExpectState;
+        rest.erase(rest.begin());
+    }
+    product.name = JoinedBy(" ", rest);
     m_script.products.push_back(std::move(product));
     return {};
 }

@@ -71,14 +71,15 @@ struct ScriptProduct
     enum class Kind
     {
         Expect,
+        ExpectState,
         Shot,
         Golden,
         Record,
     };
     Kind kind = Kind::Expect;
     int line = 0;
-    ScriptMoment at;                  ///< of Expect and Golden
-    std::string name;                 ///< condition, file or name of the reference
+    ScriptMoment at;                  ///< of Expect, ExpectState and Golden
+    std::string name;                 ///< condition, state hash, file or reference name
     std::vector<std::string> options; ///< as the command of that name takes them
 };
 

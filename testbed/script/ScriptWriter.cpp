@@ -82,6 +82,8 @@ std::string ProductLine(const ScriptProduct& product)
     {
     case Made::Expect:
         return "at " + TextOf(product.at) + " expect " + product.name + "\n";
+    case ScriptProduct::Kind::ExpectState:
+        return "at " + TextOf(product.at) + " expect state " + product.name + "\n";
     case Made::Golden:
         return "at " + TextOf(product.at) + " golden " + LineOf(words) + "\n";
     case Made::Shot:

@@ -120,9 +120,9 @@ std::string WorkbenchLog::Text(std::int64_t step, const b2World& world) const
         }
     }
     ScriptProduct end;
-    end.kind = ScriptProduct::Kind::Expect;
+    end.kind = ScriptProduct::Kind::ExpectState;
     end.at.when = step;
-    end.name = "state " + (step == m_lastStep ? m_stateBefore : StateHashText(world));
+    end.name = step == m_lastStep ? m_stateBefore : StateHashText(world);
     script.products.push_back(std::move(end));
     return "# What was done in the window, step by step. Play it: boxreel play FILE\n" +
            WriteScript(script);
