@@ -104,11 +104,21 @@ void Add(EncoderPlan& plan, std::initializer_list<std::pair<std::string, std::st
     plan.codecOptions.insert(plan.codecOptions.end(), options);
 }
 
+bool HasAvx512()
+{
+#if defined(__x86_64__)
+    return __builtin_cpu_supports("avx512f") != 0;
+#else
+    return false;
+#endif
+}
+
+/// With its functions for AVX-512, x264's macroblock tree reads motion vectors that nobody wrote,
+/// so the bytes depend on what the memory held before (docs/notes/same-bytes.md).
+constexpr const char* kUpToAvx2 = "asm=mmx2,sse2,ssse3,sse4.1,sse4.2,avx,fma3,bmi1,bmi2,avx2";
+
 /// Presets by cost per 720p frame: ultrafast 2.7 ms, veryfast 7.5, medium 15. Lossless keeps RGB,
 /// because 8-bit YUV would round.
-/// No thread for the lookahead: x264 counts the users of a picture without a lock there, so one run
-/// in a few hundred gives different bytes (docs/notes/same-bytes.md). The bytes are those that it
-/// gives otherwise.
 /// What is predicted must not depend on the distance of pictures, because repeated ones lie between
 /// (H264Repeat). One reference is safe.
 void PlanH264(EncoderPlan& plan, const VideoSettings& settings)
@@ -132,7 +142,11 @@ void PlanH264(EncoderPlan& plan, const VideoSettings& settings)
         Add(plan, {{"preset", "veryfast"}, {"qp", "0"}});
         break;
     }
-    Add(plan, {{"direct-pred", "spatial"}, {"x264-params", "sync-lookahead=0"}});
+    Add(plan, {{"direct-pred", "spatial"}});
+    if (HasAvx512())
+    {
+        Add(plan, {{"x264-params", kUpToAvx2}});
+    }
 }
 
 /// "realtime" selects a faster search: for 720p drawings a quarter of the time of "good", for a

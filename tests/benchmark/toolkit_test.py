@@ -85,6 +85,7 @@ class Recording(BuildCase):
         reached = filmed(film("boxreel"), film("encodeOnly", wall=4.0, memory=150e6), film("immediate", wall=12.0))["reached"]
         self.assertEqual([reached[f"wall time over {name}"] for name in ("encoding only", "immediate mode")], [0.75, 0.25])
         self.assertAlmostEqual(reached["memory over the encoder's [MB]"], 50.0)
+        self.assertAlmostEqual(reached["bytes over encoding only"], 1.0)
 
     def test_lets_no_broken_film_win(self) -> None:
         for broken in (0, 1):

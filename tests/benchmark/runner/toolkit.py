@@ -141,6 +141,7 @@ class Recording(Benchmark):
         for role, name in FILM_PEERS.items():
             if role in films:
                 reached[f"wall time over {name}"] = of("boxreel", role, "wall")
+                reached[f"bytes over {name}"] = of("boxreel", role, "bytes")
                 films[role] |= {"wallTimes": of(role, "boxreel", "wall"), "cpuTimes": of(role, "boxreel", "cpu")}
         if "encodeOnly" in films:
             reached["memory over the encoder's [MB]"] = of("boxreel", "encodeOnly", "megabytes", operator.sub)

@@ -604,8 +604,8 @@ TEST_F(Film, FailsWhileAnotherProgramWritesFilm)
 
 TEST_F(Film, SignalDuringSimulationKeepsFilm)
 {
-    std::vector<std::string> record{"record", "pyramid", "--frames", "20000", "--hz",
-                                    "6000",   "--size",  "160x90",   "-o",    "film.mkv"};
+    std::vector<std::string> record{"record", "pyramid", "--frames", "20000",    "--hz",    "6000",
+                                    "--size", "160x90",  "-o",       "film.mkv", "--group", "100"};
     const Outcome first = RunBoxreel(record, folder.Path(),
                                      [&](int process) { StopAfterGroups(process, SIGTERM, 300); });
     ASSERT_EQ(first.code, 75) << first.errors;
