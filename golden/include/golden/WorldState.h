@@ -42,7 +42,7 @@ std::string ToText(const WorldState& state);
 /// Parses the result of ToText. An Error (Unusable) contains the invalid line.
 Result<WorldState> ParseWorldState(std::string_view text);
 
-/// How the bodies of two states differ.
+/// The difference of the bodies of two states.
 struct StateDifference
 {
     std::vector<int> missing;  ///< numbers of bodies that only the expected state has
