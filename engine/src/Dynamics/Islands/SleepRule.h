@@ -10,7 +10,7 @@
 namespace box2d
 {
 
-/// What the rule reads of a step, other than the body.
+/// The inputs of the rule in a step, other than the body.
 struct SleepStep
 {
     float32 timeStep; ///< [s]
@@ -25,8 +25,7 @@ bool IsSlow(const b2Vec2& linearVelocity, float32 angularVelocity);
 /// rest.
 float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved, const SleepStep& step);
 
-/// What MaxRestOverlap returns at least [m]: position correction may leave this much of any
-/// overlap.
+/// The minimum of MaxRestOverlap [m]. Position correction may leave this much of any overlap.
 inline constexpr float32 kMinRestOverlap = 3.0f * b2_linearSlop;
 
 /// Returns the overlap that bodies at rest may have [m]; `radius` is the sum of the two skins.

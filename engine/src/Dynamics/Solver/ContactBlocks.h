@@ -60,8 +60,8 @@ struct alignas(kCacheLine) OverlapBlock
     uint8 movesA, movesB; ///< as in ContactBlock
 };
 
-/// What only sub-steps keep of a block: the impulses of the whole step, and those that the last
-/// kick began with.
+/// Data of a block for sub-steps only: the impulses of the whole step, and those at the start of
+/// the last kick.
 struct BlockTotals
 {
     float32 normal[2][kBlockLanes], tangent[2][kBlockLanes];

@@ -121,7 +121,7 @@ struct ContactConstraint
 /// then 13 mm apart. Values from 30 to 1e5 are compared in docs/notes/contact-constants.md.
 inline constexpr float32 kMaxCondition = 1000.0f;
 
-/// How a contact's overlap is measured.
+/// The measure of a contact's overlap.
 enum class OverlapKind : uint8
 {
     Centers, ///< along the line between two points: circles
