@@ -9,7 +9,7 @@
 namespace boxreel
 {
 
-/// What a shell offers where a word or an option's value stands.
+/// The completions that a shell offers for a word or an option's value.
 struct Completion
 {
     enum class Kind
@@ -58,8 +58,8 @@ struct CommandText
 /// Returns the commands and options that ParseCommandLine (CommandLine.h) understands.
 CommandText DescribeProgram();
 
-/// As a usage line shows it; `name` may be marked up: SCENE, [SCENE] that may be left out,
-/// [SCENE...].
+/// Returns the word in the form of a usage line: SCENE, [SCENE] if optional, [SCENE...] for a list.
+/// `name` may contain markup.
 inline std::string UsageOf(const WordText& word, const std::string& name)
 {
     const std::string shown = word.isList ? name + "..." : name;

@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-/// How commands declare their options, as data: the parser (Parser.h) writes what was typed to
-/// them, and the help, the completions and the manual page show them.
+/// Declares the options of commands as data. The parser (Parser.h) writes the command line to them.
+/// The help, the completions and the manual page show them.
 namespace boxreel
 {
 
@@ -217,7 +217,7 @@ Option& AddBackend(Command& command, Backend& backend);
 /// `bothThemes`: where to say that a light and a dark twin are wanted; null where there are none.
 void AddLook(Command& command, SceneLook& look, bool* bothThemes);
 
-/// Whether the picture is large enough for its panel, and has only one. Sets `hud` where it is
+/// Checks that the picture is large enough for its panel, and has only one. Sets `hud` where it is
 /// implied.
 Result<void> CheckHud(SceneLook& look);
 

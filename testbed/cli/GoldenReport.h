@@ -34,7 +34,7 @@ Result<int> Run(const GoldenReportOptions& options);
 Result<void> WriteGoldenReport(const GoldenReportOptions& options,
                                const std::set<std::string>& only);
 
-/// Whether a page may be written there: nothing is replaced but a page like it.
+/// Checks that a page may be written there. Only a report page may be replaced.
 Result<void> CheckGoldenReportPath(const std::filesystem::path& path, bool force);
 
 /// build/golden-output of the checkout around the current folder, or golden-output.

@@ -29,7 +29,7 @@ public:
     /// Up to this frame. False: a signal asks for a stop, also between two of many steps.
     bool AdvanceTo(std::int64_t number);
 
-    /// As AdvanceTo, but ignores stop signals.
+    /// Same as AdvanceTo, but ignores stop signals.
     void FinishAt(std::int64_t number);
 
     void Fill(FrameContent& content);

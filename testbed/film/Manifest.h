@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-/// What is written beside a film that is not whole, FILE.json: which command makes it, and the
-/// state of its world where it may be continued or joined to another part. Whoever goes on checks
-/// that it is the same film and the same simulation. Used by record and merge.
+/// The manifest FILE.json beside an incomplete film. It contains the command that makes the film,
+/// and the state of its world where it may be continued or joined to another part. A run that
+/// continues the film checks that film and simulation are the same. Used by record and merge.
 namespace boxreel
 {
 
@@ -26,8 +26,8 @@ struct Manifest
     std::int64_t frameCount = 0; ///< of the whole film
     std::int64_t first = 0;      ///< number of this part's first frame
     std::int64_t end = 0;        ///< one more than that of its last
-    /// Of the film's file, once it is closed: what was cut off, altered or put in its place since
-    /// then is not what these manifest speak of.
+    /// Checksum of the film's file, once it is closed. If the file is truncated, altered or
+    /// replaced afterwards, it no longer matches the manifest.
     std::string checksum;
     /// State hashes by number of the frame that shows them: where groups begin, and at `end`.
     std::map<std::int64_t, std::string> states;

@@ -14,11 +14,11 @@
 #include <string>
 #include <vector>
 
-/// What a recording is asked for, as plain data.
+/// The options of a recording, as plain data.
 namespace boxreel
 {
 
-/// Which frames a film has.
+/// The frames of a film.
 struct FilmLength
 {
     std::optional<Duration> seconds;    ///< length of the film
@@ -28,7 +28,7 @@ struct FilmLength
     std::optional<FrameRange> range;    ///< only these frames are made
 };
 
-/// How simulated time becomes film time.
+/// The relation of simulated time to film time.
 struct FilmPace
 {
     Rational speed{1, 1};     ///< simulated seconds per second of film
@@ -49,7 +49,7 @@ struct SnapshotOptions
     std::optional<std::int64_t> every; ///< [steps]; none: as IsSnapshotDue says
 };
 
-/// What a recording writes to the terminal.
+/// The messages of a recording to the terminal.
 struct FilmMessages
 {
     bool stats = false; ///< rendering statistics and a timing breakdown when done

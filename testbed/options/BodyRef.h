@@ -11,8 +11,9 @@
 #include <utility>
 #include <vector>
 
-/// A body as options mean it: by its number in the order of creation, as `--labels` shows it, or by
-/// the name that its scene file gives it. Which number a name has is found when the scene is there.
+/// A reference to a body in options. It is the body's number in the order of creation, as
+/// `--labels` shows it, or its name in the scene file. A name becomes a number once the scene is
+/// open.
 namespace boxreel
 {
 

@@ -13,8 +13,8 @@ class SceneState;
 class MouseGrip
 {
 public:
-    /// Nothing happens where no dynamic body is, or while something is gripped already. Of several
-    /// the youngest is taken.
+    /// Grips the newest dynamic body at the point. Does nothing if there is none, or if a body is
+    /// gripped already.
     void Take(b2World& world, const b2Vec2& point);
     void MoveTo(const b2Vec2& point);
     void LetGo(b2World& world);

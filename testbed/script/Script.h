@@ -25,11 +25,11 @@ struct ScriptMoment
 
     /// The last step at or before it.
     std::int64_t Step(const Rational& stepsPerSecond) const;
-    /// As options take it: {"--at", "1.5s"} or {"--step", "90"}.
+    /// Returns the option with this time: {"--at", "1.5s"} or {"--step", "90"}.
     std::vector<std::string> AsOption() const;
 };
 
-/// What a person would do with the keyboard or the mouse, before the step that begins at `at`.
+/// A keyboard or mouse action of a person, before the step that begins at `at`.
 struct ScriptAction
 {
     enum class Kind

@@ -17,10 +17,10 @@ namespace boxreel
 class SceneCamera
 {
 public:
-    /// Of a picture of `width` x `height` pixels. Unusable when the world has no body of a number
-    /// that the view names, unless bodies may come later: until the first of those that are named
-    /// does, the view keeps in sight what moves. `framed`: boxes [m] that a view which fits the
-    /// scene shows beside bodies.
+    /// Creates the camera of a picture of `width` x `height` pixels. Unusable if the view names a
+    /// body that does not exist, unless bodies may be created later. Until the first of the named
+    /// bodies exists, the view shows the dynamic bodies. `framed`: boxes [m] that a view which fits
+    /// the scene shows beside bodies.
     static Result<SceneCamera> Create(const ViewChoice& choice, b2World& world, int width,
                                       int height, bool bodiesMayCome = false,
                                       const std::vector<b2AABB>& framed = {});

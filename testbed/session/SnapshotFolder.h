@@ -18,9 +18,9 @@
 namespace boxreel
 {
 
-/// Whether the state after this many steps is saved: `every` so many steps, or, without, every 100
-/// and from step 3,200 on with gaps of at most a sixteenth of what was before, so that the number
-/// of files grows with the logarithm of the film's length.
+/// Returns true if the state after this many steps is saved. With `every`, that is each multiple of
+/// it. Without, it is every 100 steps. From step 3,200 on, the gaps grow up to a sixteenth of the
+/// elapsed steps, so the number of files grows with the logarithm of the film's length.
 bool IsSnapshotDue(std::int64_t step, std::optional<std::int64_t> every);
 
 class SnapshotFolder

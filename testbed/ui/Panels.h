@@ -24,7 +24,7 @@ public:
     /// A frame: shows the facts, changes the choices, says what was asked for.
     PanelAnswer Build(const PanelFacts& facts, PanelChoices& choices, const PanelInput& input);
 
-    /// What the last frame looks like.
+    /// Returns the overlay of the last frame.
     const Overlay& Picture() const { return m_picture; }
 
     /// Adds a simulated step to the plots. Facts of another scene, or of an earlier step, restart
@@ -33,7 +33,7 @@ public:
 
     void Resize(int width, int height);
 
-    /// How much of the picture's right side they cover [px].
+    /// Returns the width that they cover at the right of the picture [px].
     double Width(const PanelChoices& choices) const;
 
     bool WantsPointer() const { return m_canvas.WantsPointer(); }

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-/// What the window keeps from one run to the next, in a small JSON file of the user's.
+/// The settings of the window that persist between runs, in a small JSON file of the user.
 namespace boxreel
 {
 

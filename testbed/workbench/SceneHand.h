@@ -8,8 +8,8 @@
 
 #include <set>
 
-/// What a person's hand does to a scene: the mouse pulls bodies, moves the view and slings bombs,
-/// and keys are pressed that the scene answers to.
+/// Mouse and keyboard interaction with a scene. The mouse pulls bodies, moves the view and throws
+/// bombs. Keys are passed to the scene.
 namespace boxreel
 {
 
@@ -35,7 +35,7 @@ public:
     void AddSling(const SceneWork& work, Vec2 pointer, DrawList& list) const;
 
 private:
-    /// What the mouse's button that is down does.
+    /// The action of the mouse button that is down.
     enum class Hold
     {
         Nothing,

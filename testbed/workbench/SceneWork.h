@@ -26,7 +26,7 @@ public:
     WorkbenchLog& Log() { return m_log; }
     /// The scene's own, before anything was set.
     const SolverChoices& Preferred() const { return m_preferred; }
-    /// What has been done since the scene began.
+    /// Returns the actions since the scene began, as a script.
     std::string Script() const { return m_log.Text(m_session.SceneStep(), m_session.World()); }
 
     void Do(const ScriptAction& action);                         ///< to the scene

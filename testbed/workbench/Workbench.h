@@ -39,7 +39,7 @@ public:
     /// tenth of a second, so that a slow machine is slow instead of stuck.
     void Advance(double seconds);
 
-    /// What the window shows. Expects an empty content.
+    /// Adds the content of the window. Expects an empty content.
     void Fill(FrameContent& content);
 
     void Resize(int width, int height); ///< of the picture [px], with the scale in it

@@ -12,7 +12,7 @@
 
 class b2World;
 
-/// What a person has done to a scene since it began, as the script that does it again.
+/// The user's actions on a scene since it began, as a script that repeats them.
 namespace boxreel
 {
 
@@ -27,7 +27,7 @@ public:
     /// The same for a picture or a film, whose options say its moments.
     void Add(ScriptProduct product) { m_script.products.push_back(std::move(product)); }
 
-    /// What is seen at a step; `isChosen`: since a person has moved the view.
+    /// Logs the view at a step; `isChosen`: true if the user has moved the view.
     void See(const Camera& view, std::int64_t step, bool isChosen);
 
     /// Up to `step`, at whose end the script expects the state that the world had: what has been
