@@ -62,7 +62,7 @@ private:
     std::deque<std::int64_t> m_shown; // from the one that the next packet needs
 };
 
-/// Same as above, for a complete list of display times in packet order. Each time is as late as
+/// As above, for a complete list of display times in packet order. Each time is as late as
 /// possible, but `delay` ticks before the j-th frame is shown.
 std::vector<std::int64_t> LatestDecodingTimes(const std::vector<std::int64_t>& shown, int delay);
 

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLittleRoom = 1'000'000'000; ///< a film of some minutes, lossless [bytes]
 
-/// What a line says, or what is wrong and helps.
+/// The text of a line, or an error with its remedy.
 using Finding = Result<std::string>;
 
 struct Trial
@@ -175,8 +175,8 @@ private:
     int m_code = 0;
 };
 
-/// One back end is enough. Mesa 25.1 and later have no OSMesa, so its package is not asked for
-/// where EGL draws. Where the variable names one, only that one is needed.
+/// One back end is sufficient. Mesa 25.1 and later have no OSMesa, so its package is not required
+/// where EGL works. If the variable names a back end, only that one is required.
 void AddBackends(Report& report)
 {
     const Finding osMesa = LookAtBackend(Backend::OSMesa);

@@ -52,8 +52,8 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force,
         return Error{ErrorKind::Unusable, path.string(), "already exists",
                      "use --force to overwrite it"};
     }
-    // Permissions are not all: /proc has them and takes no file, as a full disk. What is made here
-    // goes with its owner.
+    // Permissions are not sufficient: /proc has them but accepts no file, like a full disk. The
+    // trial file is removed with its owner.
     const Result<AtomicFile> attempt = AtomicFile::Create(path, force);
     return attempt ? Result<void>() : Result<void>(attempt.GetError());
 }

@@ -300,7 +300,7 @@ Result<void> CheckBody(const Play& play, const Expectation& expectation,
                                                   : play.script.At(expectation.line, *missing);
 }
 
-/// What an expectation says now.
+/// The present result of an expectation.
 struct Answer
 {
     bool holds = false;
@@ -321,7 +321,7 @@ Answer AnswerOf(const Expectation& expectation, const SceneSession& session)
             value ? NumberText(*value) : ""};
 }
 
-/// How many do not hold, each in a line.
+/// Returns the number of expectations that do not hold, and prints one line for each.
 Result<int> Expect(const Play& play, SceneSession& session)
 {
     std::vector<const Expectation*> inOrder;
@@ -389,7 +389,7 @@ Result<GoldenCandidate> CandidateOf(const Play& play, const GoldenPicture& golde
     return candidate;
 }
 
-/// How many are not as approved, each in a line.
+/// Returns the number of golden moments that differ, and prints one line for each.
 Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
 {
     const fs::path folder = play.script.file.parent_path();

@@ -152,7 +152,7 @@ void AddCodec(Command& command, std::string& codec)
         .Group("Format");
 }
 
-/// How it is encoded.
+/// Adds the options of the encoding.
 void AddFormat(Command& command, VideoSettings& film)
 {
     AddValue(command, "--quality", "LEVEL", film.quality,
@@ -202,7 +202,7 @@ void AddUntil(Command& command, std::vector<Condition>& until)
         .Group("Time");
 }
 
-/// What is filmed, and how fast.
+/// Adds the options of the film's length and speed.
 void AddTime(Command& command, RecordOptions& record)
 {
     AddValue(command, "--seconds", "TIME", record.length.seconds, ParseDuration,

@@ -64,7 +64,7 @@ private:
     std::string m_title;
 };
 
-/// What was asked for, else the last one, else the first of all.
+/// Returns the requested scene, otherwise the last one, otherwise the first of all.
 Result<SceneSource> Desk::Source(const UiSettings& settings) const
 {
     if (!m_options.scene.empty())
@@ -142,7 +142,7 @@ void Desk::HandleEvents()
     }
 }
 
-/// What has not changed is not shown again.
+/// An unchanged picture is not shown again.
 Result<void> Desk::Show()
 {
     if (m_window.Width() != m_width || m_window.Height() != m_height)
@@ -197,7 +197,7 @@ UiSettings Desk::Settings() const
     return settings;
 }
 
-/// What was kept; what cannot be read is said, and is as in a first run.
+/// Returns the stored settings. If they cannot be read, prints a message and returns the defaults.
 UiSettings Kept(const UiOptions& options, const std::filesystem::path& file)
 {
     UiSettings settings;

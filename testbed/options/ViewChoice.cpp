@@ -60,7 +60,7 @@ std::string WhyOutsideHeights(std::string_view text)
     return WhyOutside("height", text, kSmallestHeight, kLargestHeight);
 }
 
-/// Which of the three numbers "X,Y,HEIGHT" is out of its limits, and what they are.
+/// Returns which of the three numbers "X,Y,HEIGHT" is out of its limits, and the limits.
 std::string WhyNotFixed(std::string_view text)
 {
     const std::vector<std::string> parts = SplitAt(',', text);

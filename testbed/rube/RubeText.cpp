@@ -292,7 +292,7 @@ RubeRope ReadRope(const JsonValue& value)
     return RubeRope{value.Member("maxLength").Number(0.0f, 0.0f, kFarthest)};
 }
 
-/// Of a kind that is not known: nothing.
+/// Reads the details of a joint; none for an unknown type.
 decltype(RubeJoint::details) ReadDetails(const std::string& type, const JsonValue& value)
 {
     using Details = decltype(RubeJoint::details);

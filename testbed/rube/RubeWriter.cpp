@@ -190,7 +190,7 @@ Json Body(const RubeBody& body)
 
 void AddDetails(Json&, std::monostate) {}
 
-/// Of revolute and prismatic joints.
+/// Adds limit and motor of revolute and prismatic joints.
 void AddLimitAndMotor(Json& object, const auto& joint)
 {
     object["refAngle"] = Number(joint.referenceAngle);

@@ -100,7 +100,7 @@ private:
         room->CreateFixture(&walls, 0.0f)->SetRestitution(0.3f);
     }
 
-    // What moves is slowed down as by a thin film of oil.
+    // Slows a body down like a thin film of oil.
     static void Slow(b2Body* body)
     {
         body->SetLinearDamping(kDamping);

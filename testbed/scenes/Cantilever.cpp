@@ -19,7 +19,7 @@ constexpr float32 kKick = 3.0f;            ///< of the hanging beams' lower ends
 constexpr Material kWood{.density = 4.0f};
 constexpr Material kLead{.density = 2.0f};
 
-/// How the planks of a beam are welded.
+/// The weld between the planks of a beam.
 struct Weld
 {
     float32 hertz;

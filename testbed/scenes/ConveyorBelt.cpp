@@ -101,7 +101,8 @@ private:
         contact->SetTangentSpeed(SpeedOf(a) + SpeedOf(b));
     }
 
-    /// Of its upper side, to the right [m/s]: the lower belt runs back.
+    /// Returns the speed of its upper side to the right [m/s]. The lower belt runs in the opposite
+    /// direction.
     float32 SpeedOf(const b2Body* body) const
     {
         return body == m_upper ? m_speed : body == m_lower ? -m_speed : 0.0f;

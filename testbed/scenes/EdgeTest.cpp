@@ -24,8 +24,8 @@ constexpr Material kSlippery{.density = 1.0f, .friction = 0.0f};
 
 constexpr KeyBinding kKeys[] = {{'a', "sends them to the left"}, {'d', "sends them to the right"}};
 
-// What is drawn below a lane for each of its edges: alone it ends where it ends, with neighbours it
-// reaches into both of them.
+// The mark below a lane for each of its edges. A single edge ends at its vertices, an edge with
+// neighbours extends into both of them.
 constexpr float32 kBelow = 0.35f;    ///< [m]
 constexpr float32 kGap = 0.12f;      ///< between two that are alone, half of it [m]
 constexpr float32 kOverlap = 0.3f;   ///< into a neighbour [m]
@@ -157,7 +157,7 @@ private:
         return body.GetPosition().y - m_lane->GetPosition().y > 0.5f * (kLanes[0] - kLanes[1]);
     }
 
-    /// Of what it was sent with [m/s].
+    /// Returns the loss of speed since the start [m/s].
     static float32 LostSpeed(const b2Body& body)
     {
         return b2Max(kSpeed - b2Abs(body.GetLinearVelocity().x), 0.0f);

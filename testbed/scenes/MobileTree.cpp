@@ -23,7 +23,7 @@ constexpr Material kWood{.density = 1.0f};
 constexpr Material kLead{.density = 4.0f};
 constexpr int16 kGroup = -1; ///< what swings about does not hit each other
 
-/// What hangs by its string.
+/// A branch with its string.
 struct Branch
 {
     b2Body* body;

@@ -21,11 +21,11 @@ constexpr float32 kPitch = 2.0f * kRadius + kGap; ///< from ball to ball [m]
 constexpr float32 kStringLength = 8.0f; ///< [m]
 constexpr float32 kBeamHeight = 12.0f;  ///< of the points the strings hang from [m]
 
-// How far the first ball is pulled aside: the 3-4-5 triangle puts it exactly on its string's arc.
+// The initial angle of the first ball. The 3-4-5 triangle puts it exactly on its string's arc.
 constexpr float32 kRaisedSine = 0.6f;
 constexpr float32 kRaisedCosine = 0.8f;
 
-// What keeps energy keeps the cradle going: collisions are elastic and without friction.
+// Collisions are elastic and without friction, so the cradle keeps its energy.
 constexpr Material kSteel{.density = 5.0f, .friction = 0.0f, .restitution = 1.0f};
 
 class NewtonsCradle : public Scene

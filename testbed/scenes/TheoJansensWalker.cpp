@@ -111,8 +111,9 @@ public:
     void VisitState(SceneState& state) override { state(m_trunk, m_wheel, m_motor); }
 
 private:
-    // Of the left leg, with the crank's centre at the origin; the right one is its mirror image.
-    // Two rigid triangles: one turns about the pivot, the other hangs from three rods.
+    // Adds a leg. The coordinates are those of the left one, with the crank's centre at the origin;
+    // the right one is its mirror image. It has two rigid triangles. One rotates about the pivot,
+    // the other is held by three rods.
     void AddLeg(const b2Vec2& pin, float32 side)
     {
         const b2Vec2 crank(-side * pin.x, pin.y);

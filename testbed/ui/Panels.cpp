@@ -25,7 +25,7 @@ std::string Text(const char* format, ...)
     return text;
 }
 
-/// Where the right one of two columns of check boxes begins, from the window's side [px].
+/// Returns the x of the second column of check boxes, from the window's side [px].
 float SecondColumn()
 {
     float widest = 0.0f;

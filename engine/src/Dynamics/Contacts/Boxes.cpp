@@ -16,8 +16,9 @@ namespace box2d
 namespace
 {
 
-/// How far a box may move before the tree has to change [m]: the manual's margin for what is a few
-/// metres large, less for smaller shapes, whose margins would else touch all their neighbours'.
+/// Returns the distance that a box may move before the tree has to change [m]. Large shapes have
+/// the manual's margin. Smaller ones have less, because that margin would touch all of their
+/// neighbours'.
 float32 Margin(const b2AABB& box)
 {
     const b2Vec2 half = box.GetExtents();
@@ -87,7 +88,7 @@ b2AABB BoxOnPath(const b2Shape& shape, int32 child, const BodyData& body, const 
     return box;
 }
 
-/// How far the inner box may move in any direction without leaving the outer one [m].
+/// Returns the distance the inner box may move in any direction without leaving the outer one [m].
 float32 RoomIn(const b2AABB& outer, const b2AABB& inner)
 {
     const b2Vec2 below = inner.lowerBound - outer.lowerBound;

@@ -112,9 +112,9 @@ float32 ScaleOf(float32 past, const BodyData& body, const SolverBody& s)
     return kinetic > past ? b2Min(kinetic, kMaxScale) : past;
 }
 
-/// What impacts have won. A body's credit, what joints took from it, does not pay for that: nothing
-/// gives it back. A body that impacts hold back again and again, while a spring speeds it up, would
-/// win without end.
+/// Charges the energy gained by impacts. A body's credit, which joints took from it, does not pay
+/// for that, because nothing returns it. Otherwise a body that a spring accelerates and impacts
+/// stop again and again would gain energy without bound.
 void Charge(BodyData& body, float32 won)
 {
     const bool counts = won > float32(kTolerance) * body.energyScale; // or it is truncation

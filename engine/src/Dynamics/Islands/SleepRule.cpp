@@ -82,7 +82,7 @@ float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved, const Slee
 
 float32 MaxRestOverlap(float32 radius)
 {
-    // Of two polygons' skins and a slop [m]: such an overlap is not visible.
+    // The skins of two polygons and a slop [m]. Such an overlap is not visible.
     constexpr float32 kUnseenOverlap = 2.0f * b2_polygonRadius + b2_linearSlop;
     const bool skins = radius <= 1.01f * 2.0f * b2_polygonRadius;
     return skins ? kUnseenOverlap : kMinRestOverlap;

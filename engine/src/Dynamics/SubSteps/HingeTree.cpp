@@ -314,7 +314,7 @@ void HingeTree::TakeWonEnergy()
     }
 }
 
-/// As last measured.
+/// Returns the value of the last measurement.
 float32 HingeTree::WidestGap() const
 {
     float32 widest = 0.0f;
@@ -360,7 +360,7 @@ double HingeTree::Strain(double time)
     return highest;
 }
 
-/// As above, for the impulses of the last step.
+/// Same as above, for the impulses of the last step.
 double HingeTree::LastStrain(double time)
 {
     for (Link& link : m_links)
