@@ -137,7 +137,7 @@ TEST(AtomicFile, KeepsAFileThatAppearedWhileItWrote)
     EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
 }
 
-TEST(AtomicFile, KnowsWhatAnotherOneIsWriting)
+TEST(AtomicFile, DetectsFileThatIsBeingWritten)
 {
     const TemporaryFolder folder;
     const std::filesystem::path path = folder / "film.mp4";

@@ -138,7 +138,7 @@ TEST(Axes, NumbersHaveRoomBesideEachOtherAndInTheirMargin)
     }
 }
 
-TEST(Axes, AreNothingWhereNumbersMeanNothing)
+TEST(Axes, AreEmptyForInvalidViews)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Camera& view :

@@ -181,7 +181,7 @@ TEST(FitTo, ShowsTheWholeAreaWithItsMargin)
     }
 }
 
-TEST(FitTo, FallsBackToTheDefaultViewForAnAreaThatIsNone)
+TEST(FitTo, UsesDefaultViewForInvalidArea)
 {
     const Camera standard;
     for (const Rect& area :

@@ -162,7 +162,7 @@ TEST(Dimension, HasTheLabelItIsGiven)
     EXPECT_THAT(DimensionOf({0, 0}, {9, 0}, {.label = "L"}).texts, ElementsAre("L"));
 }
 
-TEST(Dimension, IsNothingBetweenOnePoint)
+TEST(Dimension, IsEmptyBetweenEqualPoints)
 {
     EXPECT_TRUE(DimensionOf({1, 1}, {1, 1}).items.empty());
     EXPECT_TRUE(DimensionOf({1, 1}, {std::numeric_limits<float>::infinity(), 1}).items.empty());

@@ -215,7 +215,7 @@ TEST(FitCamera, LetsGoOfABodyThatFellOffTheWorld)
     EXPECT_EQ(untouched.View(), FitTo(kScene, 1280, 720));
 }
 
-TEST(FitCamera, IgnoresBoxesThatAreNone)
+TEST(FitCamera, IgnoresInvalidBoxes)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float inf = std::numeric_limits<float>::infinity();

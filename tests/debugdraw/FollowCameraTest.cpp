@@ -269,7 +269,7 @@ TEST(FollowCamera, KeepsItsHeightWhileASquareRolls)
     }
 }
 
-TEST(FollowCamera, IgnoresSubjectsThatAreNone)
+TEST(FollowCamera, IgnoresInvalidSubjects)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float inf = std::numeric_limits<float>::infinity();

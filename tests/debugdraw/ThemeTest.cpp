@@ -222,7 +222,7 @@ TEST(Theme, KeepsUsersColoursAndMakesTheirOutlinesSeen)
 // In OKLab a difference of 0.02 is about the least that is noticed side by side; the classic
 // palette comes down to 0.002 (contacts to a protanope), this one never below 0.079. All layers may
 // lie over each other, so every role is compared with every other.
-TEST(Theme, OkabeItoIsToldApartByEveryKindOfSight)
+TEST(Theme, OkabeItoIsDistinctForEveryColourVision)
 {
     for (const Vision vision : kVisions)
     {
@@ -231,7 +231,7 @@ TEST(Theme, OkabeItoIsToldApartByEveryKindOfSight)
     EXPECT_LT(LeastDistance(kClassicPalette, Vision::Protanopia), 0.01) << "the measure can fail";
 }
 
-TEST(Theme, ArrowsAreToldApartFromAllElseByEveryKindOfSight)
+TEST(Theme, ArrowsAreDistinctForEveryColourVision)
 {
     for (const std::string_view name : {"okabe-ito", "print", "dark"})
     {
@@ -265,7 +265,7 @@ TEST(Theme, ClassicKeepsTheColoursThatEverybodyKnows)
         << "they look the same";
 }
 
-TEST(Theme, JointsAndPairsAreToldApartAsThinLines)
+TEST(Theme, JointsAndPairsAreDistinctAsThinLines)
 {
     for (const Theme& theme : {Theme::Print(), Theme::Dark()})
     {

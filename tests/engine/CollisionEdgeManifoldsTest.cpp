@@ -263,7 +263,7 @@ TEST(EdgeManifold, BoxInACornerIsPushedByTheFloorAndByTheWall)
     EXPECT_EQ(contacts[1].manifold.pointCount, 2);
 }
 
-TEST(EdgeManifold, OfALoneEdgeIsTheShortestWayOut)
+TEST(EdgeManifold, OfSingleEdgeHasMinimalTranslation)
 {
     b2EdgeShape edge;
     edge.Set(b2Vec2(-1.0f, 0.0f), b2Vec2(1.0f, 0.0f));

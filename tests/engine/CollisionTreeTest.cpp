@@ -235,7 +235,7 @@ TEST(Tree, RayAsksOnlyBoxesThatWhatIsLeftOfItMeets)
     EXPECT_GT(cutter.calls, 1000);
 }
 
-TEST(Tree, BuildsTheSameTreeWhateverItWasBefore)
+TEST(Tree, RebuildIsIndependentOfPreviousTree)
 {
     Random random(45);
     std::vector<b2AABB> boxes;
@@ -373,7 +373,7 @@ TEST(Tree, MovesAProxyOnlyWhenItLeavesItsFatBox)
     EXPECT_EQ(tree.GetFatAABB(id).upperBound, b2Vec2(2.6f, 1.1f));
 }
 
-TEST(Tree, StaysLowWhateverTheOrderOfInsertion)
+TEST(Tree, StaysLowForAnyOrderOfInsertion)
 {
     constexpr int32 count = 4096;
     const int32 log2 = std::bit_width(static_cast<unsigned>(count));

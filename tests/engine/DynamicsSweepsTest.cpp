@@ -90,7 +90,7 @@ BodyData& Make(Scene& scene, const b2Shape& shape)
     return Data(*body);
 }
 
-TEST(Sweeps, WhatTheyExcludeHasNoTimeOfImpact)
+TEST(Sweeps, ExcludedPairsHaveNoTimeOfImpact)
 {
     RandomWays random(71);
     int front = 0;
@@ -129,7 +129,7 @@ TEST(Sweeps, WhatTheyExcludeHasNoTimeOfImpact)
     EXPECT_GT(touching, 1000);
 }
 
-TEST(Sweeps, FindWhatOnlyJustPassesOrHits)
+TEST(Sweeps, HandleNearMissesAndGrazingHits)
 {
     // A small box beside a long wall that turns or not, ever closer: the answers change from apart
     // to not sure before there is a time of impact.
@@ -254,7 +254,7 @@ TEST(Sweeps, BoxOfACircleIsThatOfItsTransforms)
 }
 
 /// A rod that lies level at the start and at the end has been upright between.
-TEST(SweptBox, HoldsWhatTurnsFarAtEveryTime)
+TEST(SweptBox, ContainsWideRotationAtEveryTime)
 {
     b2PolygonShape rod;
     rod.SetAsBox(1.0f, 0.1f);

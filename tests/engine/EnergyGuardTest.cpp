@@ -140,7 +140,7 @@ TEST(EnergyGuard, SlowsDownAllOfWhatIsHeldAlike)
     EXPECT_NEAR(pair.At(pair.b).w, 2.0f, 1e-3f);
 }
 
-TEST(EnergyGuard, CountsTheWorkOfGravityAlongTheWay)
+TEST(EnergyGuard, CountsWorkOfGravityAlongThePath)
 {
     Pair fallen(b2Vec2(0.0f, -10.0f));
     Pair not_(b2Vec2(0.0f, -10.0f));
@@ -196,7 +196,7 @@ TEST(EnergyGuard, LeavesWhatAPlatformMovesAlone)
     EXPECT_EQ(pair.At(pair.b).v.y, 102.0f);
 }
 
-TEST(EnergyGuard, DoesNotLookAtWhatHasNoJoints)
+TEST(EnergyGuard, IgnoresBodiesWithoutJoints)
 {
     Pair pair;
     pair.scene.world.DestroyJoint(pair.hinge);
@@ -212,7 +212,7 @@ TEST(EnergyGuard, DoesNotLookAtWhatHasNoJoints)
     EXPECT_EQ(pair.At(other).v.y, 0.0f);
 }
 
-TEST(EnergyGuard, NoLongerLooksAtWhatHasLostItsJoint)
+TEST(EnergyGuard, IgnoresBodiesWhoseJointIsDestroyed)
 {
     Pair pair;
     pair.Begin();
@@ -305,7 +305,7 @@ void ExpectGift(Pair& pair, const char* what, Function&& give)
     EXPECT_TRUE(IsGuarded(pair)) << what;
 }
 
-TEST(EnergyGuard, LeavesAloneWhatTheProgramMovesByHand)
+TEST(EnergyGuard, IgnoresBodiesMovedByTheUser)
 {
     Pair pair;
     b2Body* post = pair.scene.Body(b2_staticBody, 5.0f, 0.0f);
@@ -370,7 +370,7 @@ TEST(EnergyGuard, LeavesAloneWhatAChangedJointMoves)
 }
 
 /// What is given between steps is no gain of the step: velocities, impulses, masses, weight.
-TEST(EnergyGuard, LeavesWhatTheProgramGivesAsMotion)
+TEST(EnergyGuard, KeepsMotionGivenByTheUser)
 {
     Pair pair(b2Vec2(0.0f, -10.0f));
     const auto expectKept = [&](const char* what) {
@@ -505,7 +505,7 @@ TEST(EnergyGuard, UndoesMotionThatLoadsSpringTooMuch)
     EXPECT_LT(pair.Energy(), 1.02 * start);
 }
 
-TEST(EnergyGuard, LetsAFallThatIsTakenBackGiveNothing)
+TEST(EnergyGuard, GivesNoCreditForUndoneFall)
 {
     Pair pair(b2Vec2(0.0f, -10.0f));
     b2WeldJointDef def;
@@ -590,7 +590,7 @@ TEST(EnergyGuard, ChargesSpringEnergyOfImpactWithinStep)
 
 /// The stiffness of a spring depends on the pose. No body reached the end of a path that an impact
 /// shortened.
-TEST(EnergyGuard, GivesNoCreditForAWayThatAnImpactHasTakenBack)
+TEST(EnergyGuard, GivesNoCreditForPathUndoneByImpact)
 {
     Pair pair;
     b2DistanceJointDef def;

@@ -173,7 +173,7 @@ TEST(SnapshotBytes, ContradictoryBytesDoNotCrash)
     EXPECT_GT(refused, 500);
 }
 
-TEST(SnapshotBytes, AreNoneFromInsideACallback)
+TEST(SnapshotBytes, AreRefusedInsideACallback)
 {
     struct Caller : b2QueryCallback
     {

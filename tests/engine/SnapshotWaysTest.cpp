@@ -178,7 +178,7 @@ private:
     unsigned m_seed;
 };
 
-TEST_P(SnapshotWays, AreTheSameWhateverAProgramDoes)
+TEST_P(SnapshotWays, AreTheSameAfterAnyUserChange)
 {
     for (unsigned seed = 0; seed < 3; ++seed)
     {

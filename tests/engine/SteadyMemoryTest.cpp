@@ -311,7 +311,7 @@ TEST(SteadyMemory, IsEnoughForWhatSleepsAndIsWoken)
     }
 }
 
-TEST(SteadyMemory, IsCountedWhoeverAsks)
+TEST(SteadyMemory, CountsAllocationsOfAllKinds)
 {
     const CountedMemory counted;
     const int before = requests;

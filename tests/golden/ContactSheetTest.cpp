@@ -111,7 +111,7 @@ TEST(ContactSheet, ShrinksToTheMeanOfWhatAPixelCovers)
                 ElementsAre(0, 64, 32, 0));
 }
 
-TEST(ContactSheet, SaysWhyThereIsNone)
+TEST(ContactSheet, ReportsWhyItCannotBeMade)
 {
     const TemporaryFolder folder;
     const std::filesystem::path film = Film(folder, "film.mkv", 60, 5.0);

@@ -225,7 +225,7 @@ TEST(PixelMarks, AreThoseOfThePlainFunctionsForEdgesThatMove)
 }
 
 // More pairs than the table has entries: the one that was there is judged again, and rightly.
-TEST(PixelMarks, AreThoseOfThePlainFunctionsWhenNoPairComesTwice)
+TEST(PixelMarks, EqualPlainFunctionsWithoutRepeatedPairs)
 {
     Frame expected(512, 300), actual(512, 300);
     std::mt19937 random(4);

@@ -50,7 +50,7 @@ protected:
 
 } // namespace
 
-TEST_P(PlantedChange, NoneIsNoFalseAlarm)
+TEST_P(PlantedChange, UnchangedPictureIsNotAFalseAlarm)
 {
     for (int i = 0; i < 3; ++i)
     {

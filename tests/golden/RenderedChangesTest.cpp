@@ -96,7 +96,7 @@ protected:
 
 } // namespace
 
-TEST_P(RenderedChange, NoneIsNoFalseAlarm)
+TEST_P(RenderedChange, UnchangedPictureIsNotAFalseAlarm)
 {
     const Frame again = Draw(m_content.list);
     EXPECT_FALSE(Finds(CompareSettings::Exact(), again));

@@ -124,7 +124,7 @@ TEST(GearJointSection, TheRatioCanBeNegative)
     EXPECT_NEAR(gears.Coordinate(-1.5f), 0.0f, 0.01f);
 }
 
-TEST(GearJointSection, EndsWithTheJointsItHangsOnInsteadOfCrashing)
+TEST(GearJointSection, IsDestroyedWithItsJoints)
 {
     // The specification asks for gears to be deleted first and warns of a crash.
     Gears gears;

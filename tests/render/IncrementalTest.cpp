@@ -390,7 +390,7 @@ RenderTotals Film(unsigned seed, Size size, int frames, Backend backend = Backen
 
 } // namespace
 
-TEST(Incremental, FramesAreThoseDrawnAsAWholeWhateverChanges)
+TEST(Incremental, FramesEqualCompleteDrawingAfterAnyChange)
 {
     RenderTotals sum;
     unsigned seed = 1;

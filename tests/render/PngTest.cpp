@@ -421,7 +421,7 @@ TEST(ReadPng, NoticesEveryFlippedBit)
     }
 }
 
-TEST(ReadPng, SaysWhatIsWrongWithANameThatIsNoPng)
+TEST(ReadPng, ReportsNameThatIsNotPng)
 {
     const TemporaryFolder folder;
     WriteBytes(folder / "film.png", "\x1a\x45\xdf\xa3 this is a Matroska film, really it is");

@@ -119,7 +119,7 @@ TEST_P(ChainImpact, StaysTogetherWherePushesHaveNoWayOut)
 }
 
 /// In the frame in which the first of them is stopped by a thin wall the second flies on.
-TEST_P(ChainImpact, DrawsBackWhatHangsOnWhatIsStopped)
+TEST_P(ChainImpact, PullsBackBodyThatIsTiedToStoppedOne)
 {
     for (const float32 ratio : {1.0f, 10.0f, 100.0f})
     {

@@ -271,7 +271,7 @@ TEST_F(RubeFile, ThatCannotBeReadIsNamed)
     EXPECT_THAT(Load(empty), Refuses(empty.string()));
 }
 
-TEST_F(RubeFile, OfAGigabyteIsRefusedUnread)
+TEST_F(RubeFile, RefusesGigabyteFileUnread)
 {
     const std::filesystem::path file = Write("{");
     std::filesystem::resize_file(file, 1u << 30); // sparse, takes no room on the disk

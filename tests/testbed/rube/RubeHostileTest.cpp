@@ -503,7 +503,7 @@ TEST(HostileSceneFile, OfAnotherEncodingIsRefused)
     EXPECT_EQ(withMark.world.GetBodyCount(), 1);
 }
 
-TEST(HostileSceneFile, ThatSaysAThingTwiceMeansTheLast)
+TEST(HostileSceneFile, UsesTheLastOfDuplicateMembers)
 {
     Built built(R"({"body":[{},{}],"body":[{"angle":1,"angle":2}]})");
     ASSERT_EQ(built.world.GetBodyCount(), 1);

@@ -252,7 +252,7 @@ TEST(TumblerScene, KeepsAllItsBoxesInside)
     }
 }
 
-TEST(TumblerScene, PoursAtTheSamePaceWhateverTheStep)
+TEST(TumblerScene, PoursAtTheSamePaceForAnyTimeStep)
 {
     const auto coarse = Make("Tumbler");
     const auto fine = Make("Tumbler");
