@@ -350,7 +350,7 @@ Command& Declare(Command& program, GoldenOptions& golden)
         };
     }
     AddCompare(verify, golden.compare,
-               "cross-machine where another renderer drew the\nreference, else same-machine");
+               "cross-machine if another renderer drew the\nreference, otherwise same-machine");
     AddIgnoredBodies(verify, golden.compare);
     verify.notes =
         "Exit code 0: all match, 2: something differs or has no reference.\n"

@@ -115,8 +115,8 @@ Result<void> CheckWhole(const std::vector<NamedPart>& parts)
         return {};
     }
     return Error{ErrorKind::Unusable, "frames " + missing,
-                 "are in no part; the film has " + std::to_string(count) + " frames",
-                 "add the parts that have them, or use --partial"};
+                 "missing from the parts; the film has " + std::to_string(count) + " frames",
+                 "add the parts with these frames, or use --partial"};
 }
 
 /// The output must not be one of the parts, because it would replace a file that is still read.

@@ -251,15 +251,15 @@ Command& Declare(Command& program, UiOptions& ui)
     Command& command = AddCommand(program, "ui", "Open a scene in a window");
     AddScene(command, ui.scene).isOptional = true;
     AddValue(command, "--size", "WxH", ui.size, ParseSize,
-             "Set the size of the window in pixels, up to that of the display\n(last size, else "
+             "Set the size of the window in pixels, up to that of the display\n(last size, or "
              "1280x720)");
     const std::vector<std::string> themes(ThemeNames().begin(), ThemeNames().end());
     AddValue(command, "--theme", "NAME", ui.theme, OneWordOf(themes),
-             "Set the colours: " + JoinedBy(", ", themes) + "\n(last theme, else classic)");
+             "Set the colours: " + JoinedBy(", ", themes) + "\n(last theme, or classic)");
     AddValue(command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
              "Seed the scene's random numbers (1)");
     AddValue(command, "--hz", "RATE", ui.stepsPerSecond, RatioBetween(5.0, 480.0),
-             "Set simulation steps per second (the scene's own, else 60)");
+             "Set simulation steps per second (the scene's own, or 60)");
     AddPath(command, "--into", "DIR", ui.into,
             "Write films, figures and scripts to this folder (the current one)");
     AddFlag(command, "--paused", ui.isPaused, "Start paused; O makes one step, P continues");
