@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-/// What is compared with the truth, the same for every engine: each case builds a small world,
-/// looks at it after each step, and says by how much it was wrong, in a unit of its own. Knows no
-/// clock; AccuracyRun times the steps.
+/// The accuracy benchmark, the same for every engine. Each case builds a small world, measures it
+/// after each step, and returns its error in its own unit. Does not measure time; AccuracyRun times
+/// the steps.
 namespace bench
 {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// Which films are made, and the words by which the peer encodes the same. Called by
+/// The films of the benchmark, and the arguments for the peer that encodes the same. Called by
 /// RecordMain.cpp.
 namespace bench
 {

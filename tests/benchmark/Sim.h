@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-/// What the scenes of the benchmark need of an engine, in plain numbers: metres, seconds, radians.
-/// Each program links one implementation (Sim*.cpp), so that the scene source is the same for all
+/// The operations of an engine that the benchmark's scenes use, in plain numbers: metres, seconds,
+/// radians. Each program links one implementation (Sim*.cpp), so the scenes are the same for all
 /// engines.
 namespace bench
 {
@@ -93,7 +93,7 @@ public:
     virtual int BodyCount() const = 0;
     virtual BodyState State(BodyId body) const = 0;
     virtual Touching LookAtContacts() = 0;
-    /// That a step runs on, the calling one included.
+    /// Returns the number of threads of a step, including the calling one.
     virtual int Threads() const = 0;
 };
 
@@ -115,8 +115,8 @@ struct Iterations
     int position = 0; ///< 0: the engine has no such iterations
 };
 
-/// What a sub-step gets of the iterations of the settings, which are those of a whole step, as this
-/// engine splits and counts them.
+/// Returns the iterations of one sub-step, as this engine divides and counts them. The iterations
+/// of the settings are those of a whole step.
 Iterations IterationsOfASubStep(const SimSettings& settings);
 /// Name and version of the engine that this program was built with.
 std::string EngineName();

@@ -10,8 +10,8 @@ class b2World;
 namespace dynamics
 {
 
-/// What is wrong, as a sentence; empty when nothing is. `afterStep`: also what holds between a step
-/// and the next call only.
+/// Returns the broken invariant as a sentence; empty if all hold. `afterStep`: also checks those
+/// that hold only between a step and the next call.
 std::string WhyBroken(b2World& world, bool afterStep);
 
 } // namespace dynamics

@@ -93,7 +93,7 @@ public:
     b2World world;
 };
 
-/// What resting polygons keep between their corners: their two skins but for the slop.
+/// Distance of resting polygons at their corners: their two skins minus the slop.
 inline constexpr float32 kRestingGap = 2.0f * b2_polygonRadius - b2_linearSlop;
 
 /// A pile of unit boxes that stands on y = 0, lowest first.

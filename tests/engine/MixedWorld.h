@@ -189,7 +189,7 @@ private:
         }
     }
 
-    /// What lists of bodies and boxes have to follow.
+    /// Makes changes that lists of bodies and boxes have to follow.
     void Disturb()
     {
         for (int i = 0; i < 10; ++i)

@@ -32,7 +32,7 @@ public:
 
 private:
     void Touch(b2Contact* contact);
-    /// What is forbidden while the world is locked.
+    /// Performs calls that are forbidden while the world is locked.
     void Trespass(b2Body* body);
 
     b2World& m_world;

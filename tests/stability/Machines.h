@@ -39,7 +39,7 @@ public:
         }
     }
 
-    /// Of all that is rigid [m], [rad].
+    /// Returns the maximum residual of all rigid joints [m], [rad].
     double Error() const
     {
         double error = 0.0;
@@ -58,8 +58,8 @@ public:
         return error;
     }
 
-    /// How far weights have come beyond their ropes [m]: what falls into one is caught in the small
-    /// step after.
+    /// Returns the maximum distance of weights beyond their ropes [m]. A falling weight is stopped
+    /// in the sub-step after it reaches the end of its rope.
     double Beyond() const
     {
         double beyond = 0.0;

@@ -42,7 +42,7 @@ struct PlannedBody
     bool bullet = false;
 };
 
-/// Of any kind; each reads what it needs.
+/// A joint of any kind. Each kind reads the members that it needs.
 struct PlannedJoint
 {
     b2JointType type = e_unknownJoint;
