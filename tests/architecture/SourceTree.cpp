@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 11> kEngineRooms{
     "engine/src/Dynamics/Energy", "engine/src/Dynamics/SubSteps", "engine/src/Dynamics/Continuous",
     "engine/src/Dynamics/World",  "engine/src/Dynamics/Snapshot"};
 
-/// The arrows of ARCHITECTURE.md. What is missing here is forbidden.
+/// The arrows of ARCHITECTURE.md. All other dependencies are forbidden.
 std::vector<Layer> MakeLayers()
 {
     std::vector<Layer> layers{
@@ -136,7 +136,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
     return libraries;
 }
 
-// What the system and the compiler bring; the engine may use the second line only.
+// Headers of the system and the compiler. The engine may use only those of the second line.
 constexpr std::array<std::string_view, 12> kSystemHeaders{
     "sys/",      "unistd.h",  "fcntl.h", "signal.h", "spawn.h", "dlfcn.h",
     "pthread.h", "termios.h", "poll.h",  "sched.h",  "errno.h", "malloc.h"};

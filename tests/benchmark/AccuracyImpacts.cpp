@@ -9,7 +9,7 @@ namespace bench
 namespace
 {
 
-/// Of circles of one size, in the unit in which each moving at 1 m/s has 1.
+/// Returns the sum for circles of one size. A circle that moves at 1 m/s contributes 1.
 double SumOfSquaredSpeeds(const Sim& sim, BodyId first)
 {
     double sum = 0.0;

@@ -9,7 +9,7 @@ namespace bench
 namespace
 {
 
-/// What is left of a pile: where its bodies were put, and how far they have come from there.
+/// A stack, and the displacement of its bodies.
 class PileExperiment : public Experiment
 {
 public:

@@ -23,7 +23,7 @@ namespace bench
 namespace
 {
 
-/// Of the whole process, so that workers count [s].
+/// Returns the CPU time of the whole process, so workers count [s].
 double CpuTime()
 {
     timespec time{};
@@ -97,8 +97,8 @@ EndState Look(const Sim& sim, const Bounds& bounds)
     return end;
 }
 
-/// What is compared with the runs of the other engines: the mean of several looks during the second
-/// half of a run, for a pile that is stirred looks different from one moment to the next.
+/// Values compared with the runs of the other engines. Each is the mean of several samples in the
+/// second half of a run, because a stirred stack varies from one moment to the next.
 struct Likenesses
 {
     int looks = 0;
@@ -299,7 +299,7 @@ const char* Text(bool value)
     return value ? "true" : "false";
 }
 
-/// What the runner has to know of each scene.
+/// Prints the data of each scene that the runner needs.
 int List()
 {
     for (const Scene& scene : AllScenes())

@@ -215,7 +215,8 @@ private:
         Add("stray", m_expected, std::move(actual));
     }
 
-    /// As another driver rounds corners; without labels, which snap to whole pixels.
+    /// Adds a shift as another driver may round corners. Without labels, because they snap to whole
+    /// pixels.
     void AddShifted()
     {
         DrawList list = m_content.list;

@@ -38,7 +38,7 @@ namespace
 
 using namespace boxreel;
 
-/// Which part of which scene is filmed, at 60 frames a second.
+/// A part of a scene that is recorded, at 60 frames a second.
 struct Take
 {
     std::string scene;
@@ -302,7 +302,7 @@ Result<void> FilmImmediately(const Take& take, const std::string& film)
     return {};
 }
 
-/// How far colours are apart, in steps of 8 bits.
+/// The difference of colours in steps of 8 bits.
 struct Difference
 {
     double sum = 0.0;
@@ -314,7 +314,7 @@ struct Difference
 /// colours, and a line be smooth or jagged.
 constexpr int kSquare = 16;
 
-/// Of one square.
+/// The mean colours of one square.
 struct Means
 {
     double film[3] = {};
@@ -367,7 +367,7 @@ void Compare(const Frame& film, const std::vector<std::uint8_t>& raw, Difference
 /// Every so many frames are compared, and the first and last.
 constexpr std::int64_t kCompareEvery = 20;
 
-/// What a film shows.
+/// The content of a film.
 struct Seen
 {
     std::int64_t frames = 0;
@@ -460,7 +460,7 @@ void List()
     }
 }
 
-/// As JSON. What is quoted are names of scenes and paths.
+/// Returns the words as JSON. They are names of scenes and paths.
 std::string Quoted(const std::vector<std::string>& words)
 {
     std::string text;

@@ -132,7 +132,7 @@ TEST(References, ADoublePendulumsAccelerationsAreThoseOfItsForces)
     const DoublePendulum::State after = pendulum.After(s, h, h);
     const Real a1 = (after[2] + before[2]) / (2 * h), a2 = (after[3] + before[3]) / (2 * h);
     const Real l = kRod.length, m = kRod.mass;
-    // Of a point that is turned: e = (cos, sin) times -w^2, and its normal times a.
+    // The acceleration of a rotating point: e = (cos, sin) times -w^2, and its normal times a.
     const auto ax = [](Real angle, Real w, Real a) {
         return -w * w * std::cos(angle) - a * std::sin(angle);
     };

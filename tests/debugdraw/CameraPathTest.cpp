@@ -76,7 +76,7 @@ TEST(CameraPath, KeepsOnePointOfTheWorldInItsPlaceWhileItZooms)
 {
     const Camera from = InAndOut().At(0.0);
     const Camera to = InAndOut().At(3.0);
-    // Where (x - centre) / height is the same in both.
+    // The point at which (x - centre) / height is the same in both.
     const double share = HeightOf(from) / (HeightOf(from) - HeightOf(to));
     const double x = from.centerX + share * (to.centerX - from.centerX);
     const double place = (x - from.centerX) * from.pixelsPerMeter;

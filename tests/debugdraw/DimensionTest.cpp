@@ -31,7 +31,7 @@ DrawList DimensionOf(Vec2 a, Vec2 b, const DimensionSettings& settings = {})
     return list;
 }
 
-/// Where the points of the arrows' heads lie.
+/// Returns the tips of the arrow heads.
 std::vector<Vec2> Tips(const DrawList& list)
 {
     std::vector<Vec2> tips;

@@ -35,7 +35,8 @@ struct Edges
         return box.lower.x >= left && box.upper.x <= right && box.lower.y >= bottom &&
                box.upper.y <= top;
     }
-    // How far beyond `inner` the nearest edge lies; negative when `inner` sticks out [m].
+    // Returns the distance of the nearest edge outside `inner`; negative when `inner` extends
+    // beyond it [m].
     double Beyond(const Edges& inner) const
     {
         return std::min(std::min(inner.left - left, right - inner.right),

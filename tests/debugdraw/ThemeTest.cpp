@@ -56,10 +56,10 @@ enum class Vision
     Tritanopia,
 };
 
-/// How light looks to a dichromat: Vienot, Brettel and Mollon, "Digital Video Colourmaps for
-/// Checking the Legibility of Displays by Dichromats" (1999) for red and green; for blue Brettel,
-/// Vienot and Mollon, "Computerized Simulation of Color Appearance for Dichromats" (1997), which
-/// has two half planes.
+/// Returns the light that a dichromat sees. For red and green: Vienot, Brettel and Mollon, "Digital
+/// Video Colourmaps for Checking the Legibility of Displays by Dichromats" (1999). For blue:
+/// Brettel, Vienot and Mollon, "Computerized Simulation of Color Appearance for Dichromats" (1997),
+/// which has two half planes.
 Triple Seen(const Triple& light, Vision vision)
 {
     constexpr Matrix kProtan{0.11238, 0.88762, 0.0, 0.11238, 0.88762, 0.0, 0.00401, -0.00401, 1.0};

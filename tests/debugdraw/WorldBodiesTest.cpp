@@ -123,7 +123,7 @@ TEST_F(WorldBodies, MarksLieOnCentresOfMassAndTurnWithTheBody)
 namespace
 {
 
-/// What letters have ink on: 12 of 15 px.
+/// Returns the inked area of the letters: 12 of 15 px.
 Rect BoxOf(const DrawList& list, const DrawItem& text, double pixelsPerMeter)
 {
     const Vec2 corner = list.points[text.first];

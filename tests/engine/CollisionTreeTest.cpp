@@ -193,8 +193,8 @@ TEST(Tree, RayAsksOnlyBoxesThatWhatIsLeftOfItMeets)
             return random->Integer(0, 3) == 0 ? 0.9f * input.maxFraction : -1.0f;
         }
         typedef double float64;
-        // Where between 0 and 1 the ray comes closest to the box, found by trisection, for the
-        // distance to a convex set is convex along a line.
+        // Returns the fraction between 0 and 1 at which the ray is closest to the box. Found by
+        // trisection, because the distance to a convex set is convex along a line.
         static float64 NearestFraction(const b2RayCastInput& input, const b2AABB& box)
         {
             float64 low = 0.0;

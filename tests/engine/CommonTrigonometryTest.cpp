@@ -8,7 +8,7 @@
 
 namespace
 {
-// How many units in the last place `actual` is away from the exact value.
+// Returns the distance of `actual` from the exact value in units in the last place.
 template <typename Real>
 long double Ulps(Real actual, long double exact)
 {

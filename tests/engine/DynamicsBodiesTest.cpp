@@ -414,7 +414,7 @@ TEST(DynamicsBodies, MoveSlowlyTenKilometresFromTheOrigin)
     EXPECT_NEAR(box->GetPosition().y - 10000.0f, -0.2f, 0.002f);
 }
 
-/// How high the top of a stack of ten stands after each second, above the ground.
+/// Returns the height of the top of a stack of ten above the ground, after each second.
 std::vector<float32> HeightsOfStackAt(float32 place)
 {
     Scene scene;

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-/// What is pressed against a wall stays on its side, and an impact gives back no more than it took.
+/// A body pressed against a wall stays on its side, and an impact does not add energy.
 namespace
 {
 
@@ -175,8 +175,8 @@ TEST_P(Containment, KeepsOutTheOtherEndOfWhatTurnsOutOfAWall)
     }
 }
 
-/// What sits far out on something heavy that spins hits a wall: alone it would be thrown into a
-/// spin of hundreds of radians a second, and must not take the heavy body round with it.
+/// A light tip far out on a heavy, spinning body hits a wall. On its own it would spin at hundreds
+/// of radians a second. It must not rotate the heavy body with it.
 TEST_P(Containment, KeepsOutAHeavyBodyWhoseLightTipIsStopped)
 {
     constexpr float32 kWall = 4.0f;

@@ -166,7 +166,7 @@ TEST(DynamicsContinuous, AFastPlatformTakesASleepingBallAlong)
     }
 }
 
-// What lies on it takes it into an impact as a neighbour; that must leave no trace.
+// A body on the platform makes it part of an impact as a neighbour. That must have no effect.
 TEST(DynamicsContinuous, SleepingPlatformStopsBodiesAfterImpact)
 {
     for (int i = 0; i < 20; ++i)

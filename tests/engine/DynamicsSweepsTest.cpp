@@ -11,7 +11,7 @@
 #include <memory>
 #include <random>
 
-/// What the cheap questions about ways exclude has no time of impact.
+/// Pairs that the cheap sweep tests exclude have no time of impact.
 namespace
 {
 
@@ -216,7 +216,7 @@ TEST(Sweeps, ImpactOfCirclesInClosedFormIsThatOfTheSearch)
         }
         else
         {
-            // What the search lets pass does not come nearer than it stops at.
+            // Pairs that the search lets pass do not come nearer than its target distance.
             ASSERT_TRUE(t == 1.0f || distanceAt(double(t)) > target - rounding) << i;
             missing += t == 1.0f;
         }

@@ -229,7 +229,7 @@ TEST(EnergyGuard, IgnoresBodiesWhoseJointIsDestroyed)
     EXPECT_EQ(pair.At(other).v.x, 1.0f) << "pays for what is not its own";
 }
 
-/// Whether a gain is taken away.
+/// True if a gain is removed.
 bool IsGuarded(Pair& pair)
 {
     pair.Begin();
@@ -369,7 +369,7 @@ TEST(EnergyGuard, LeavesAloneWhatAChangedJointMoves)
     ExpectGift(pair, "a gear's ratio", [&] { gear->SetRatio(2.0f); });
 }
 
-/// What is given between steps is no gain of the step: velocities, impulses, masses, weight.
+/// User changes between steps are not gains of the step: velocities, impulses, masses, weight.
 TEST(EnergyGuard, KeepsMotionGivenByTheUser)
 {
     Pair pair(b2Vec2(0.0f, -10.0f));

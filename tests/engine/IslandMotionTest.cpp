@@ -5,7 +5,7 @@
 #include <Dynamics/Solver/SolverMemory.h>
 #include <Dynamics/State/World.h>
 
-/// What an island loses: first what moves within it, then the motion of the whole.
+/// The order in which an island loses energy: first its inner motion, then the motion of the whole.
 namespace
 {
 

@@ -86,7 +86,7 @@ TEST_P(SnapshotWays, OfRandomWorldsAreTheSame)
     }
 }
 
-/// What a program does to its world from step to step, by chance; the same to the same world.
+/// Makes random user changes to a world from step to step; the same changes to the same world.
 class Meddler
 {
 public:

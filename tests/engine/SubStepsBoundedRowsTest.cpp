@@ -425,7 +425,7 @@ TEST(SubStepsMotorJoint, ReachesItsTarget)
     EXPECT_NEAR(joint->GetReactionForce().y, weight, 0.005f * weight);
 }
 
-/// Of two bodies that a motor joint drives apart, and a rigid one holds together.
+/// Returns the energy of two bodies that a motor joint drives apart and a rigid one holds together.
 double EnergyOfTornPair(b2JointType type, float32 speed, float32 lever)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));

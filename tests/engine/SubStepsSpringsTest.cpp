@@ -7,7 +7,7 @@ namespace
 
 using namespace dynamics;
 
-/// What swings, as a distance from rest, and the frequency that it should have.
+/// An oscillation as a distance from rest, and its expected frequency.
 struct Swing
 {
     std::function<float32()> way;

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-/// What lies on each other in steps that are made of small ones.
+/// Stacks in steps with sub-steps.
 namespace
 {
 

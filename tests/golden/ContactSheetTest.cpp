@@ -56,7 +56,7 @@ ContactSheet SheetOf(const std::filesystem::path& film, const ContactSheetSettin
     return sheet ? *std::move(sheet) : ContactSheet{};
 }
 
-/// Of the right end of each picture.
+/// Returns the grays at the right end of each picture.
 std::vector<int> Grays(const ContactSheet& sheet)
 {
     std::vector<int> grays;

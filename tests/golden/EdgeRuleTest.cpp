@@ -161,8 +161,8 @@ TEST(EdgeRule, TakesNoNeighbourFromTheOtherEndOfARow)
     }
 }
 
-// What is excused depends on the expected picture alone: an edge that is only in the actual one
-// excuses nothing.
+// Only the expected picture decides about edges. An edge that exists only in the actual picture
+// allows no difference.
 TEST(EdgeRule, LooksAtTheExpectedPictureOnly)
 {
     Frame actual = Filled(20, 20, kDark);

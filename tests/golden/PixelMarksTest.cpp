@@ -106,7 +106,7 @@ Frame Blocks(std::mt19937& random, int width, int height)
     return frame;
 }
 
-// As an edge that lies `share` of a pixel elsewhere, and with noise on some pixels.
+// Returns the frame with edges shifted by `share` of a pixel, and with noise on some pixels.
 Frame Altered(std::mt19937& random, const Frame& frame, double share, int noise)
 {
     Frame altered = frame;

@@ -37,7 +37,7 @@ protected:
         return *std::move(verdict);
     }
 
-    // Of the pixels alone, as a project without draw lists compares them.
+    // Compares only the pixels, like a project without draw lists.
     Comparison Pixels(const DrawList& list, const Style& style)
     {
         return Compare(Painted(SmallScene(), m_style), Painted(list, style));

@@ -139,8 +139,8 @@ TEST_P(RenderedChange, MissingLineIsFoundByAll)
     ExpectFound(Draw(m_content.list));
 }
 
-// Off by four in each channel, as a theme changed by mistake draws it. Of fills at least three
-// pixels wide: a narrower one is all edge.
+// Off by four in each channel, like a theme changed by mistake. Only fills at least three pixels
+// wide, because a narrower one consists of edges.
 TEST_P(RenderedChange, FillOffByFourIsFoundByAll)
 {
     std::map<std::uint32_t, int> inFills; // pixels with eight neighbours of the same colour
@@ -230,7 +230,7 @@ TEST_P(RenderedChange, SwappedDrawOrderIsFoundByAll)
     ExpectFound(Draw(second));
 }
 
-// As another driver's vertices may lie: without labels, which snap to whole pixels.
+// Vertices shifted as another driver may do. Without labels, because they snap to whole pixels.
 TEST_P(RenderedChange, ShiftByTenthOfPixelPassesOnlyAcrossMachines)
 {
     DrawList list = m_content.list;

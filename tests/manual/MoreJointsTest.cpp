@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-/// The chapter about joints from the pulley to the motor joint, section by section. What each joint
-/// promises in numbers is tested in tests/engine/Joint*Test.cpp.
+/// The chapter about joints from the pulley to the motor joint, section by section. The numerical
+/// guarantees of each joint are tested in tests/engine/Joint*Test.cpp.
 namespace
 {
 

@@ -268,7 +268,7 @@ TEST(ChainShapes, GhostVerticesConnectOneChainWithAnother)
     b2Vec2 vs[4];
     b2ChainShape chain;
     MakeListing(chain, vs);
-    // Where the chains before and after it go on.
+    // The continuations of the neighbouring chains.
     chain.SetPrevVertex(b2Vec2(3.0f, 1.0f));
     chain.SetNextVertex(b2Vec2(-2.0f, 0.0f));
 

@@ -61,7 +61,7 @@ TEST(Simulation, ABodyCreatedBeforeTheStepCollidesInIt)
     EXPECT_TRUE(box->GetContactList()->contact->IsTouching());
 }
 
-/// How far the hinges of a hanging chain are pulled apart in the worst moment of two seconds.
+/// Returns the maximum gap of a hanging chain's hinges in two seconds.
 float32 WorstGap(float32 hz, int32 iterations)
 {
     Scene scene;

@@ -4,9 +4,9 @@
 
 #include <random>
 
-// How far edges are from the mean of 16 x 16 points a pixel, of 255. The truth itself is off by
-// about 1, since its points fall on a grid: measured against 64 x 64 points, straight edges come
-// within the rounding of 8 bits.
+// The maximum difference of edges from the mean of 16 x 16 points per pixel, of 255. The reference
+// itself is off by about 1, because its points are on a grid. Compared with 64 x 64 points,
+// straight edges are within the rounding of 8 bits.
 using namespace boxreel;
 
 namespace

@@ -92,7 +92,7 @@ TEST(Fingerprint, LeavesTheRenderersPictureAsItIs)
     EXPECT_TRUE(interrupted == plain);
 }
 
-// What renderers blend differently are rare pairs of numbers: few would show none of them.
+// Renderers differ only in blending rare pairs of numbers, which a few colours would not contain.
 TEST(Probe, BlendsManyDifferentColours)
 {
     const Result<Frame> probe = DrawProbe(Backend::Auto);

@@ -124,7 +124,7 @@ private:
                 float(m_camera.centerY) + m_random.Between(-reach, reach)};
     }
 
-    /// Of a body [m], most of them of a few pixels.
+    /// Returns the extent of a body [m], in most cases a few pixels.
     float Extent()
     {
         const float pixels = m_random.OneIn(40)
@@ -292,7 +292,7 @@ RendererSettings SettingsOf(int width, int height, unsigned seed, Backend backen
     return settings;
 }
 
-/// Where two frames differ, in words; nothing when they do not.
+/// Returns the difference of two frames in words; empty if they are equal.
 std::string Difference(const Frame& a, const Frame& b)
 {
     if (a == b)
@@ -344,7 +344,7 @@ struct Size
     int height;
 };
 
-/// What a run of frames was like, to see that the test tests something.
+/// The statistics of a run, which show that the test is effective.
 RenderTotals Film(unsigned seed, Size size, int frames, Backend backend = Backend::Auto)
 {
     const RendererSettings settings = SettingsOf(size.width, size.height, seed, backend);

@@ -24,7 +24,7 @@ using testing::IsEmpty;
 namespace
 {
 
-// What a foreign program might write: any type, depth, interlacing and transparency.
+// A picture as another program might write it: any type, depth, interlacing and transparency.
 struct Picture
 {
     int width = 13;

@@ -42,7 +42,7 @@ enum class Part
     Fill,
 };
 
-/// What a point is part of, and how far it can move before that may change [px].
+/// The shapes that contain a point, and the distance it can move before that may change [px].
 struct Place
 {
     Part part = Part::Outside;

@@ -14,7 +14,7 @@ STABILITY_SUITE(ChainImpact);
 /// A link may be torn off for a frame, and by no more than one hardly sees.
 constexpr double kHardlyOpen = 0.02; // [m]
 constexpr double kOpenAfterwards = 1e-3;
-/// Of a thousand links' weight, which tears at links as if they had none, and goes on to.
+/// Under the weight of a thousand links, which tears links open and keeps tearing.
 constexpr double kTornOpen = 0.3;
 constexpr double kTornOpenAfterwards = 0.03;
 
@@ -67,7 +67,7 @@ public:
     std::vector<b2Joint*> joints;
 };
 
-/// What a chain of each weight comes to that meets what `add` puts in its way.
+/// Tries chains of each weight against the obstacle of `add`.
 template <class Add>
 void TryChains(int32 n, const std::string& against, const Add& add)
 {

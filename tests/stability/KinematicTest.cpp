@@ -10,9 +10,9 @@ using namespace stability;
 
 STABILITY_SUITE(Kinematic);
 
-/// What is squeezed out of a pile is slower than this [m/s]: it rises by two metres.
+/// A body squeezed out of a stack is slower than this [m/s]: it rises by two metres.
 constexpr double kSqueezedOut = 6.5;
-/// What cannot get out is slower than that [m/s].
+/// A body that cannot get out is slower than this [m/s].
 constexpr double kJammed = 1.0;
 /// The largest impulse of a step, for a kilogram of all that is pressed [m/s]: far above what
 /// weight and the pusher's speed ask for, far below what has no bound.

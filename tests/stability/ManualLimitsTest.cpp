@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// What docs/accuracy.md says of the manual's limitations and no case of the benchmark measures:
-/// with one step as stated there, with sub-steps within bounds.
+/// The statements of docs/accuracy.md about the manual's limitations that no case of the benchmark
+/// measures. One step: as stated there; with sub-steps: within bounds.
 namespace
 {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// What is heavy on what is light, and what is heavy at the end of what is light.
+/// Heavy bodies on light ones, and heavy bodies at the end of light ones.
 namespace
 {
 
@@ -126,7 +126,7 @@ TEST_P(MassRatios, ChainHangs)
     }
 }
 
-/// What has happened to a chain so far.
+/// The history of a chain.
 struct Swing
 {
     double widest = 0.0, stretch = 0.0, won = 0.0, maximum = 0.0;

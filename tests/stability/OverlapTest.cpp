@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// What starts deep in something else comes out of it: in the end, without a jump, and with no
-/// speed left.
+/// Bodies that start deep inside another leave it: completely, without a jump, and with no speed
+/// left.
 namespace
 {
 
@@ -12,8 +12,8 @@ STABILITY_SUITE(Overlap);
 
 /// Slower than what falls a hand's breadth, so nothing is shot out [m/s].
 constexpr double kShotOut = 1.0;
-/// No jump [m a frame]: with sub-steps a contact pushes out by 3 m/s, 5 cm a frame. Where several
-/// lie in a row, or in one place, they add up to four times that and no more.
+/// Maximum push [m per frame]: with sub-steps a contact pushes out by 3 m/s, 5 cm per frame.
+/// Several contacts in a row, or in one place, add up to at most four times that.
 constexpr double kNoJump = 0.055;
 constexpr double kNoJumpInARow = 0.205;
 /// The same of what falls as well: beyond the way of the faster of its speeds before and after a
@@ -116,7 +116,7 @@ TEST_P(Overlap, OfTwentyThingsInOnePlaceGoes)
     TryApart(trial, "twenty in one place", kNoJumpInARow);
 }
 
-/// Of things in a box of 2 `half` by 2 `half` that fall as well.
+/// Bodies in a box of 2 `half` by 2 `half` that also fall.
 struct Jam
 {
     Trial trial;

@@ -24,7 +24,7 @@ namespace
 
 using namespace stability;
 
-/// How the worlds of a number of sub-steps do.
+/// The results of the worlds with a number of sub-steps.
 struct Tally
 {
     int worlds = 0, gain = 0, leave = 0;

@@ -9,7 +9,7 @@ using namespace stability;
 
 STABILITY_SUITE(Sleep);
 
-/// How long anything sleeps in so many seconds [s].
+/// Returns the time that any body sleeps in this many seconds [s].
 double Asleep(Trial& trial, double seconds)
 {
     double asleep = 0.0;

@@ -15,8 +15,8 @@ constexpr double kSeconds = 20.0;
 /// visible. Within half a box, the stack stands.
 constexpr double kUnmoved = 0.05;
 constexpr double kStands = 0.5;
-/// How far a stack may sway when it has had ten seconds to settle [m]: less than shows in a picture
-/// of the whole.
+/// Maximum sway of a stack after ten seconds to settle [m]: less than is visible in a picture of
+/// the whole.
 constexpr double kSway = 0.02;
 
 /// Eight sub-steps and more have a single iteration each.

@@ -355,7 +355,7 @@ TEST_F(Film, ResumedAndJoinedAnimationsEqualWholeOnes)
         const Outcome merged = Run({"merge", "a" + kind, "b" + kind, "-o", "film" + kind});
         ASSERT_EQ(merged.code, 0) << merged.errors;
         EXPECT_EQ(Decode("film" + kind), Decode("whole" + kind));
-        // What a run leaves that was stopped after 40 frames.
+        // The file of a run that was stopped after 40 frames.
         ASSERT_EQ(make("c", {"--frame-range", "0-39"}).code, 0);
         std::filesystem::rename(folder / ("c" + kind), folder / ("left.part" + kind));
         std::filesystem::rename(folder / ("c" + kind + ".json"),

@@ -93,8 +93,8 @@ TEST_P(StateOfScene, IsTheStoredOneAfter600Steps)
         << state << " " << GetParam()->name;
 }
 
-// How threads share the work does not depend on the lanes: each number of them once, and one and
-// several without wide instructions.
+// The division of work among threads is independent of the lanes. So each number of threads is
+// tested once, and one and several without wide instructions.
 TEST_P(StateOfScene, IsIndependentOfThreadsAndLanes)
 {
     const std::string stored = StoredState(*GetParam());

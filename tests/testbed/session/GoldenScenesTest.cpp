@@ -31,7 +31,7 @@ TEST_P(GoldenScenes, LookAndMoveAsApproved)
     }
 }
 
-/// Of the files below a folder [bytes].
+/// Returns the size of the files below a folder [bytes].
 std::uintmax_t SizeOf(const std::filesystem::path& folder)
 {
     std::uintmax_t size = 0;

@@ -30,7 +30,7 @@ DrawList SceneAt(SceneSession& session, std::int64_t step)
     return content.list;
 }
 
-/// What `look` makes of the scene at `step`, without the scene itself.
+/// Returns the items that `look` adds to the scene at `step`, without the scene itself.
 DrawList Added(const std::string& name, const MotionLook& look, std::int64_t step)
 {
     SceneSession session = Open(name);

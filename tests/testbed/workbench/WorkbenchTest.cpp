@@ -107,7 +107,7 @@ protected:
         const Camera view = bench->Session().CurrentCamera();
         return view.height / view.pixelsPerMeter;
     }
-    /// Of the world in the end, when the script is played from its beginning.
+    /// Returns the final state of the world when the script is played from its beginning.
     static std::string StateAfter(const std::filesystem::path& file, std::int64_t step)
     {
         const Result<Script> script = ReadScript(file);
