@@ -25,7 +25,7 @@ struct Completion
     std::vector<std::string> words;
 };
 
-/// A word that stands by itself: SCENE.
+/// A positional word: SCENE.
 struct WordText
 {
     std::string name;

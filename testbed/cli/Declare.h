@@ -37,7 +37,7 @@ struct Option
     bool IsArgument() const { return !text.names.front().starts_with('-'); }
     bool IsFlag() const { return !IsArgument() && text.unit.empty(); }
 
-    /// Sets the heading of the help that it stands below.
+    /// Sets the option's heading in the help.
     Option& Group(const std::string& heading);
     /// Sets what shells offer there.
     Option& Completes(const Completion& completion);

@@ -29,8 +29,7 @@ Command& Declare(Command& program, GoldenReportOptions& options);
 /// Writes the page.
 Result<int> Run(const GoldenReportOptions& options);
 
-/// Writes the page, whole or not at all, and says so in a line. `only`: the names that are in it;
-/// empty: all.
+/// Writes the page atomically, and prints a line. `only`: the names on it; empty: all.
 Result<void> WriteGoldenReport(const GoldenReportOptions& options,
                                const std::set<std::string>& only);
 

@@ -6,7 +6,7 @@
 namespace boxreel
 {
 
-/// Options of a still: its moments, what shows motion in it, and what is written beside it.
+/// Options of a still: its moments, the display of motion, and its annotations.
 void AddMotion(Command& command, ShotOptions& shot);
 
 /// Checks the options for contradictions, also with a panel.

@@ -10,7 +10,7 @@
 namespace boxreel
 {
 
-/// A script's expectations are checked, and what it makes is made.
+/// Options of `boxreel play`, which checks a script's expectations and makes its files.
 struct PlayOptions
 {
     std::filesystem::path script;

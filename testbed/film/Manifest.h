@@ -36,7 +36,7 @@ struct Manifest
 /// film.mkv becomes film.mkv.json.
 std::filesystem::path ManifestPath(const std::filesystem::path& film);
 
-/// Replaces what is there.
+/// Replaces an existing manifest.
 Result<void> WriteManifest(const std::filesystem::path& film, const Manifest& manifest);
 
 /// Error (Unusable) if there is no manifest or it is not readable, with this `remedy`.
@@ -49,11 +49,11 @@ std::string WriterOfManifest(const std::filesystem::path& film);
 /// Returns the checksum of a film and its size; empty if it is not a readable file.
 std::string ChecksumOfFilm(const std::filesystem::path& film);
 
-/// The command without the options that do not change a frame: where it goes, how it is reported,
-/// which part it is, that it goes on.
+/// Returns the command without the options that do not change a frame: its output, its progress
+/// reports, the selected part, and --resume.
 std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments);
 
-/// Nothing when both make the same film; else what differs, as a clause.
+/// Returns the difference as a clause; empty if both make the same film.
 std::string DifferenceOf(const Manifest& a, const Manifest& b);
 
 } // namespace boxreel

@@ -42,7 +42,7 @@ struct ThumbnailOptions
     std::optional<Duration> at; ///< time in the film; none: its middle
 };
 
-/// States of the simulation that are kept, so that a part need not simulate what is before it.
+/// Saved states of the simulation, so a part need not simulate the steps before it.
 struct SnapshotOptions
 {
     std::filesystem::path folder;      ///< empty: none

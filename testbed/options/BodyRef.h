@@ -30,8 +30,8 @@ struct BodyRef
 /// The parts between separators that stand outside of quotes ("); quotes are kept.
 std::vector<std::string> SplitOutsideQuotes(std::string_view separator, std::string_view text);
 
-/// "3", "left wheel", "\"3, or so\"": digits are a number, unless in quotes; so must be names with
-/// commas, colons and semicolons, and, where an end follows, those with " to ".
+/// Reads "3", "left wheel", "\"3, or so\"". Digits are a number, unless in quotes. Names with
+/// commas, colons and semicolons need quotes, and so do those with " to " where an end follows.
 std::optional<BodyRef> ReadBodyRef(std::string_view text);
 
 /// "3,left wheel".

@@ -21,8 +21,8 @@ namespace boxreel
 /// Returns the names of all layers, in the order of `--draw` and its help.
 std::vector<std::string> LayerNames();
 
-/// "shapes,contacts": these and no others. Unusable, one sentence that names `option` and all
-/// layers, for anything else.
+/// Reads a list such as "shapes,contacts" of the only visible layers. For any other text, returns
+/// an Error (Unusable) that names `option` and all layers.
 Result<LayerSet> ParseLayers(const std::string& option, const std::string& text);
 
 /// Returns the text that ParseLayers accepts; empty when nothing is shown.
@@ -50,8 +50,8 @@ public:
 
     void BeforeStep(const b2World& world);
 
-    /// Into a list that may have something already; `notes` go over all but names, which keep clear
-    /// of them. The world's debug drawing is borrowed for it and none is registered afterwards.
+    /// Adds the items to a list, which may be non-empty. `notes` cover all items except names,
+    /// which avoid them. Replaces the world's debug drawing; none is registered afterwards.
     void Collect(b2World& world, const View& view, const BodyNames& names,
                  const JointNames& jointNames, DrawList& list, const DrawList& notes = {}) const;
 

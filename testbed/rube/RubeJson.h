@@ -10,10 +10,10 @@
 #include <string>
 #include <string_view>
 
-/// JSON as the scene-file reader wants it: every access says what it expects, and the first value
-/// that is not so is remembered with its place instead of being thrown. Only RubeJson.cpp, and
-/// RubeWriter.cpp for text that is made, know the JSON library. Text from anywhere may be given:
-/// memory is bounded by kMaxBytes, kMaxValues and kMaxObjects.
+/// JSON for the scene-file reader. Every access states the expected type, and the first value of
+/// another type is stored with its place as an error. Nothing is thrown. Only RubeJson.cpp, and
+/// RubeWriter.cpp for output, depend on the JSON library. Accepts text from any source: kMaxBytes,
+/// kMaxValues and kMaxObjects bound the memory.
 namespace boxreel
 {
 
@@ -29,7 +29,7 @@ constexpr std::size_t kDeepest = 64;
 
 class JsonValue;
 
-/// A whole text, parsed. Holds what was wrong in it as well; values must not outlive it.
+/// A parsed text, including its errors. Values must not outlive it.
 class JsonDocument
 {
 public:

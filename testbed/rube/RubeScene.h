@@ -60,7 +60,7 @@ struct RubeFixture
     std::string properties; ///< JSON text of what the engine has no use for; empty: none
 };
 
-/// A picture that goes with a body. What it shows is not read; its outline can be drawn.
+/// A picture of a body. The image file is not read; its outline can be drawn.
 struct RubeImage
 {
     std::string text;                   ///< all of it, as JSON

@@ -8,8 +8,8 @@ namespace boxreel
 
 class SceneState;
 
-/// Drags bodies: takes the dynamic one at a point and pulls it behind the mouse by a mouse joint,
-/// with at most a thousand times the force that would give it 1 m/s^2. Used by Scene only.
+/// Drags bodies: pulls the dynamic body at a point behind the mouse by a mouse joint. The force is
+/// at most a thousand times the one that would give it 1 m/s^2. Used by Scene only.
 class MouseGrip
 {
 public:

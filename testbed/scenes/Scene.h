@@ -67,8 +67,8 @@ public:
     /// Returns the area to show unless the user chooses another; none: the dynamic bodies.
     virtual std::optional<SceneArea> PreferredView() const { return std::nullopt; }
 
-    /// Does it make bodies after it was created? When not, what is asked of a body that is not
-    /// there can be refused before anything is simulated.
+    /// Returns true if it creates bodies after the constructor. If false, a reference to a missing
+    /// body can be refused before anything is simulated.
     virtual bool MakesBodiesLater() const { return false; }
 
     /// Returns the names of its bodies, by number in the order of creation. Other bodies have no
@@ -89,8 +89,8 @@ public:
     virtual void KeyDown(char key) { (void)key; }
     virtual void KeyUp(char key) { (void)key; }
 
-    /// The mouse, at a point of the world [m]: it grips the dynamic body that lies there. A scene
-    /// with a use of its own for it overrides these.
+    /// The mouse is pressed at a point of the world [m]. It grips the dynamic body there. A scene
+    /// that uses the mouse differently overrides these.
     virtual void MouseDown(const b2Vec2& point) { m_grip.Take(m_world, point); }
     virtual void MouseMove(const b2Vec2& point) { m_grip.MoveTo(point); }
     virtual void MouseUp(const b2Vec2& point);
@@ -109,7 +109,7 @@ public:
     /// Draws the additions to its bodies: rays, hulls, marks.
     virtual void Draw(b2Draw& draw) const { (void)draw; }
 
-    /// Boxes [m] of what it draws that a camera which fits the scene keeps in view as it does
+    /// Returns boxes [m] of its drawings that a camera which fits the scene keeps in view like
     /// bodies.
     virtual std::vector<b2AABB> Framed() const { return {}; }
 

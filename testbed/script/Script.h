@@ -12,9 +12,9 @@
 #include <variant>
 #include <vector>
 
-/// A script as it was written: a scene, what is done to it at which moments, and what is made and
-/// expected of that. The same file serves as a test, a film and a figure. docs/scripts.md has the
-/// format. Reading one opens nothing but its file.
+/// A parsed script: a scene, the actions and their times, the outputs, and the expectations. The
+/// same file serves as a test, a film and a figure. docs/scripts.md has the format. Reading a
+/// script opens only its file.
 namespace boxreel
 {
 
@@ -65,7 +65,7 @@ struct ScriptAction
     }
 };
 
-/// Something that is asked or made of what the script plays.
+/// An expectation or an output of a script.
 struct ScriptProduct
 {
     enum class Kind
@@ -107,8 +107,7 @@ struct Script
 /// The error with "walk.play:12: " in front of its culprit.
 Error AtLine(const std::filesystem::path& file, int line, const Error& error);
 
-/// An Error (Unusable) names file, line, what is wrong and the remedy; Failed: the file cannot be
-/// read.
+/// An Error (Unusable) contains file, line, problem and remedy. Failed: the file cannot be read.
 Result<Script> ReadScript(const std::filesystem::path& file);
 
 /// `file`: for messages.

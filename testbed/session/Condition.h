@@ -18,13 +18,13 @@ namespace boxreel
 class Condition
 {
 public:
-    /// SUBJECT.QUANTITY OPERATOR NUMBER, or QUANTITY OPERATOR NUMBER of the whole world. A subject
-    /// is a body's number or name, `any` or `all` of the bodies that can move. An Error (Unusable)
-    /// names what is not understood. `option`: for the message.
+    /// Parses SUBJECT.QUANTITY OPERATOR NUMBER, or QUANTITY OPERATOR NUMBER for the whole world. A
+    /// subject is a body's number or name, or `any` or `all` of the bodies that can move. An Error
+    /// (Unusable) names the part that is wrong. `option` is for the message.
     static Result<Condition> Parse(std::string_view option, std::string_view text);
 
-    /// `seconds`: simulated so far. A body that is not there meets no condition, nor
-    /// does what is not a number.
+    /// Returns true if the condition holds. `seconds`: simulated so far. A missing body meets no
+    /// condition, nor does a value that is not a number.
     bool Holds(const b2World& world, const std::map<std::uint32_t, std::string>& names,
                double seconds) const;
 

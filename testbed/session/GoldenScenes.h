@@ -74,8 +74,8 @@ struct GoldenAcceptance
     bool forThisRenderer = false; ///< the pictures; else for all
 };
 
-/// Makes what the scene shows the reference; returns what was accepted, with the verdict it had
-/// before.
+/// Makes the scene's present pictures the references. Returns the accepted moments, with their
+/// previous verdict.
 Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection,
                                                 const ReferenceStore& store, Renderer& renderer,
                                                 const GoldenAcceptance& acceptance = {});

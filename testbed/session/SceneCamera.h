@@ -9,8 +9,8 @@
 
 #include <span>
 
-/// The camera that a ViewChoice asks for, at work on a world: tells debugdraw's cameras, which know
-/// no bodies, where the bodies are. Only reads the world.
+/// The camera of a ViewChoice on a world. It passes the positions of bodies to debugdraw's cameras,
+/// which do not depend on worlds. Only reads the world.
 namespace boxreel
 {
 
@@ -39,8 +39,8 @@ public:
 
     /// All that Update changes, as numbers.
     std::vector<double> State() const;
-    /// Goes on from the numbers of a camera of the same choice, picture and scene. False when they
-    /// are of another one; it is then as it was.
+    /// Continues from the numbers of a camera of the same choice, picture and scene. Returns false
+    /// and leaves the camera unchanged if they belong to another.
     bool Restore(std::span<const double> state);
 
 private:

@@ -18,8 +18,8 @@ std::vector<const b2Body*> OldestFirst(const b2World& world);
 /// Returns the number of bodies created so far, which is one more than the number of the newest.
 int CountMade(const b2World& world);
 
-/// Unusable when a number that `option` named is none of the `made` bodies that a scene has, or has
-/// had by the moment that is meant.
+/// Checks numbers of bodies named by `option`. Unusable if one is not among the `made` bodies that
+/// the scene has had by that moment.
 Result<void> CheckBodies(const std::string& option, int made, const std::vector<int>& numbers);
 
 /// The bodies of these numbers, one for each; null where the world has none, or none any more.

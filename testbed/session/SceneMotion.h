@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-/// Watches a scene step by step and adds to its stills what a MotionLook asks for: trails, earlier
+/// Observes a scene step by step and adds the items of a MotionLook to its stills: trails, earlier
 /// poses, dimensions, the origin.
 namespace boxreel
 {

@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
-/// A scene being shown: simulated step by step, looked at by a camera, described by a panel. Films,
-/// stills and golden candidates all come from here, which is why a still has the very pixels that a
-/// film has at that time. Knows no files and no pixels of its own; never prints.
+/// A scene that is simulated step by step, with a camera and a panel. Films, stills and golden
+/// candidates are all made by it, so a still equals the film's frame of that time. It does not use
+/// files, does not draw pixels, and never prints.
 namespace boxreel
 {
 
@@ -118,7 +118,8 @@ public:
     bool IsPaused() const { return m_isPaused; }
     /// The next step is simulated although it is paused.
     void StepOnceThough() { m_stepsOnce = true; }
-    /// This point in the middle of what no panel covers, at so many pixels a metre, from now on.
+    /// Sets a fixed view: this point is in the middle of the uncovered area, at a scale in pixels
+    /// per metre.
     void LookAt(const b2Vec2& center, double pixelsPerMeter);
     /// Restores the view of its look.
     void LookAsBefore() { m_ownView.reset(); }
@@ -145,8 +146,8 @@ public:
     std::vector<std::uint8_t> SaveState();
     /// False when the bytes are not such a state; the session is then as it was.
     bool RestoreState(std::span<const std::uint8_t> bytes);
-    /// From which step on, at the latest, what has been restored must be simulated so that the
-    /// picture of `step` has all that it shows.
+    /// Returns the latest step from which a restored state must be simulated, so the picture of
+    /// `step` contains all of its items.
     std::int64_t LatestStateFor(std::int64_t step) const;
 
 private:

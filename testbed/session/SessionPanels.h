@@ -30,7 +30,7 @@ std::vector<std::pair<std::string, std::string>> Differences(const SolverChoices
 Result<std::shared_ptr<SessionCompanion>> CreateScriptedPanels(const SceneLook& look,
                                                                const SceneSession& session);
 
-/// Opens a session, with panels where its look or its script asks for them.
+/// Opens a session, with panels if its look or its script requests them.
 Result<SceneSession> OpenSession(SceneSource source, SceneLook look);
 
 } // namespace boxreel

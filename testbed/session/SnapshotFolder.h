@@ -11,10 +11,10 @@
 #include <set>
 #include <string>
 
-/// A folder in which runs of a film leave the state of its simulation now and then, so that others
-/// need not simulate what was before their first frame. Any number of runs, of the same film or of
-/// others, may use it at the same time. Nothing in it is needed: what is missing or unusable is
-/// simulated. Used by record.
+/// A folder in which runs of a film save the state of their simulation at intervals. Other runs
+/// then do not need to simulate the steps before their first frame. Any number of runs, also of
+/// other films, may use it at the same time. All files are optional: if one is missing or unusable,
+/// its steps are simulated. Used by record.
 namespace boxreel
 {
 

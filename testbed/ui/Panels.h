@@ -9,7 +9,8 @@
 #include <render/PanelCanvas.h>
 
 /// The panels of the testbed: one column at the right of the picture, and the picker of scenes over
-/// its middle. The same in a window and in pictures without one. Knows no world and no files.
+/// its middle. They are the same in a window and in pictures without one. Independent of worlds and
+/// files.
 namespace boxreel
 {
 
@@ -21,7 +22,7 @@ public:
     /// For a picture of this size [px], with the scale in it.
     static Result<Panels> Create(int width, int height, double scale);
 
-    /// A frame: shows the facts, changes the choices, says what was asked for.
+    /// Builds a frame: shows the facts, changes the choices, returns the requests.
     PanelAnswer Build(const PanelFacts& facts, PanelChoices& choices, const PanelInput& input);
 
     /// Returns the overlay of the last frame.

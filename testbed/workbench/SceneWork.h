@@ -7,8 +7,7 @@
 
 #include <string>
 
-/// The scene that a person works at: what is done to it and where it is looked at goes into a log,
-/// so that a script can do it again.
+/// A scene with its user. User actions and views are logged, so a script can repeat them.
 namespace boxreel
 {
 
@@ -39,8 +38,8 @@ public:
     void LookAt(double x, double y, double pixelsPerMeter); ///< the middle of what is uncovered [m]
     void Pan(double x, double y);                           ///< the middle goes by so much [m]
     void Zoom(double factor, Vec2 about);                   ///< what is at `about` [px] stays there
-    /// The point (x, y) becomes the origin [m]; what is seen stays where it is, unless the view
-    /// goes with what it follows.
+    /// Makes the point (x, y) the origin [m]. The visible area stays the same, unless the view
+    /// follows a body.
     void Shift(float32 x, float32 y);
 
 private:

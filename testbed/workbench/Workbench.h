@@ -13,9 +13,9 @@
 #include <set>
 #include <string>
 
-/// A scene at which a person works: it goes on in real time, mouse and keyboard pull and steer it,
-/// panels change how it is stepped and drawn, buttons make films, figures and scripts of it. Gets a
-/// window's events and gives the pictures; knows no window itself.
+/// An interactive scene. It runs in real time, mouse and keyboard control it, panels change its
+/// solver and its look, and buttons make films, figures and scripts. Gets the events of a window
+/// and returns the pictures; does not depend on a window.
 namespace boxreel
 {
 
@@ -35,8 +35,8 @@ public:
 
     void Handle(const WindowEvent& event);
 
-    /// So much time has passed [s]: as many steps are simulated as fit in, but at most those of a
-    /// tenth of a second, so that a slow machine is slow instead of stuck.
+    /// Simulates the steps of an elapsed time [s], but at most those of a tenth of a second. A slow
+    /// machine is then slow instead of stuck.
     void Advance(double seconds);
 
     /// Adds the content of the window. Expects an empty content.
@@ -57,7 +57,7 @@ public:
     /// "Pyramid: step 412, state 0123456789abcdef".
     std::string Summary() const;
 
-    /// Ends a film that is being made. What has been written stays.
+    /// Ends a recording. The written file is kept.
     Result<void> Finish();
 
 private:

@@ -17,9 +17,8 @@
 ///     speed at which it corrects its error, because at that speed it does no work. The same for
 ///     its torque.
 ///   + by instant changes: the potential of a mouse joint when its target moves
-///   + by a spring: x^2 / 2 times the change of k, because its k follows the moved mass, which
-///   changes
-///     with the pose.
+///   + by a spring: x^2 / 2 times the change of k. Its k follows the moved mass, which changes with
+///     the pose.
 /// All other effects can only remove energy: contacts with restitution up to 1, friction, damping,
 /// limits, ropes, gears, the start of rigid joints, and the end of sleeping.
 namespace stability

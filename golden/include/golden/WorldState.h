@@ -11,8 +11,8 @@
 #include <vector>
 
 /// @file
-/// A world's state as plain numbers, how it went there step by step, and how two of them differ.
-/// Knows no engine: <golden/StateHash.h> reads them from a world.
+/// A world's state as plain numbers, its trace step by step, and the difference of two of them.
+/// Independent of an engine: <golden/StateHash.h> reads them from a world.
 namespace boxreel
 {
 

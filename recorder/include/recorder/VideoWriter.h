@@ -101,7 +101,7 @@ struct VideoSettings
 /// Returns the extensions of films, without pictures and standard output: ".mp4" and so on.
 std::vector<std::string> VideoEnds();
 
-/// A codec that films can be asked to have.
+/// A codec that a film can have.
 struct CodecChoice
 {
     std::string name;              ///< "h264"

@@ -3,10 +3,10 @@
 
 #include "../State/Solver.h"
 
-/// When a body rests. StepSolver asks for each awake body at the end of a step. A body rests while
-/// its sleep time grows; an island whose bodies have all rested for b2_timeToSleep falls asleep
-/// (State/Islands.h). Two rules are elsewhere: KeepDrivenAwake (Joints/JointKinds.h) for bodies
-/// that a motor moves, and WakeNeighbours (Sleep.h) for bodies that touch something that moves.
+/// Decides if a body rests. StepSolver calls it for each awake body at the end of a step. A body
+/// rests while its sleep time grows. An island whose bodies have all rested for b2_timeToSleep
+/// falls asleep (State/Islands.h). Two rules are elsewhere: KeepDrivenAwake (Joints/JointKinds.h)
+/// for bodies that a motor moves, and WakeNeighbours (Sleep.h) for bodies that touch a moving body.
 namespace box2d
 {
 

@@ -26,7 +26,7 @@ struct SpringState
     double EnergyAt(double x) const;
 };
 
-/// A joint's two bodies after what has moved in the step.
+/// The two bodies of a joint after their motion in the step.
 class JointPair
 {
 public:

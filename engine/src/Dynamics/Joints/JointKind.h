@@ -45,7 +45,7 @@ template <class Joint, auto maxForce>
 struct SpeedMotor
 {
     static bool HasMotor(const Joint& joint) { return joint.IsMotorEnabled(); }
-    /// One that cannot move what it should may rest.
+    /// A joint whose motor cannot move its bodies may rest.
     static bool IsDriven(const Joint& joint)
     {
         const float32 wanted = joint.IsMotorEnabled() ? joint.GetMotorSpeed() : 0.0f;

@@ -17,8 +17,8 @@
 
 class b2BlockAllocator;
 
-/// The table of joints. A new kind is one case here. The compiler then asks for its
-/// JointAccess::Kind and for its lanes (JointKernels.h).
+/// The table of joints. A new kind is one case here. The compiler then requires its
+/// JointAccess::Kind and its lanes (JointKernels.h).
 namespace box2d
 {
 

@@ -256,8 +256,8 @@ struct RowFiller
         return of(a, f.a) + of(b, f.b);
     }
 
-    /// Share of what is beyond a limit that a sub-step takes back: more would throw it off the
-    /// limit, less leaves it there for long.
+    /// Fraction of a limit violation that a sub-step corrects. A larger one would throw the body
+    /// off the limit, a smaller one corrects too slowly.
     static constexpr float32 kReturn = 0.2f;
     static constexpr float32 kFastestReturn = 2.0f; ///< [m/s], [rad/s]
 

@@ -99,7 +99,7 @@ void Visit(Archive& archive, JointRows& rows)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 {
-    // All else is made again with the pattern, or filled before it is read.
+    // The rest is made again with the pattern, or filled before it is read.
     auto& [pattern, rows, active, weights, residuals, found, sides, stiffness, x, diagonal, entries,
            addedMass] = system;
     constexpr std::size_t leastBytes = 69;

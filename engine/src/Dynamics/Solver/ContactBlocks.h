@@ -92,7 +92,7 @@ public:
     /// solves neighbours in memory. Contacts that may share bodies keep their order, which is that
     /// of solving.
     void Sort(const Array<b2Contact*>& contacts, bool sharesBodies, std::size_t bodyCount);
-    /// Reserves memory for as many contacts.
+    /// Reserves memory for this number of contacts.
     void Reserve(std::size_t contactCount, bool sharesBodies);
     /// Assigns each sorted contact that must be solved to a lane in a block of its form; one block
     /// each if they may share bodies. Blocks must be prepared afterwards. Allocates no memory.

@@ -69,8 +69,8 @@ inline bool IsFinite(const SolverBody& body)
     return b2IsValid(body.v.x + body.v.y + body.w + body.d.x + body.d.y + body.angle);
 }
 
-/// The parameters of the step for joints and contacts. MakeContext (Solver/StepSolver.h) fills it;
-/// what only measures distances needs no more than the bodies.
+/// The parameters of the step for joints and contacts, filled by MakeContext (Solver/StepSolver.h).
+/// Code that only measures distances needs only the bodies.
 struct SolverContext
 {
     WorldSettings settings;

@@ -120,8 +120,8 @@ public:
     /// Prepare, which change velocities and displacements. (RATTLE: Andersen, "Rattle: a 'velocity'
     /// version of the Shake algorithm", 1983.) The kicks are by awake body.
     void SolvePositions(const SolverContext& context, float32 timeStep, const BodyKick* kicks);
-    /// Call after position correction of overlaps: closes what it opened since SolvePositions.
-    /// Joints that are iterated over are closed here alone.
+    /// Closes the joints that the position correction of overlaps opened since SolvePositions. Call
+    /// it after that correction. Iterated joints are closed only here.
     void CloseAfterPushes(const SolverContext& context, int32 iterations);
     /// Call after write-back and before an impact within the step: records the gaps of joints.
     void NoteOpen(const ConstraintGraph& graph, const SolverContext& context);
