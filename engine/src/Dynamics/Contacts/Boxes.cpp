@@ -35,7 +35,7 @@ b2AABB Fatten(const b2AABB& box, const b2Vec2& displacement)
     return fat;
 }
 
-/// The box of a bullet's path: what it hits after the present step does not matter.
+/// The box of a bullet's path. Hits after the present step do not matter.
 b2AABB Widen(const b2AABB& box, float32 minExtent)
 {
     const float32 margin = b2Min(b2_aabbExtension, 0.25f * minExtent);
@@ -45,7 +45,7 @@ b2AABB Widen(const b2AABB& box, float32 minExtent)
     return wide;
 }
 
-/// A circle about the centre of mass and nothing else looks the same however it is turned.
+/// True if the only shape is a circle about the centre of mass, which is the same at any angle.
 bool IsRound(const BodyData& body)
 {
     const b2Fixture* f = body.fixtureList;
@@ -106,7 +106,7 @@ float32 BoxRounding(const BodyData& body)
     return operations * b2_epsilon * farthest;
 }
 
-/// After an impact: the boxes also hold what is left of the path.
+/// Call after an impact. The boxes then also contain the rest of the path.
 void GrowBoxes(Proxies& proxies, BodyData& body)
 {
     const b2Transform before = TransformBefore(body);

@@ -292,9 +292,9 @@ bool NeedsAttention(World& world, b2Contact& contact)
     return false;
 }
 
-/// The first part of all updates, on all threads. With one thread and no listener that
-/// could see the difference each contact is done in its turn instead, and this returns false: the
-/// results are the same, for poses do not change meanwhile.
+/// Performs the first part of all updates, on all threads. With one thread and no listener that
+/// could see the difference, it does nothing and returns false. Each contact is then updated in its
+/// turn. The results are the same, because poses do not change meanwhile.
 bool ComputeContacts(World& world)
 {
     const bool keepOld = world.listener != nullptr;
@@ -320,8 +320,8 @@ bool ComputeContacts(World& world)
     return true;
 }
 
-// In both of these the list changes under the loop: a contact that goes is replaced by the last
-// one, those that wake are appended and updated as well.
+// In both of these the list changes during the loop. A removed contact is replaced by the last one.
+// Contacts that wake are appended and updated as well.
 
 void FinishContacts(World& world)
 {
@@ -402,7 +402,7 @@ void UpdateContacts(World& world)
             contact = next;
         }
     }
-    // Without a listener most contacts need no more than the first part.
+    // Without a listener most contacts need only the first part.
     ComputeContacts(world) && world.listener == nullptr ? FinishContactsInNeed(world)
                                                         : FinishContacts(world);
 }

@@ -298,9 +298,9 @@ void EnergyGuard::AddJoints(const World& world, const SolverMemory& solver)
     }
 }
 
-/// Removes at once what was gained in this step. Of the energy that the island had before, it
-/// removes the fraction that the debt is of the maximum debt. A small debt slows the motion down
-/// over many steps and does not stop it.
+/// Removes a gain of this step at once. The removed fraction of the island's previous energy is the
+/// debt divided by the maximum debt. A small debt slows the motion down over many steps and does
+/// not stop it.
 void EnergyGuard::Collect(const World& world, SolverMemory& solver, Account& account)
 {
     const b2Body& first = *world.islands.At(account.island).first;
