@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Doctor.h"
-// `boxreel doctor`: what of the program works on this machine. Each thing is done, not asked for.
+// `boxreel doctor`: tests which parts of the program work on this machine. Each part is really run.
 #include "Declare.h"
 #include "SelfTest.h"
 
@@ -154,7 +154,7 @@ public:
         }
     }
 
-    /// For what is not there and not needed.
+    /// Adds a part that is neither available nor needed.
     void AddNone(const std::string& name, const std::string& why) { Write("none", name, why); }
 
     /// An Error when the lines could not be written.

@@ -31,7 +31,7 @@ Result<void> CheckExtension(const std::filesystem::path& path, const std::vector
 std::filesystem::path WholePath(const std::filesystem::path& path)
 {
     std::error_code failure;
-    // Absolute first: of what does not exist nothing else makes a relative name whole.
+    // Made absolute first, because a relative name of a missing file cannot be resolved otherwise.
     const std::filesystem::path whole =
         std::filesystem::weakly_canonical(std::filesystem::absolute(path, failure), failure);
     return failure ? path : whole;

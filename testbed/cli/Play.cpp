@@ -127,7 +127,7 @@ Result<void> Planner::Plan()
 {
     const Script& script = m_play.script;
     m_actions = std::make_shared<const Script>(script);
-    // With options that every picture has: what is wrong is the scene's line.
+    // Parsed with options that every picture has, so an error is in the scene's line.
     const Result<ShotOptions> any =
         Understood<ShotOptions>(script, "shot", {"--step", "0"}, "any.png");
     if (!any)
@@ -351,7 +351,7 @@ Result<int> Expect(const Play& play, SceneSession& session)
         line += answer.found.empty() ? "" : " (" + answer.found + ")";
         RETURN_IF_ERROR(WriteOutput(line + "\n"));
     }
-    // A click on what is not there is to be known before anything is made.
+    // A click on a missing control is reported before anything is made.
     for (const ScriptAction& action : play.script.actions)
     {
         if (action.IsForPanels())

@@ -88,7 +88,7 @@ Result<std::string> Drawn(Renderer& renderer, const DrawList& list, const Camera
                : Result<std::string>(png.GetError());
 }
 
-/// The same step by another program. `close`: what is seen; none: as the scene is shown.
+/// Draws the same step with another program. `close`: the visible area; none: the scene's view.
 Result<std::string> PictureBy(const fs::path& program, const std::string& scene, std::int64_t step,
                               const std::optional<Camera>& close)
 {

@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 // While nothing moves, the window looks up so often by itself [s]: for signals.
 constexpr double kRest = 0.1;
-// While a scene goes on of which nothing is seen to move, it does not turn in circles.
+// Pause between frames of a scene in which nothing visible moves, to avoid a busy loop.
 constexpr std::chrono::milliseconds kPause(4);
 
 Error WithoutWindow(const Error& error)

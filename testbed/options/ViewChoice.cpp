@@ -39,7 +39,8 @@ std::optional<FixedView> ReadFixed(std::string_view text)
     return x && y && height ? std::optional(FixedView{*x, *y, *height}) : std::nullopt;
 }
 
-/// "the height 1e-5 is not from 0.001 to 1000000 m" of a number out of its limits, else nothing.
+/// Returns "the height 1e-5 is not from 0.001 to 1000000 m" for a number out of its limits,
+/// otherwise nothing.
 std::string WhyOutside(const char* what, std::string_view text, double lowest, double highest)
 {
     const Result<double> number = ParseNumber("", text);

@@ -20,7 +20,8 @@ bool AreApart(const b2Vec2& a, const b2Vec2& b)
     return b2DistanceSquared(a, b) > b2_linearSlop * b2_linearSlop;
 }
 
-// Vertices closer to the one before than the engine can tell apart add nothing but asserts.
+// Omits vertices closer to the previous one than the engine can distinguish, because they cause
+// asserts.
 std::vector<b2Vec2> WithoutRepeats(const std::vector<b2Vec2>& vertices)
 {
     std::vector<b2Vec2> kept;
@@ -144,7 +145,7 @@ private:
         body.SetMassData(&data);
     }
 
-    /// Empty when built, else the reason why it was not.
+    /// Returns an empty text if the fixture was built, otherwise the reason why not.
     std::string BuildFixture(const RubeFixture& source, b2Body& body)
     {
         const auto attach = [&](const b2Shape& shape) { Attach(source, shape, body); };

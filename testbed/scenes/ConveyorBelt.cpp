@@ -91,9 +91,9 @@ public:
     }
 
 private:
-    // Friction brings B's velocity against A's, along the normal turned clockwise, to this. The
-    // normal points to B: a belt below moves what lies on it to the right, whichever of the two is
-    // the belt.
+    // Friction drives B's velocity relative to A's, along the normal turned clockwise, to this
+    // speed. The normal points to B. A belt below therefore moves bodies to the right, for either
+    // order of the two.
     void PreSolve(b2Contact* contact, const b2Manifold*) override
     {
         const b2Body* a = contact->GetFixtureA()->GetBody();

@@ -128,7 +128,7 @@ private:
         return gear;
     }
 
-    // A tooth lies beside the one of the gear on its right that is half a tooth up.
+    // The rack's teeth are half a tooth below those of the gear on its right.
     b2Body* AddRack(const b2Vec2& place)
     {
         b2Body* rack = AddBody(m_world, b2_dynamicBody, place);

@@ -11,9 +11,9 @@ namespace
 constexpr int32 kBallCount = 6;
 constexpr float32 kRadius = 1.0f; ///< [m]
 
-// To the eye the balls touch. The sliver between them makes every blow a matter of two balls: the
-// solver meets them one after the other, as the shock wave in a real cradle does. Balls that touch
-// exactly would be solved at once, and Newton's law of restitution for one instant leaves open
+// The balls seem to touch. A tiny gap between them makes every impact one between two balls: the
+// solver handles them one after the other, like the shock wave in a real cradle. Balls that touch
+// exactly would be solved at once. Newton's law of restitution for one instant does not determine
 // which of them carry the momentum on.
 constexpr float32 kGap = 0.01f;                   ///< [m]
 constexpr float32 kPitch = 2.0f * kRadius + kGap; ///< from ball to ball [m]

@@ -46,7 +46,7 @@ bool IsAbove(const b2Fixture& fixture, const b2Fixture& platform)
     return LowestPoint(fixture) > top - kTolerance;
 }
 
-/// Contacts with what is not above a platform are switched off, step by step.
+/// Contacts with bodies that are not above a platform are disabled in each step.
 class OneSidedPlatform : public Scene, private b2ContactListener
 {
 public:

@@ -43,8 +43,8 @@ constexpr KeyBinding kKeys[] = {{'a', "walks to the left"},
                                 {'d', "walks to the right"},
                                 {'m', "cuts the motor"}};
 
-/// The corner of a triangle whose other two are `from` and `to`, at these distances from them, on
-/// the left hand of who looks from one to the other.
+/// Returns the third corner of a triangle, at these distances from `from` and `to`. It is on the
+/// left of the line from `from` to `to`.
 b2Vec2 Corner(const b2Vec2& from, const b2Vec2& to, float32 distanceFrom, float32 distanceTo)
 {
     const float32 base = b2Distance(from, to);

@@ -281,7 +281,7 @@ void SceneMotion::AddPoses(SceneSession& session, DrawList& list) const
     }
 }
 
-/// Adds the dimensions that the look asks for, of ends that are there.
+/// Adds the dimensions of the look whose ends exist.
 void SceneMotion::AddDimensions(const SceneSession& session, DrawList& list) const
 {
     for (const DimensionChoice& dimension : m_look.dimensions)

@@ -22,8 +22,8 @@ constexpr const char* kFormat = "boxreel snapshot 1";
 
 // Parts of a film begin with a group of frames, 100 unless the user says otherwise.
 constexpr std::int64_t kFirstGap = 100;
-// The gap is doubled when the simulation has so many gaps. More: more files; fewer: more is
-// simulated again.
+// The gap is doubled when the simulation is this many gaps long. With more there are more files,
+// with fewer more steps are simulated again.
 constexpr std::int64_t kGapsInWay = 32;
 
 // A larger file is not a snapshot: 100,000 bodies in a contact island have about 100 MB.
@@ -160,7 +160,8 @@ std::set<std::int64_t> SnapshotFolder::Steps() const
     return steps;
 }
 
-/// All that stands in front of the state but the last line: readable, and compared as a whole.
+/// Returns the heading before the state, without its last line. It is readable, and compared as a
+/// whole.
 std::string SnapshotFolder::Heading(std::int64_t step) const
 {
     std::string heading = kFormat;

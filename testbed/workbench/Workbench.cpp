@@ -161,7 +161,7 @@ void Workbench::BuildPanels(const PanelInput& input)
     }
 }
 
-/// It takes the keyboard, and gives it back, after a frame or two: what is typed before would be
+/// The picker takes and releases the keyboard after a frame or two. Keys typed before would be
 /// lost.
 void Workbench::SettlePicker()
 {
