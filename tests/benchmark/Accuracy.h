@@ -59,7 +59,7 @@ void AppendMotionCases(AccuracyCases& cases);
 void AppendJointCases(AccuracyCases& cases);
 /// Stacks and the card house: AccuracyStacks.cpp.
 void AppendPileCases(AccuracyCases& cases);
-/// The cradle, and what is too fast for its walls: AccuracyImpacts.cpp.
+/// The cradle, and bodies too fast for its walls: AccuracyImpacts.cpp.
 void AppendImpactCases(AccuracyCases& cases);
 
 /// Group by group, A to K and then X, which is continuous collision.

@@ -78,12 +78,12 @@ public:
                          const Material& material) = 0;
     /// At a world point; the two bodies do not collide.
     virtual void AddRevolute(BodyId a, BodyId b, double x, double y) = 0;
-    /// Removes what was added last.
+    /// Removes the last added body.
     virtual void RemoveLastBody() = 0;
 
     /// One step of the length and with the iterations of the settings.
     virtual void Step() = 0;
-    /// The fraction of the way at which a ray first hits something, 1 when nothing.
+    /// Returns the fraction of a ray before its first hit; 1 without a hit.
     virtual double CastRay(double x1, double y1, double x2, double y2) = 0;
 
     /// At once, though the engine would not yet; only in a world that lets bodies sleep.
@@ -120,7 +120,7 @@ struct Iterations
 Iterations IterationsOfASubStep(const SimSettings& settings);
 /// Name and version of the engine that this program was built with.
 std::string EngineName();
-/// Into which a step can be split; 1: the engine knows no sub-steps.
+/// Returns the maximum number of sub-steps; 1: the engine has no sub-steps.
 int MostSubSteps();
 std::unique_ptr<Sim> CreateSim(const SimSettings& settings);
 

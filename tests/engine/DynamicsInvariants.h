@@ -5,8 +5,8 @@
 
 class b2World;
 
-/// Walks over everything a world keeps and compares each thing with all others that say the same:
-/// lists with counts, flags with lists, colours with masks, islands with links, boxes with trees.
+/// Visits all data of a world and compares redundant parts: lists with counts, flags with lists,
+/// colours with masks, islands with links, boxes with trees.
 namespace dynamics
 {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// A world whose steps are made of small ones, what it must keep, and machines to try it on.
+/// A world with sub-steps, its invariants, and machines to test it with.
 namespace dynamics
 {
 

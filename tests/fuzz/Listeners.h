@@ -8,8 +8,8 @@
 namespace fuzz
 {
 
-/// Every callback a world knows. Does what callbacks may do, and in a wild world also what they
-/// must not: create and destroy.
+/// All callbacks of a world. They make calls that are allowed in callbacks. In a wild world they
+/// also make forbidden ones: create and destroy.
 class Listeners final : public b2ContactListener,
                         public b2ContactFilter,
                         public b2DestructionListener,

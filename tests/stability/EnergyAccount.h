@@ -41,7 +41,7 @@ public:
     double Start() const { return m_start; }
     double PutIn() const { return m_putIn; } ///< since the start
     double Allowed() const { return m_start + m_putIn; }
-    /// Above what is allowed, as a share of it.
+    /// Energy above the allowed amount, as a fraction of it.
     double Excess() const { return (Total() - Allowed()) / b2Max(Allowed(), 1e-3); }
     double Excess(double total) const { return (total - Allowed()) / b2Max(Allowed(), 1e-3); }
 

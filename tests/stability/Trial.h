@@ -56,8 +56,8 @@ inline double Worst(double a, double b)
     return a > b || std::isnan(a) ? a : b;
 }
 
-/// A world with so many sub-steps. Every trial checks that all numbers stay finite and the data
-/// structures valid.
+/// A world with this number of sub-steps. Every trial checks that all numbers stay finite and the
+/// data structures valid.
 class Trial : public SmallScene
 {
 public:
@@ -220,9 +220,9 @@ private:
     std::vector<b2Vec2> m_places;
 };
 
-/// Every test runs with the default scheme, the recommended number, and coarser and finer ones; or
-/// with the one count that the variable BOXREEL_SUB_STEPS holds: the finest, which takes the most
-/// time, is a run of its own.
+/// Every test runs with the default scheme, the recommended number of sub-steps, and coarser and
+/// finer ones. The variable BOXREEL_SUB_STEPS selects a single number. The finest takes the most
+/// time, so it is a separate run.
 class EverySubStepCount : public testing::TestWithParam<int32>
 {};
 
