@@ -390,7 +390,7 @@ void AddCurves(Scenes& scenes)
         scene.count = count;
         scene.onlyForCurve = count < 20000;
     }
-    for (const bool small : {false, true}) // steps, in engines that know small ones
+    for (const bool small : {false, true}) // sub-steps, in engines that have them
     {
         for (const int count : counts)
         {

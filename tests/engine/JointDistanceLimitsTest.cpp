@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-/// Distance joints between a minimum and a maximum length, with one step and with small ones.
+/// Distance joints between a minimum and a maximum length, with one step and with sub-steps.
 namespace
 {
 
@@ -138,7 +138,7 @@ TEST_P(DistanceLimits, GainNoEnergy)
     }
 }
 
-// Small steps find a limit within a drift of up to 70 m/s, as ropes do: only Shake's own checks.
+// Sub-steps find a limit within a drift of up to 70 m/s, like ropes: only Shake's own checks.
 TEST_P(DistanceLimits, EndureRoughTreatment)
 {
     const float32 maximum = GetParam() == 1 ? 3.0f + 4.0f * b2_linearSlop : b2_maxFloat;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "SubStepsScene.h"
 
-/// Motors, limits, ropes and friction, in steps of four small ones.
+/// Motors, limits, ropes and friction, in steps of four sub-steps.
 namespace
 {
 

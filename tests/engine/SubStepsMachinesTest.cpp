@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-/// Machines of many joints, in steps of four small ones: loads that reach the ground over many
+/// Machines of many joints, in steps of four sub-steps: loads that reach the ground over many
 /// joints, twice the same joint, hubs, and meshes that are only swept over.
 namespace
 {

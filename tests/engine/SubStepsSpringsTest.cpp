@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "SubStepsScene.h"
 
-/// Springs, in steps of four small ones.
+/// Springs, in steps of four sub-steps.
 namespace
 {
 
