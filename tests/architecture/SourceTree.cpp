@@ -33,7 +33,7 @@ std::vector<Layer> MakeLayers()
     std::vector<Layer> layers{
         {"engine/Common", {}},
         {"engine/Collision", {"engine/Common"}},
-        // The public headers of Dynamics; what is private is in rooms, below.
+        // The public headers of Dynamics. Private ones are in rooms, below.
         {"engine/Dynamics", {"engine/Common", "engine/Collision"}},
         {"engine/Rope", {"engine/Common"}},
         {"engine", {"engine/Common", "engine/Collision", "engine/Dynamics", "engine/Rope"}},
@@ -148,8 +148,7 @@ bool StartsWithAny(std::string_view text, const auto& beginnings)
     return std::ranges::any_of(beginnings, [&](std::string_view b) { return text.starts_with(b); });
 }
 
-/// The manual's three modules and the rope that stands beside them, from the path below
-/// include/Box2D/ or src/.
+/// The manual's three modules and the rope beside them, from the path below include/Box2D/ or src/.
 std::string_view EngineLayer(std::string_view below)
 {
     for (std::string_view module :
@@ -161,7 +160,7 @@ std::string_view EngineLayer(std::string_view below)
             return module;
         }
     }
-    // Only the header that includes them all stands beside the modules.
+    // Only the header that includes all others is outside the modules.
     return below == "Box2D.h" ? "engine" : "";
 }
 

@@ -20,7 +20,7 @@ using testing::UnorderedElementsAre;
 namespace
 {
 
-// A disk with room for so many bytes a file, while it lives.
+// A disk with room for this many bytes per file, during its lifetime.
 class SmallDisk
 {
 public:

@@ -91,7 +91,7 @@ double TimeSteps(const AccuracyCase& one, const SimSettings& settings, int count
     return fastest / count;
 }
 
-/// JSON knows no others.
+/// JSON has no other numbers.
 std::string Number(double value)
 {
     if (!std::isfinite(value))
@@ -103,7 +103,7 @@ std::string Number(double value)
     return text;
 }
 
-/// From 1 on, or 0 when it is none.
+/// Returns the number, from 1 on, or 0 for any other text.
 int ParseNumber(const std::string& word)
 {
     char* end = nullptr;

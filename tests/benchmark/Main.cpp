@@ -132,7 +132,7 @@ private:
 
 constexpr int kLooks = 6; ///< at most, over half a run: each costs the next step its warm cache
 
-/// JSON knows no other numbers.
+/// JSON has no other numbers.
 double Finite(double value)
 {
     return std::isfinite(value) ? value : 0.0;
@@ -168,8 +168,8 @@ struct Timing
     Found found;
 };
 
-/// A world that has burst need not be watched for minutes: twice a simulated second, outside what
-/// is timed, those bodies are looked at that were awake at the start.
+/// A world that has diverged need not run for minutes. Twice per simulated second, outside the
+/// timed part, the bodies are checked that were awake at the start.
 Timing Time(Sim& sim, const Scene& scene)
 {
     const std::vector<BodyId> watched = AwakeBodies(sim);
@@ -242,7 +242,8 @@ void Prepare(Sim& sim, const Scene& scene)
     }
 }
 
-/// By the calls, and by what is looked at afterwards; its bits count with those at the end.
+/// Adds the results of the calls and of the checks afterwards. The bits count with those at the
+/// end.
 Found AllFound(Sim& sim, const Scene& scene, Found found, EndState& end)
 {
     if (scene.afterwards)

@@ -69,7 +69,7 @@ private:
         m_all.push_back({change, std::move(expected), std::move(actual)});
     }
 
-    /// The last item of this kind that lies in the picture with room for a label.
+    /// Returns the last item of this kind that is inside the picture with room for a label.
     std::optional<std::size_t> Find(DrawLayer layer, DrawKind kind) const
     {
         const DrawList& list = m_content.list;

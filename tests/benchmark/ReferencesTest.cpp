@@ -123,8 +123,8 @@ TEST(References, ADoublePendulumKeepsItsEnergy)
 
 TEST(References, ADoublePendulumsAccelerationsAreThoseOfItsForces)
 {
-    // Newton for both rods, without Lagrange: from the accelerations follow the forces in the
-    // joints, and those must turn each rod about its own centre as it does turn.
+    // Newton's laws for both rods, without Lagrange. The accelerations give the forces in the
+    // joints. These must cause the rotation of each rod about its own centre.
     const DoublePendulum pendulum(kRod, kGravity);
     const DoublePendulum::State s{0.3L, -0.9L, 1.7L, -2.1L};
     const Real h = 1e-5L;

@@ -219,9 +219,9 @@ TEST(Theme, KeepsUsersColoursAndMakesTheirOutlinesSeen)
     }
 }
 
-// In OKLab a difference of 0.02 is about the least that is noticed side by side; the classic
-// palette comes down to 0.002 (contacts to a protanope), this one never below 0.079. All layers may
-// lie over each other, so every role is compared with every other.
+// In OKLab a difference of about 0.02 is just visible side by side. The classic palette goes down
+// to 0.002 (contacts to a protanope), this one never below 0.079. All layers may overlap, so every
+// role is compared with every other.
 TEST(Theme, OkabeItoIsDistinctForEveryColourVision)
 {
     for (const Vision vision : kVisions)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pages of docs/manual show nothing but what its listings compile and run, and lead nowhere
-// that does not exist. The listings test themselves.
+// The pages of docs/manual show only code that its listings compile and run, and all their links
+// exist. The listings test themselves.
 #include <gmock/gmock.h>
 
 #include <algorithm>

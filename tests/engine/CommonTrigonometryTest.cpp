@@ -93,8 +93,7 @@ TEST(SinCos, StaysOnUnitCircleForHugeAnglesAndIsNanForInfinite)
     EXPECT_TRUE(std::isnan(s) && std::isnan(c));
 }
 
-// A hash of many results, so that another compiler or optimisation level that computes anything
-// else is found out.
+// A hash of many results, to detect another compiler or optimisation level with different results.
 TEST(SinCos, HasTheSameBitsEverywhere)
 {
     Random random(99);

@@ -216,7 +216,7 @@ TEST_P(Containment, KeepsOutAHeavyBodyWhoseLightTipIsStopped)
     EXPECT_LT(farthest, 0.4f);
 }
 
-/// Before a wall that stands upright at x = 0.
+/// An obstacle in front of an upright wall at x = 0.
 struct Obstacle
 {
     const char* name;
@@ -224,8 +224,8 @@ struct Obstacle
     b2Vec2 place, velocity;
 };
 
-/// A ball that the wall throws back behind the obstacle: the straight line from where the step
-/// begins to where it ends goes through that, the ball does not.
+/// A ball bounces off the wall and ends behind the obstacle. The straight line from its start to
+/// its end crosses the obstacle, but its path does not.
 void GoRound(int32 subSteps, const Obstacle& obstacle)
 {
     SCOPED_TRACE(obstacle.name);

@@ -253,7 +253,7 @@ TEST(Sweeps, BoxOfACircleIsThatOfItsTransforms)
     }
 }
 
-/// A rod that lies level at the start and at the end has been upright between.
+/// A rod that is level at the start and at the end has been upright between.
 TEST(SweptBox, ContainsWideRotationAtEveryTime)
 {
     b2PolygonShape rod;

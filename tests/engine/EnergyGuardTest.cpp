@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-/// The guard by itself: a step is begun, a bad solver is played, and what it has won is taken away.
-/// Worlds in which the real one wins are in tests/stability.
+/// The guard alone. A test begins a step, plays the role of a bad solver, and checks that the gain
+/// is removed. Worlds in which the real solver gains energy are in tests/stability.
 namespace
 {
 
@@ -394,7 +394,7 @@ TEST(EnergyGuard, KeepsMotionGivenByTheUser)
     pair.b->SetGravityScale(-10.0f);
     expectKept("weight");
 
-    // Forces, and what they do on the way.
+    // Forces, and their work along the path.
     pair.b->ApplyForceToCenter(b2Vec2(6000.0f, 0.0f), true);
     pair.Begin();
     pair.At(pair.b).v.x += kStep * 6000.0f / pair.b->GetMass();
@@ -422,8 +422,8 @@ TEST(EnergyGuard, LeavesWhatAMouseGives)
     EXPECT_EQ(pair.Energy(), driven);
 }
 
-/// A ball on a link whose anchor is moved to and fro by hand, or as a platform. Its swing may not
-/// depend on whether its mass is a little below or above the ratio from which it is guarded.
+/// A ball on a link whose anchor is moved to and fro by user changes or as a platform. Its swing
+/// must not depend on a mass slightly below or above the ratio from which it is guarded.
 double WidestSwing(float32 ratio, b2BodyType type, int32 subSteps)
 {
     Scene scene;

@@ -11,7 +11,7 @@ namespace
 
 using namespace dynamics;
 
-/// Two boxes of 4 and 1 kg on a hinge that move in all ways.
+/// Two boxes of 4 and 1 kg on a hinge that move in all directions.
 struct Pair : JointScene
 {
     explicit Pair(bool isHeld) : JointScene(b2Vec2_zero)

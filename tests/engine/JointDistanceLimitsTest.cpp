@@ -14,7 +14,7 @@ using namespace dynamics;
 
 constexpr float32 kInfinity = std::numeric_limits<float32>::infinity();
 
-/// A load that hangs below a post, or stands above it.
+/// A load that hangs below a post, or is supported above it.
 struct Hanger : JointScene
 {
     Hanger(int32 subSteps, float32 y, const b2DistanceJointDef& numbers)

@@ -3,7 +3,7 @@
 
 #include <set>
 
-/// Gears: q1 + ratio * q2 stays what it was, q an angle or a translation.
+/// Gears: q1 + ratio * q2 is constant, where q is an angle or a translation.
 namespace
 {
 

@@ -44,7 +44,7 @@ TEST(SnapshotBytes, AreTheSameOnceRestored)
     }
 }
 
-/// The whole of a sentence, and a world that goes on as if nothing had been.
+/// Expects a complete sentence, and a world that continues unchanged.
 void ExpectRefused(std::span<const uint8> bytes, const char* culprit)
 {
     MixedWorld mixed(5);

@@ -148,8 +148,8 @@ TEST(SubStepsMotor, LiftsASliderWithItsMaximumForce)
 
 TEST(SubStepsMotor, AcceleratesALoadOnAPlatformOfLevers)
 {
-    // A foot is drawn in, and two bars push up a platform 15 times as fast: much more than the
-    // motor has in a small step goes into their speed, and then contacts have to follow.
+    // A foot is pulled in, and two bars push up a platform 15 times as fast. Much more than the
+    // impulse of the motor in a sub-step goes into their speed, and then contacts have to follow.
     SmallScene s;
     b2Body* post = s.Post();
     b2Body* platform = s.Load(0.0f, 0.0f, 2.0f, 0.1f);

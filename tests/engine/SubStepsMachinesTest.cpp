@@ -4,7 +4,7 @@
 #include <cstring>
 
 /// Machines of many joints, in steps of four sub-steps: loads that reach the ground over many
-/// joints, twice the same joint, hubs, and meshes that are only swept over.
+/// joints, duplicate joints, hubs, and meshes that are only iterated.
 namespace
 {
 

@@ -105,7 +105,7 @@ TEST(ContactSheet, ShrinksToTheMeanOfWhatAPixelCovers)
         SheetOf(Film(folder, "film.mkv", 10, 1.0), {.every = 60, .width = 24});
     EXPECT_EQ(sheet.layout.width, 24);
     EXPECT_EQ(sheet.layout.height, 12);
-    // Column 10 of 64 lies from 3.75 to 4.125 of 24: a quarter and an eighth of a pixel.
+    // Column 10 of 64 covers 3.75 to 4.125 of 24: a quarter and an eighth of a pixel.
     EXPECT_THAT((std::vector<int>{sheet.frame.Pixel(2, 5)[0], sheet.frame.Pixel(3, 5)[0],
                                   sheet.frame.Pixel(4, 5)[0], sheet.frame.Pixel(5, 5)[0]}),
                 ElementsAre(0, 64, 32, 0));

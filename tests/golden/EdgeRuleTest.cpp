@@ -22,7 +22,7 @@ std::uint8_t Mix(std::uint8_t under, std::uint8_t over, double share)
     return static_cast<std::uint8_t>(std::lround(under + (over - under) * share));
 }
 
-// An upright line from `left`, `width` pixels wide, each pixel the mean of what lies in it.
+// Returns an upright line from `left`, `width` pixels wide. Each pixel is the mean of its area.
 Frame WithLine(double left, double width, Color color, Color ground)
 {
     Frame frame = Filled(kSide, kSide, ground);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is decided four pixels at a time, by approximation, against the plain functions that define
-// it.
+// Compares the approximation of four pixels at a time with the plain functions that define it.
 #include "PixelMarks.h"
 #include "EdgeRule.h"
 #include "OkLab.h"

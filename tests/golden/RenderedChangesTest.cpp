@@ -53,7 +53,7 @@ protected:
         return frame;
     }
 
-    // One that lies in the picture as a whole, the last such.
+    // Returns the last item that is completely inside the picture.
     std::size_t Find(DrawLayer layer, DrawKind kind) const
     {
         const DrawList& list = m_content.list;

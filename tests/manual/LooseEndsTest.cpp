@@ -177,7 +177,7 @@ TEST(PixelsAndCoordinates, AFactorGoesToMetresAndBack)
     EXPECT_FLOAT_EQ(50.0f * xMeters, xPixels);
 }
 
-/// Writes down what it is asked to draw. The name is the manual's.
+/// Records the drawing calls. The name is the manual's.
 struct RecordingDraw : public b2DebugDraw
 {
     void DrawPolygon(const b2Vec2*, int32, const b2Color&) override { ++polygons; }

@@ -126,7 +126,7 @@ TEST(GearJointSection, TheRatioCanBeNegative)
 
 TEST(GearJointSection, IsDestroyedWithItsJoints)
 {
-    // The specification asks for gears to be deleted first and warns of a crash.
+    // The specification requires gears to be deleted first and warns of a crash.
     Gears gears;
     gears.Gear(1.0f);
     gears.world.DestroyJoint(gears.myRevoluteJoint);

@@ -9,8 +9,8 @@ namespace
 
 using dynamics::Scene;
 
-/// The highest a box that slides along the x axis rises over two edges which meet at 0 and lie on
-/// the axis; each edge gets the ghost vertices when asked to.
+/// Returns the maximum rise of a box that slides along the x axis over two edges. They meet at 0
+/// and are on the axis. Each edge has ghost vertices if requested.
 float32 HighestOverTheSeam(bool withGhosts)
 {
     Scene scene;

@@ -222,7 +222,7 @@ TEST(ExploringTheWorld, TheLastListingStartsAgainWhenOthersWentToo)
     EXPECT_EQ(crowd.Alive(), 4);
 }
 
-/// The listing: wakes what it finds.
+/// The listing: wakes the bodies it finds.
 class MyQueryCallback : public b2QueryCallback
 {
 public:

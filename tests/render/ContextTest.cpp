@@ -117,7 +117,7 @@ protected:
         return CreateContext(backend, {.osMesa = "libNoSuchMesa.so.8", .egl = BOXREEL_FAKE_EGL});
     }
 
-    /// The device that draws, null when none does; what is said then is in `message`.
+    /// Returns the device that draws; null if none does, with the reason in `message`.
     const FakeDevice* Drawing(Backend backend)
     {
         const auto context = Create(backend);

@@ -31,8 +31,8 @@ private:
     std::mt19937 m_generator{7};
 };
 
-/// Places of a grid, so that neighbours do not touch: where shapes overlap, no drawing of one after
-/// the other can know how their parts of a pixel lie to each other.
+/// Places on a grid, so neighbours do not touch. Where shapes overlap, a renderer that draws one
+/// after the other cannot know how their parts of a pixel overlap.
 template <class AddShape>
 DrawList OnGrid(float cell, const AddShape& addShape)
 {

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <limits>
 
-// Whatever changes from one frame to the next, the renderer that draws only what has changed shows
-// the bits of one that draws it all.
+// After any change between frames, the incremental renderer shows the same bits as one that draws
+// everything.
 using namespace boxreel;
 
 namespace

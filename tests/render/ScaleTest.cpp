@@ -3,8 +3,8 @@
 
 #include <random>
 
-// A picture at scale 8, averaged down, is the truth for the one at scale 1: every length in pixels
-// is eight times as large, and each pixel becomes 64.
+// A picture at scale 8, averaged down, is the reference for scale 1. Every length in pixels is
+// eight times as large, and each pixel becomes 64.
 using namespace boxreel;
 
 namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// Chains that swing against something: links are thrown and stopped within a step, pressed
-/// against what does not move by what hangs from them, and pushed out of it, while their joints
-/// have to stay closed.
+/// Chains that swing against obstacles. Links are thrown, stopped within a step, pressed against
+/// static bodies by the load below, and pushed out again. Their joints must stay closed.
 namespace
 {
 
@@ -11,7 +10,7 @@ using namespace stability;
 
 STABILITY_SUITE(ChainImpact);
 
-/// A link may be torn off for a frame, and by no more than one hardly sees.
+/// A link may open for a frame, by an amount that is hardly visible.
 constexpr double kHardlyOpen = 0.02; // [m]
 constexpr double kOpenAfterwards = 1e-3;
 /// Under the weight of a thousand links, which tears links open and keeps tearing.
@@ -107,8 +106,8 @@ TEST_P(ChainImpact, KeepsItTogetherOnTheGround)
     TryChains(GetParam(), "the ground", [](Chain& chain) { chain.AddGround(-15.0f); });
 }
 
-/// The ball touches the last link but one, at whose end it would have to be nearer than its radius
-/// for the overlap of their skins to go: pushes that turn the links between round and round.
+/// The ball touches the last link but one. Its end would have to be nearer than the ball's radius
+/// to resolve the overlap of their skins, so pushes rotate the links between again and again.
 TEST_P(ChainImpact, StaysTogetherWherePushesHaveNoWayOut)
 {
     Chain chain(GetParam(), 10.0f);

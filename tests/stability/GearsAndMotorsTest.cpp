@@ -78,7 +78,7 @@ public:
 
 /// A gear that slips by this [rad] is a millimetre off at a metre.
 constexpr double kSlip = 1e-3;
-/// By how much a motor may exceed what it has, for rounding.
+/// Tolerance of a motor's limit for rounding.
 constexpr double kRounding = 1e-4;
 
 void JudgeTrain(const Train& train, const std::string& name)
@@ -257,7 +257,7 @@ TEST_P(GearsAndMotors, ArmPressesOnTheGround)
     JudgePush("arm on the ground", GetParam(), push);
 }
 
-/// A car with a driven wheel stands with its nose at a wall; the wheel spins.
+/// A car with a driven wheel is in front of a wall; the wheel spins.
 TEST_P(GearsAndMotors, CarDrivesAgainstAWall)
 {
     Trial trial(GetParam());

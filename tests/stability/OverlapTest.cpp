@@ -16,8 +16,8 @@ constexpr double kShotOut = 1.0;
 /// Several contacts in a row, or in one place, add up to at most four times that.
 constexpr double kNoJump = 0.055;
 constexpr double kNoJumpInARow = 0.205;
-/// The same of what falls as well: beyond the way of the faster of its speeds before and after a
-/// step. Impacts within the step may push once more, and change the speed in between.
+/// The same for falling bodies: beyond the displacement of the larger of the speeds before and
+/// after a step. Impacts within the step may push once more, and change the speed in between.
 constexpr double kNoJumpInAFall = 0.25;
 /// One step, the manual's scheme, takes 20 cm with each of its iterations.
 constexpr double kJumpOfOneStep = 0.45;
@@ -141,8 +141,8 @@ struct Jam
         bodies.push_back(box);
     }
 
-    /// The farthest way of a body in a step beyond that of its speed [m], and the most energy that
-    /// a step wins [J/kg]: by lifting; all else is an error.
+    /// Measures the maximum displacement of a body in a step beyond that of its speed [m], and the
+    /// maximum energy gain of a step [J/kg]. The gain may come only from lifting.
     void Watch(double seconds)
     {
         for (const b2Body* body : bodies)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// Tall stacks and a card house. Nothing sleeps here: what stands does so by itself.
+/// Tall stacks and a card house. No body sleeps here, so they must be stable by themselves.
 namespace
 {
 
@@ -81,9 +81,8 @@ TEST_P(Stacks, StandOneCentimetreOff)
     }
 }
 
-/// Five rows of tents of two cards of 1 m x 0.05 m that lean by 25 degrees; on the tents of a row
-/// lie cards that carry the next. `room`: between two cards that meet [m]; `x`: where its middle
-/// is.
+/// Five rows of tents of two cards of 1 m x 0.05 m that lean by 25 degrees. Cards on the tents of a
+/// row carry the next. `room`: between two cards that meet [m]; `x`: position of the middle.
 class CardHouse
 {
 public:

@@ -228,7 +228,7 @@ TEST_F(FigureCommand, ThemeBothWritesLightAndDarkPicture)
     EXPECT_EQ(ReadFile(folder / "twin-dark.svg"), Written("dark.svg", {"--theme", "dark"}));
     EXPECT_EQ(ReadFile(folder / "twin-dark.png"), Written("dark.png", {"--theme", "dark"}));
 
-    // One of them is in the way: neither is written.
+    // If one of them already exists, neither is written.
     std::filesystem::remove(folder / "twin-light.svg");
     std::ofstream(folder / "twin-dark.svg") << "mine";
     EXPECT_EQ(Shot("twin.svg", {"--theme", "both"}).code, 1);

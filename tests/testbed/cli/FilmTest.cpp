@@ -277,7 +277,8 @@ TEST_F(Film, SecondSignalEndsAtOnceAndLeavesPart)
     const Outcome outcome = RunBoxreel(
         {"record", "pyramid", "--frames", "10000000", "-o", "film.mp4", "--size", "160x90"},
         folder.Path(), [&](int process) {
-            // Both are waiting when it goes on: no time between them for the orderly stop.
+            // Both signals are pending when it continues, so there is no time between them for the
+            // orderly stop.
             StopWhenBegun(process, SIGSTOP, folder.Path());
             kill(process, SIGINT);
             kill(process, SIGTERM);

@@ -184,7 +184,7 @@ TEST(SceneLayers, DrawsContactPointsOutsideTheirBodies)
     }
 }
 
-/// Whatever is seen: the pixels, the items that are drawn, the figure are those of the whole list.
+/// For any view, pixels, drawn items and figure equal those of the whole list.
 TEST(SceneLayers, OfAViewGiveThePictureThatAllOfTheWorldGives)
 {
     std::size_t seen = 0;

@@ -12,7 +12,7 @@ namespace boxreel
 namespace
 {
 
-/// Notes what is done to it.
+/// Logs the actions on it.
 class Listening : public Scene
 {
 public:

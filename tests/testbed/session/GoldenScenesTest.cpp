@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every scene against what was approved; `boxreel golden accept` approves.
+// Compares every scene with its references; `boxreel golden accept` updates them.
 #include "../scenes/EveryScene.h"
 
 #include <session/GoldenScenes.h>

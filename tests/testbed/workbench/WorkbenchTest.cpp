@@ -266,7 +266,7 @@ TEST_F(WorkbenchTest, ThrowsAndSlingsBombs)
     const Vec2 from = view.ToWorld({200.0f, 100.0f});
     EXPECT_NEAR(bomb->GetPosition().x, from.x, 1e-3f);
     EXPECT_NEAR(bomb->GetPosition().y, from.y, 1e-3f);
-    // The way that it was pulled back, the other way, and faster the farther.
+    // Opposite to the direction it was pulled, and faster with the distance.
     const b2Vec2 velocity = bomb->GetLinearVelocity();
     EXPECT_NEAR(velocity.y / velocity.x, 20.0f / 50.0f, 1e-3f);
     EXPECT_NEAR(velocity.x, 6.0 * 50.0 / view.pixelsPerMeter, 1e-2);
