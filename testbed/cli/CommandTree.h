@@ -49,7 +49,7 @@ struct CommandText
 {
     std::string path;    ///< "boxreel", "boxreel golden verify"
     std::string summary; ///< half a sentence
-    std::string notes;   ///< what its help ends with, examples among it
+    std::string notes;   ///< end of its help, including examples
     std::vector<WordText> words;
     std::vector<OptionText> options;
     std::vector<CommandText> commands;

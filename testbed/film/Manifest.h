@@ -19,7 +19,7 @@ namespace boxreel
 struct Manifest
 {
     std::string version;              ///< of this program
-    std::vector<std::string> command; ///< what the user asked for, without where it goes
+    std::vector<std::string> command; ///< the user's arguments, without the output
     Rational framesPerSecond;
     std::int64_t groupFrames = 100;
     int plays = 0;               ///< how often an animation plays; 0: forever

@@ -19,7 +19,7 @@ enum class ProgressMode
     Bar,
     Lines,
     Json,
-    OpenJD, ///< what Open Job Description's agents read, on standard output
+    OpenJD, ///< for Open Job Description's agents, on standard output
     None,
 };
 

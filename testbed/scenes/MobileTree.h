@@ -12,7 +12,7 @@ namespace boxreel
 enum class HeldAt
 {
     Middle,  ///< under any load
-    Balance, ///< where both ends pull equally
+    Balance, ///< the point at which both ends pull equally
 };
 
 /// Adds a tree of rods and equal balls that hangs from one static point at this height [m]. Each

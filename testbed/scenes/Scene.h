@@ -47,7 +47,7 @@ struct SceneArea
 struct KeyBinding
 {
     char key;
-    const char* effect; ///< what it does, e.g. "drives forward"
+    const char* effect; ///< its effect, e.g. "drives forward"
 };
 
 class Scene : private b2DestructionListener
@@ -141,7 +141,7 @@ private:
 
     MouseGrip m_grip;
     b2Body* m_bomb = nullptr;
-    Random m_bombs; ///< where they come from
+    Random m_bombs; ///< source of their positions
 };
 
 /// One line of the table of scenes.
@@ -149,7 +149,7 @@ struct SceneEntry
 {
     const char* name;     ///< as users know it, e.g. "Newton's Cradle"
     const char* category; ///< for lists and menus
-    const char* summary;  ///< what it shows, one sentence
+    const char* summary;  ///< one sentence about its content
     std::unique_ptr<Scene> (*create)(const SceneSettings&);
 };
 

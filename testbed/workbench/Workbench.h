@@ -52,7 +52,7 @@ public:
     Panels& Controls() { return m_panels; }
     const std::string& SceneAsked() const { return m_work.Session().Asked(); }
     const std::set<std::string>& OpenSections() const { return m_panels.Controls().OpenSections(); }
-    const std::string& Message() const { return m_message; } ///< what was done last
+    const std::string& Message() const { return m_message; } ///< the result of the last action
 
     /// "Pyramid: step 412, state 0123456789abcdef".
     std::string Summary() const;

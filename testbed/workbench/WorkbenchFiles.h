@@ -21,7 +21,7 @@ struct WorkbenchOutput
     std::filesystem::path into; ///< a folder; empty: the current one
     Backend backend = Backend::Auto;
     Theme theme;
-    PanelChoices choices; ///< what is drawn, by name
+    PanelChoices choices; ///< the layers, by name
 };
 
 /// "pyramid-1.mp4": the first number that is not taken.
@@ -40,7 +40,7 @@ public:
     static Result<WorkbenchFilm> Open(const SceneWork& work, const WorkbenchOutput& output);
 
     const std::filesystem::path& Path() const { return m_path; }
-    double Seconds(const SceneWork& work) const; ///< of what has been filmed, simulated [s]
+    double Seconds(const SceneWork& work) const; ///< simulated length of the film [s]
     /// True if this moment is one of its frames.
     bool HasFrameAt(std::int64_t sceneStep) const { return (sceneStep - m_first) % m_every == 0; }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What films are compared with. `list` prints the cases; `films` the films of one, and the words
-// that make them; `raw` draws the frames of a film as bare
-// pixels; `encode` becomes ffmpeg, which encodes them; `immediate` films by drawing the classic way
-// and piping the pixels to ffmpeg; `check` tells whether a film shows what the raw frames show.
-// Output is JSON, one object per line.
+// The helper of the film benchmark. `list` prints the cases, `films` the films of one with their
+// arguments. `raw` draws the frames of a film as bare pixels. `encode` becomes ffmpeg, which
+// encodes them. `immediate` draws the classic way and pipes the pixels to ffmpeg. `check` compares
+// a film with the raw frames. Output is JSON, one object per line.
 #include "ImmediateDraw.h"
 #include "RecordCases.h"
 

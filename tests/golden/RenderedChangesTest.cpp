@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each preset finds of changes planted into real scenes, as the renderer draws them.
+// Changes planted into real scenes, drawn by the renderer, and the presets that find them.
 #include <golden/Compare.h>
 #include <session/GoldenScenes.h>
 #include <session/SceneSession.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which renderers are taken for equal.
+// The renderers that count as equal.
 #include "Probe.h"
 
 #include <gmock/gmock.h>

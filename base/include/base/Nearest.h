@@ -8,7 +8,7 @@
 #include <vector>
 
 /// @file
-/// What a mistyped word was probably meant to be, for the error that refuses it.
+/// Finds the likely meaning of a mistyped word, for the error that refuses it.
 namespace boxreel
 {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What real shells complete, and what groff says of the manual page.
+// Completions in real shells, and the warnings of groff about the manual page.
 #include "Subprocess.h"
 
 #include <cli/CommandTree.h>

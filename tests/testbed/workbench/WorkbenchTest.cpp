@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person does at a workbench, as events, without a window.
+// User actions on a workbench as events, without a window.
 #include "../cli/Subprocess.h"
 
 #include <golden/StateHash.h>

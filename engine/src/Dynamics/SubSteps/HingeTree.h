@@ -83,7 +83,7 @@ private:
         Pair given;             ///< impulse from the subtree
         double givenTurn = 0.0; ///< its moment
         double load = 0.0;      ///< the mass of its subtree
-        double pull = 0.0;      ///< what turns the body back [N m]
+        double pull = 0.0;      ///< restoring torque of the body [N m]
         Pair change;            ///< of velocity
         double changeTurn = 0.0;
         Pair impulse; ///< impulse in the hinge
