@@ -152,7 +152,7 @@ void AddCodec(Command& command, std::string& codec)
         .Group("Format");
 }
 
-/// Adds the options of the encoding.
+/// How it is encoded.
 void AddFormat(Command& command, VideoSettings& film)
 {
     AddValue(command, "--quality", "LEVEL", film.quality,
