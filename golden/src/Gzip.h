@@ -7,9 +7,8 @@
 #include <string>
 #include <string_view>
 
-/// Converts text to and from the gzip format (RFC 1952), so `zcat` reads stored files. Only
-/// Gzip.cpp depends on zlib. Works in memory and touches no files; `name` is the culprit of an
-/// Error.
+/// Text to and from the gzip format (RFC 1952), so that `zcat` reads what is stored. Only Gzip.cpp
+/// knows zlib. Works in memory and touches no files; `name` is the culprit of an Error.
 namespace boxreel
 {
 
