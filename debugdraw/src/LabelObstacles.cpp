@@ -175,7 +175,7 @@ void LabelObstacles::AddItem(const DrawList& list, const DrawItem& item, LabelRo
     Add(thing);
 }
 
-/// Labels are inside the picture, so all else is ignored.
+/// Labels are inside the picture, so items outside are ignored.
 void LabelObstacles::Add(const LabelThing& thing)
 {
     const Box picture{{-0.5 * m_camera.width, -0.5 * m_camera.height},

@@ -35,10 +35,11 @@ public:
     /// letters.
     LabelSpots(const Camera& camera, const DrawList& list);
 
-    /// Returns a spot for each label, completely inside the picture. First those on their own body,
-    /// then those free at their position, then the others in order, each at the nearest spot with
-    /// the fewest obstacles. None if the position is outside the picture, or if every spot covers
-    /// another label or another body's centre, because such a label would mislead.
+    /// Returns a spot for each label, completely inside the picture. Labels on their own body are
+    /// placed first, then those that are free at their position, then the others in order. Each of
+    /// these gets the nearest spot with the fewest obstacles. None if the position is outside the
+    /// picture, or if every spot covers another label or another body's centre, because such a
+    /// label would mislead.
     std::vector<std::optional<LabelSpot>> Settle(const std::vector<LabelWish>& wishes);
 
 private:

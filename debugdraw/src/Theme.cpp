@@ -10,9 +10,9 @@ namespace boxreel
 namespace
 {
 
-// Relative luminance (IEC 61966-2-1, as WCAG 2.1 has it) with the sRGB curve taken as a square,
-// in units of 1 / (255^2 * 10000): whole numbers are the same on every machine, powers are not. At
-// most 0.04 too bright, in the middle.
+// Relative luminance (IEC 61966-2-1, as in WCAG 2.1), with a square instead of the sRGB curve, in
+// units of 1 / (255^2 * 10000). Whole numbers are the same on every machine; powers are not. The
+// maximum error is 0.04 too bright, in the middle.
 constexpr std::int64_t kWhiteLuminance = 255LL * 255 * 10000;
 std::int64_t Luminance(Color c)
 {

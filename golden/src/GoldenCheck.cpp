@@ -76,7 +76,7 @@ std::string RemedyOfTest(const GoldenVerdict& verdict)
            (isMissing ? "missing" : "changed") + " in the environment";
 }
 
-/// Lists what was accepted, for inspection before a commit.
+/// Lists the accepted files, for inspection before a commit.
 std::string WhatWasAccepted(const GoldenVerdict& verdict)
 {
     return verdict.status == GoldenStatus::Missing ? verdict.name + ": there was no reference."

@@ -93,8 +93,8 @@ constexpr ConeShares MakeConeShares()
 
 constexpr ConeShares kConeShares = MakeConeShares();
 
-// As CubeRoot, in floats: the estimate is within 3.5 % (its constant minimizes the maximum), and
-// one step leaves 3e-5.
+// Same as CubeRoot, in floats. The estimate is within 3.5 %, because its constant minimizes the
+// maximum error. One step reduces that to 3e-5.
 Floats NearlyCubeRoot(Floats x)
 {
     const Floats bits = ToFloats(std::bit_cast<Masks>(x));

@@ -7,7 +7,7 @@
 
 /// Colours in OKLab, a space in which equal distances look about equally different. Used only for
 /// comparing pictures. Every compiler and C library gives the same bits, because only +, -, *, /
-/// and the square root are used, all correctly rounded by IEEE 754.
+/// and the square root are used. IEEE 754 rounds all of them correctly.
 namespace boxreel
 {
 

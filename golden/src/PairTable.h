@@ -35,7 +35,7 @@ public:
         return answer > 1 ? Keep(p, q, Compute(p, q)) : answer == 1;
     }
 
-    /// As above, for the first `count` of four pairs.
+    /// Same as above, for the first `count` of four pairs.
     std::array<bool, kLanes> AreOver(Words p, Words q, int count);
 
     double LargestDistance() const { return m_largest; } ///< over all pairs

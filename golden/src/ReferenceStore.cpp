@@ -283,7 +283,7 @@ void CompareMoments(const Moment& expected, const Moment& actual, const CompareS
     }
 }
 
-/// Of two sheets, whose pictures have been compared.
+/// Compares the films of two sheets whose pictures have been compared.
 FilmComparison CompareFilms(const Moment& expected, const Moment& actual,
                             const SheetLayout& expectedSheet, const SheetLayout& actualSheet,
                             const CompareSettings& settings, bool differ)

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-/// Where two texts part, line by line. Knows nothing of what the lines mean.
+/// Finds the first difference of two texts, line by line. Does not interpret the lines.
 namespace boxreel
 {
 

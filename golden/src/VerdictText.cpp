@@ -161,7 +161,7 @@ std::string Instead(const char* quantity, float expected, float actual)
            ")";
 }
 
-/// What differs most tells most: places before angles before velocities.
+/// Describes the largest difference: positions first, then angles, then velocities.
 std::string DescribeBody(const BodyState& expected, const BodyState& actual)
 {
     const double dx = double(actual.x) - double(expected.x);
@@ -404,7 +404,7 @@ std::string DescribeSame(const GoldenVerdict& verdict)
            (verdict.compared.frame ? ", pixels " + verdict.pixels.Text() : "");
 }
 
-/// What differs first, then the depths below it.
+/// Returns the first depth that differs, then the depths below it.
 std::vector<std::string> Differing(const GoldenVerdict& verdict)
 {
     std::vector<std::string> findings;

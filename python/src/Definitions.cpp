@@ -85,7 +85,7 @@ constexpr std::array kFixture = {
     F<b2FixtureDef, &b2FixtureDef::filter>("filter"),
 };
 
-// What all joints have, for the table of each.
+// The fields of all joints, for the table of each.
 #define BOXREEL_JOINT_FIELDS(Def)                                                                  \
     F<Def, &Def::bodyA>("bodyA"), F<Def, &Def::bodyB>("bodyB"),                                    \
         F<Def, &Def::collideConnected>("collideConnected")

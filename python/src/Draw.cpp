@@ -9,7 +9,7 @@ namespace boxreel::python
 namespace
 {
 
-/// How b2DrawExtended converts points to pixels.
+/// The conversion of points to pixels by b2DrawExtended.
 struct Screen
 {
     float32 zoom;

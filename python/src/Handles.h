@@ -20,7 +20,7 @@ namespace boxreel::python
 
 struct WorldObject;
 
-/// What handles of all kinds have in common.
+/// The common members of all handles.
 struct HandleBase
 {
     WorldObject* world = nullptr; ///< null once the object is destroyed

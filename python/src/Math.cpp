@@ -123,7 +123,7 @@ float32 Inverse(py::handle divisor)
     return 1.0f / number;
 }
 
-/// What vectors and colours have in common: arithmetic, indices, iteration.
+/// The common methods of vectors and colours: arithmetic, indices, iteration.
 template <class T, class Class>
 void Arithmetic(Class& type)
 {

@@ -11,7 +11,7 @@
 
 #include <pybind11/numpy.h>
 
-/// What the parts of the package boxreel share.
+/// Declarations shared by the parts of the package boxreel.
 namespace boxreel::python
 {
 
@@ -35,7 +35,7 @@ T Need(Result<T> result)
 /// Returns the theme of that name.
 Theme ThemeFrom(const std::string& name);
 
-/// What a picture of a world shows.
+/// The content of a picture of a world.
 struct Look
 {
     std::uint32_t layers;                  ///< b2Draw's bits

@@ -16,7 +16,7 @@ struct WorldLink
     WorldObject* world;
 };
 
-/// Which functions of a listener a program has overridden; the others are not called.
+/// The functions of a listener that a program has overridden. The others are not called.
 struct ContactCalls
 {
     bool begin = false;
@@ -107,7 +107,7 @@ struct WorldObject final : b2ContactListener,
     std::uint64_t epoch = 0;       ///< grows when contacts may have been destroyed
     unsigned long stepper = 0;     ///< thread that steps the world without Python's lock; 0: none
     bool isDestroying = false;     ///< inside DestroyBody and the like, where callbacks may run
-    std::vector<b2Body*> bodies; ///< of Bodies(); empty: not up to date
+    std::vector<b2Body*> bodies;   ///< of Bodies(); empty: not up to date
     ContactCalls calls;
     py::object contactListener = py::none();
     py::object contactFilter = py::none();

@@ -87,7 +87,7 @@ void TagColours(AVCodecContext& context, const EncoderPlan& plan)
     context.chroma_sample_location = isHalved ? AVCHROMA_LOC_LEFT : AVCHROMA_LOC_UNSPECIFIED;
 }
 
-/// Sets what is the same for all codecs, before opening.
+/// Sets the common options of all codecs, before opening.
 void SetUp(AVCodecContext& context, const EncoderPlan& plan, const VideoSettings& settings)
 {
     context.width = settings.width;

@@ -27,7 +27,8 @@ public:
     /// Writes to `picture`, which must be writable and of that size and format.
     void Convert(const Frame& frame, AVFrame& picture) const;
 
-    /// As above, if `picture` already shows a frame that differs from this one only in `changed`.
+    /// Same as above, if `picture` already shows a frame that differs from this one only in
+    /// `changed`.
     void Convert(const Frame& frame, std::span<const PixelBounds> changed, AVFrame& picture) const;
 
 private:

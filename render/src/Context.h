@@ -59,9 +59,9 @@ struct ContextLibraries
     std::string egl = "libEGL.so.1";
 };
 
-/// The back end that was asked for, or the first that works. When none does, an Error (Absent) with
-/// a line for each that was tried: its library, what went wrong, the remedy. An Error (Unusable)
-/// for an environment variable that names no back end or stops Mesa.
+/// Creates the requested back end, or the first that works. If none does, returns an Error (Absent)
+/// with one line per back end: its library, the problem, the remedy. An Error (Unusable) for an
+/// environment variable that names no back end or stops Mesa.
 Result<std::unique_ptr<Context>> CreateContext(Backend backend,
                                                const ContextLibraries& libraries = {});
 

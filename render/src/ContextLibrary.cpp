@@ -11,9 +11,9 @@ namespace
 
 constexpr const char* kVectorWidth = "LP_NATIVE_VECTOR_WIDTH"; // [bits]
 
-/// Mesa 22.3 keeps compiled shaders on disk, by the processor but not by the width of vectors that
-/// this variable asks for. A vertex shader that an earlier process compiled for eight vertices at a
-/// time then writes beyond memory that this one has taken for four, and malloc stops the process.
+/// Mesa 22.3 keeps compiled shaders on disk. Their key has the processor, but not the width of
+/// vectors in this variable. A vertex shader compiled earlier for eight vertices at a time then
+/// writes beyond memory allocated for four, and malloc stops the process.
 void KeepShadersOfOtherWidthsOut()
 {
     if (std::getenv(kVectorWidth) != nullptr)

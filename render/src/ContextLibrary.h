@@ -9,8 +9,8 @@
 namespace boxreel
 {
 
-/// An Error (Unusable) when LP_NATIVE_VECTOR_WIDTH asks llvmpipe, Mesa's software renderer, for
-/// vectors that it cannot compile: it would stop the process without a word.
+/// An Error (Unusable) if LP_NATIVE_VECTOR_WIDTH requests vectors from llvmpipe, Mesa's software
+/// renderer, that it cannot compile. Otherwise llvmpipe would stop the process without a message.
 Result<void> CheckVectorWidth();
 
 /// `packages` are Debian's, for the Error (Absent).

@@ -10,9 +10,8 @@
 #include <string>
 #include <string_view>
 
-/// The output interface of figures: lines, shapes and text in pixels, in groups. PaintFigure
-/// decides what is drawn and where, so that all formats show the same; each format is one
-/// FigureCanvas.
+/// The output interface of figures: lines, shapes and text in pixels, in groups. PaintFigure places
+/// all items, so all formats show the same. Each format is one FigureCanvas.
 namespace boxreel
 {
 

@@ -8,7 +8,7 @@
 namespace boxreel
 {
 
-/// What a scene file would be as a scene.
+/// Options of `boxreel check`.
 struct CheckOptions
 {
     std::filesystem::path file;
@@ -17,7 +17,7 @@ struct CheckOptions
 /// Declares `boxreel check` and its options to the parser, which writes to `options`.
 Command& Declare(Command& program, CheckOptions& options);
 
-/// Whether the options fit together; opens nothing.
+/// Checks the options for contradictions; opens nothing.
 Result<void> Check(CheckOptions& options);
 
 /// Lists what of the scene file cannot be built.

@@ -24,8 +24,7 @@ Error CannotRun(const std::filesystem::path& program, const std::string& why)
 
 using Clock = std::chrono::steady_clock;
 
-/// What was written until the other end was closed, and why it was not waited for any longer, if
-/// so.
+/// The output of a child process. `excess` is the reason if reading ended early.
 struct Words
 {
     std::string text;
@@ -97,7 +96,7 @@ int Spawn(const std::filesystem::path& program, std::vector<char*>& words, const
     return failure;
 }
 
-/// How it ended; empty: well, with 0.
+/// Describes how the process ended; empty after exit code 0.
 std::string Ending(int status)
 {
     if (WIFSIGNALED(status))

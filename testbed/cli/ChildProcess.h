@@ -19,8 +19,8 @@ struct ChildBounds
     double wall = 0.0;      ///< longest that it may run [s]
 };
 
-/// Runs a program to its end and returns what it wrote to its standard output; its standard error
-/// is ours. An error when it cannot be started, ends with another code than 0 or leaves its bounds.
+/// Runs a program to its end and returns its standard output. Its standard error is that of this
+/// process. An Error if it cannot be started, exits with another code than 0 or exceeds its bounds.
 Result<std::string> OutputOf(const std::filesystem::path& program,
                              const std::vector<std::string>& arguments, const ChildBounds& bounds);
 

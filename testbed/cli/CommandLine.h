@@ -26,8 +26,8 @@
 namespace boxreel
 {
 
-/// Every command by its options, in the order of the help: the only list of them. A command below
-/// another (`golden report`) stands after it.
+/// The options of every command, in the order of the help. This is the only list of commands. A
+/// subcommand (`golden report`) follows its command.
 using Commands =
     std::tuple<ListOptions, RecordOptions, MergeOptions, ShotOptions, DiffOptions, GoldenOptions,
                GoldenReportOptions, GoldenStateOptions, PlayOptions, UiOptions, CheckOptions,

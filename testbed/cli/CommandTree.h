@@ -9,7 +9,7 @@
 namespace boxreel
 {
 
-/// What a shell offers where a word or an option's value stands.
+/// The completions that a shell offers for a word or an option's value.
 struct Completion
 {
     enum class Kind
@@ -25,7 +25,7 @@ struct Completion
     std::vector<std::string> words;
 };
 
-/// A word that stands by itself: SCENE.
+/// A positional word: SCENE.
 struct WordText
 {
     std::string name;
@@ -49,7 +49,7 @@ struct CommandText
 {
     std::string path;    ///< "boxreel", "boxreel golden verify"
     std::string summary; ///< half a sentence
-    std::string notes;   ///< what its help ends with, examples among it
+    std::string notes;   ///< end of its help, including examples
     std::vector<WordText> words;
     std::vector<OptionText> options;
     std::vector<CommandText> commands;
@@ -58,8 +58,8 @@ struct CommandText
 /// Returns the commands and options that ParseCommandLine (CommandLine.h) understands.
 CommandText DescribeProgram();
 
-/// As a usage line shows it; `name` may be marked up: SCENE, [SCENE] that may be left out,
-/// [SCENE...].
+/// Returns the word in the form of a usage line: SCENE, [SCENE] if optional, [SCENE...] for a list.
+/// `name` may contain markup.
 inline std::string UsageOf(const WordText& word, const std::string& name)
 {
     const std::string shown = word.isList ? name + "..." : name;

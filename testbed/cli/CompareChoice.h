@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-/// How pictures are to be compared, as options say it: a preset, and single limits that replace the
-/// preset's, whichever stands first on the command line.
+/// The options for comparing pictures: a preset, and single limits. The limits replace those of the
+/// preset, in any order on the command line.
 namespace boxreel
 {
 

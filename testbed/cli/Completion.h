@@ -22,7 +22,7 @@ struct CompletionOptions
 /// Declares `boxreel completion` and its options to the parser, which writes to `options`.
 Command& Declare(Command& program, CompletionOptions& options);
 
-/// Whether the options fit together; opens nothing.
+/// Checks the options for contradictions; opens nothing.
 Result<void> Check(CompletionOptions& options);
 
 /// Prints the script.

@@ -12,7 +12,7 @@ namespace
 
 using Kind = Completion::Kind;
 
-/// As _boxreel_matches takes it: "files .png .svg".
+/// Returns the argument of _boxreel_matches: "files .png .svg".
 std::string KindText(const Completion& completion)
 {
     const std::string words = completion.words.empty() ? "" : " " + JoinedBy(" ", completion.words);
@@ -57,7 +57,7 @@ std::string CommandCases(const CommandText& program)
     return cases;
 }
 
-/// What stands behind each option that takes a value, and at the place of each word.
+/// Returns the cases for the values of options and for the words of commands.
 std::string KindCases(const CommandText& program)
 {
     std::string cases;

@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
-/// What the completion scripts of both shells have in common. Private to Completion*.cpp.
+/// The common parts of the completion scripts of both shells. Private to Completion*.cpp.
 namespace boxreel
 {
 
-/// Of a POSIX shell: lines become the names of scenes that need no quotes, as SceneSlug makes them;
-/// and those of all scenes of $program, of which a checkout's script builds none meanwhile.
+/// Functions of a POSIX shell. The first turns lines into names of scenes that need no quotes, as
+/// SceneSlug makes them. The second prints those of all scenes of $program. If that is the script
+/// of a checkout, it does not build meanwhile.
 constexpr const char* kSceneFunctions = R"sh(_boxreel_slugs()
 {
     LC_ALL=C sed -e "s/['\\\\]//g" -e 's/[^A-Za-z0-9][^A-Za-z0-9]*/-/g' -e 's/^-//' -e 's/-$//' \

@@ -22,13 +22,13 @@ std::string Pattern(const std::vector<std::string>& ends)
     {
         letters.push_back(end.substr(1));
     }
-    // Of one end alone zsh would take the brackets for a qualifier.
+    // For a single extension, zsh would read the brackets as a qualifier.
     return letters.empty()       ? "*"
            : letters.size() == 1 ? "*." + letters.front()
                                  : "*.(" + JoinedBy("|", letters) + ")";
 }
 
-/// What _arguments does there.
+/// Returns the action for _arguments.
 std::string Action(const Completion& completion)
 {
     switch (completion.kind)
@@ -87,7 +87,7 @@ constexpr const char* kScriptsOwn = R"sh(            local begin=
             [[ $begin == '#!' ]] && commands+=('test:Build everything and run the tests')
 )sh";
 
-/// Of a command that has others below it.
+/// Returns the function body of a command with subcommands.
 std::string CommandBody(const CommandText& command, bool isProgram)
 {
     std::string body = Line("1:command:->command") + Line("*::word:->word");

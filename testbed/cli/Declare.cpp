@@ -236,7 +236,7 @@ Option& AddBackend(Command& command, Backend& backend)
     return AddValue(command, "--backend", "NAME", backend, ParseBackend,
                     "Draw with " + JoinedBy(", ", BackendNames()) +
                         "\n"
-                        "(auto: $BOXREEL_BACKEND, else the first that works)")
+                        "(auto: $BOXREEL_BACKEND, or the first that works)")
         .Completes({Completion::Kind::Words, BackendNames()});
 }
 

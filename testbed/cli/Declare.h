@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-/// How commands declare their options, as data: the parser (Parser.h) writes what was typed to
-/// them, and the help, the completions and the manual page show them.
+/// Declares the options of commands as data. The parser (Parser.h) writes the command line to them.
+/// The help, the completions and the manual page show them.
 namespace boxreel
 {
 
@@ -37,7 +37,7 @@ struct Option
     bool IsArgument() const { return !text.names.front().starts_with('-'); }
     bool IsFlag() const { return !IsArgument() && text.unit.empty(); }
 
-    /// Sets the heading of the help that it stands below.
+    /// Sets the option's heading in the help.
     Option& Group(const std::string& heading);
     /// Sets what shells offer there.
     Option& Completes(const Completion& completion);
@@ -50,7 +50,7 @@ struct Command
 
     std::string path;                     ///< "boxreel golden verify"
     std::string summary;                  ///< half a sentence
-    std::string notes;                    ///< what its help ends with, examples among it
+    std::string notes;                    ///< end of its help, including examples
     std::list<Option> options;            ///< and arguments, in the order of the help
     std::list<Command> commands;          ///< below it, one of which must be given
     std::function<Result<void>()> finish; ///< called when all options are read; may be empty
@@ -217,7 +217,7 @@ Option& AddBackend(Command& command, Backend& backend);
 /// `bothThemes`: where to say that a light and a dark twin are wanted; null where there are none.
 void AddLook(Command& command, SceneLook& look, bool* bothThemes);
 
-/// Whether the picture is large enough for its panel, and has only one. Sets `hud` where it is
+/// Checks that the picture is large enough for its panel, and has only one. Sets `hud` where it is
 /// implied.
 Result<void> CheckHud(SceneLook& look);
 

@@ -22,7 +22,7 @@ struct DiffOptions
 /// Declares `boxreel diff` and its options to the parser, which writes to `options`.
 Command& Declare(Command& program, DiffOptions& options);
 
-/// Whether the options fit together; opens nothing.
+/// Checks the options for contradictions; opens nothing.
 Result<void> Check(DiffOptions& options);
 
 /// Compares the pictures.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Doctor.h"
-// `boxreel doctor`: what of the program works on this machine. Each thing is done, not asked for.
+// `boxreel doctor`: tests which parts of the program work on this machine. Each part is really run.
 #include "Declare.h"
 #include "SelfTest.h"
 
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLittleRoom = 1'000'000'000; ///< a film of some minutes, lossless [bytes]
 
-/// What a line says, or what is wrong and helps.
+/// The text of a line, or an error with its remedy.
 using Finding = Result<std::string>;
 
 struct Trial
@@ -154,7 +154,7 @@ public:
         }
     }
 
-    /// For what is not there and not needed.
+    /// Adds a part that is neither available nor needed.
     void AddNone(const std::string& name, const std::string& why) { Write("none", name, why); }
 
     /// An Error when the lines could not be written.
@@ -175,8 +175,8 @@ private:
     int m_code = 0;
 };
 
-/// One back end is enough. Mesa 25.1 and later have no OSMesa, so its package is not asked for
-/// where EGL draws. Where the variable names one, only that one is needed.
+/// One back end is sufficient. Mesa 25.1 and later have no OSMesa, so its package is not required
+/// where EGL works. If the variable names a back end, only that one is required.
 void AddBackends(Report& report)
 {
     const Finding osMesa = LookAtBackend(Backend::OSMesa);

@@ -6,7 +6,7 @@
 namespace boxreel
 {
 
-/// What works on this machine.
+/// Options of `boxreel doctor`.
 struct DoctorOptions
 {};
 

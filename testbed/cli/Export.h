@@ -28,7 +28,7 @@ struct ExportOptions
 /// Declares `boxreel export` and its options to the parser, which writes to `options`.
 Command& Declare(Command& program, ExportOptions& options);
 
-/// Whether the options fit together; opens nothing.
+/// Checks the options for contradictions; opens nothing.
 Result<void> Check(ExportOptions& options);
 
 /// Writes the scene file.

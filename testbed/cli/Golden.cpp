@@ -26,8 +26,7 @@ struct Folders
     fs::path output;
 };
 
-/// The nearest folder around the current one that holds golden/references; empty when there is
-/// none.
+/// Returns the nearest parent folder that contains golden/references; empty if there is none.
 fs::path FindCheckout()
 {
     std::error_code error;
@@ -116,7 +115,8 @@ Result<std::vector<GoldenSelection>> Select(const GoldenOptions& options)
     return selections;
 }
 
-/// A line when references of another renderer were compared by other limits, else nothing.
+/// Returns a line if references of another renderer were compared with other limits; otherwise
+/// empty.
 std::string LimitsOfOthers(std::size_t moments, const CompareSettings& settings)
 {
     const std::optional<CompareSettings> others = ForOtherRenderer(settings);
@@ -350,7 +350,7 @@ Command& Declare(Command& program, GoldenOptions& golden)
         };
     }
     AddCompare(verify, golden.compare,
-               "cross-machine where another renderer drew the\nreference, else same-machine");
+               "cross-machine if another renderer drew the\nreference, otherwise same-machine");
     AddIgnoredBodies(verify, golden.compare);
     verify.notes =
         "Exit code 0: all match, 2: something differs or has no reference.\n"

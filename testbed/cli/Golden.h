@@ -26,7 +26,7 @@ struct GoldenOptions
     ContactSheetSettings sheet;     ///< of the film
     std::filesystem::path
         references; ///< empty: golden/references of the checkout around the current folder
-    std::filesystem::path output; ///< of what failed; empty: beside the references' checkout
+    std::filesystem::path output; ///< folder of failures; empty: beside the references' checkout
     std::filesystem::path report; ///< a page of what was verified; empty: none
     CompareChoice compare;        ///< of the pixels
     Backend backend = Backend::Auto;

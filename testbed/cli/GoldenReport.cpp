@@ -21,7 +21,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Its second line says what it is.
+/// True if the file is a report page. Its second line identifies it.
 bool IsReport(const fs::path& path)
 {
     std::ifstream in(path);

@@ -29,12 +29,11 @@ Command& Declare(Command& program, GoldenReportOptions& options);
 /// Writes the page.
 Result<int> Run(const GoldenReportOptions& options);
 
-/// Writes the page, whole or not at all, and says so in a line. `only`: the names that are in it;
-/// empty: all.
+/// Writes the page atomically, and prints a line. `only`: the names on it; empty: all.
 Result<void> WriteGoldenReport(const GoldenReportOptions& options,
                                const std::set<std::string>& only);
 
-/// Whether a page may be written there: nothing is replaced but a page like it.
+/// Checks that a page may be written there. Only a report page may be replaced.
 Result<void> CheckGoldenReportPath(const std::filesystem::path& path, bool force);
 
 /// build/golden-output of the checkout around the current folder, or golden-output.

@@ -17,10 +17,10 @@ std::string StateText(const GoldenRun& run)
     return run.stateHash + "\n" + ToText(run.state);
 }
 
-/// What the longest trace takes a hundred times over, and a scene in a build for debugging.
+/// A hundred times the size of the longest trace; enough time for a scene in a debug build.
 constexpr ChildBounds kAgainst{64u << 20, 300.0};
 
-/// What another program says of a scene.
+/// The states of a scene in another program.
 class OtherProgram
 {
 public:

@@ -23,7 +23,7 @@ struct GoldenStateOptions
 /// Declares `boxreel golden state` and its options to the parser, which writes to `options`.
 Command& Declare(Command& program, GoldenStateOptions& options);
 
-/// Whether a scene was named.
+/// Checks that a scene was named.
 Result<void> Check(GoldenStateOptions& options);
 
 /// Prints the state.
@@ -32,9 +32,9 @@ Result<int> Run(const GoldenStateOptions& options);
 /// Returns the absolute path of the program, not searched along PATH. Error (Unusable): no file.
 Result<std::filesystem::path> FindOtherProgram(const std::filesystem::path& program);
 
-/// Where this program's states of a scene part from those of another build, which is run: a
-/// sentence with the first step, the bodies, and by how much they differ there. Empty when all
-/// steps are the same. `program`: as FindOtherProgram gives it.
+/// Runs another build and compares the states of a scene with those of this program. Returns a
+/// sentence with the first step that differs, the bodies, and by how much they differ there. Empty
+/// if all steps are the same. `program`: the result of FindOtherProgram.
 Result<std::string> CompareWith(const std::filesystem::path& program,
                                 const GoldenSelection& selection);
 

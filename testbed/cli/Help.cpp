@@ -13,7 +13,7 @@ namespace
 /// Left of what an option or a command does; [characters].
 constexpr std::size_t kNameWidth = 32;
 
-/// A name and what it stands for, whose further lines stand below its first.
+/// Returns a name with its description, whose further lines are indented below the first.
 std::string HelpRow(const std::string& name, const std::string& text)
 {
     std::string row = "  " + name;

@@ -8,7 +8,7 @@
 namespace boxreel
 {
 
-/// What `boxreel COMMAND --help` prints.
+/// Returns the output of `boxreel COMMAND --help`.
 std::string HelpOf(const CommandText& command);
 
 } // namespace boxreel

@@ -72,7 +72,7 @@ void AddLook(Command& command, SceneLook& look, bool* bothThemes)
     AddSize(command, look);
     AddTheme(command, look, bothThemes);
     AddValue(command, "--camera", "VIEW", look.view, ParseView,
-             "Set the view (scene: the scene's own view, else fit).\n"
+             "Set the view (scene: the scene's own view, or fit).\n"
              "fit: keep all moving bodies in view; fit:world: all bodies;\n"
              "fit:3,17: these bodies. follow:3,17 or follow:17:HEIGHT: keep these\n"
              "in the centre. X,Y,HEIGHT: fix centre and height, in metres.\n"
@@ -90,7 +90,8 @@ void AddLook(Command& command, SceneLook& look, bool* bothThemes)
         command, "--force-scale", "M", look.arrows.metersPerNewton,
         NumberBetween(1e-12, 1e12, "must be metres per newton from 1e-12 to 1e12, such as 0.01"),
         "Draw forces, friction and impulses at M metres per newton, averaged\n"
-        "over a step (mean weight: 1/8 of the mean body size; contacts: 1/3)")
+        "over a step (draws the mean weight at 1/8 of the mean body size for\n"
+        "joints, at 1/3 for contacts)")
         .Group("Picture");
     AddFlag(command, "--labels", look.labels, "Show the number of each body").Group("Picture");
     AddFlag(command, "--hud", look.hud, "Show a panel with time, step, bodies, contacts")

@@ -13,7 +13,7 @@ namespace boxreel
 namespace
 {
 
-/// A term and what it means.
+/// A term and its description.
 struct Entry
 {
     const char* term;
@@ -86,7 +86,7 @@ std::string Italic(const std::string& text)
     return "\\fI" + Plain(text) + "\\fR";
 }
 
-/// A sentence or more; what stands between backquotes is bold instead.
+/// Returns one or more sentences. Text between backquotes becomes bold.
 std::string Prose(const std::string& text)
 {
     std::string prose;

@@ -57,7 +57,7 @@ Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path
     return parts;
 }
 
-/// Whether `after` goes on where `before` ends.
+/// Checks that `after` starts where `before` ends.
 Result<void> CheckSeam(const NamedPart& before, const NamedPart& after)
 {
     const auto refused = [&](const std::string& why) {
@@ -99,7 +99,7 @@ std::string FramesText(std::int64_t first, std::int64_t last)
     return std::to_string(first) + (last > first ? " to " + std::to_string(last) : "");
 }
 
-/// Whether the first and the last part are those of the film.
+/// Checks that the first and the last part are those of the film.
 Result<void> CheckWhole(const std::vector<NamedPart>& parts)
 {
     const std::int64_t first = parts.front().manifest.first;
@@ -115,11 +115,11 @@ Result<void> CheckWhole(const std::vector<NamedPart>& parts)
         return {};
     }
     return Error{ErrorKind::Unusable, "frames " + missing,
-                 "are in no part; the film has " + std::to_string(count) + " frames",
-                 "add the parts that have them, or use --partial"};
+                 "missing from the parts; the film has " + std::to_string(count) + " frames",
+                 "add the parts with these frames, or use --partial"};
 }
 
-/// What is replaced by the film cannot be read for it.
+/// The output must not be one of the parts, because it would replace a file that is still read.
 Result<void> CheckOutput(const MergeOptions& options)
 {
     for (const std::filesystem::path& part : options.parts)
@@ -134,7 +134,8 @@ Result<void> CheckOutput(const MergeOptions& options)
     return {};
 }
 
-/// How many of the frames that it keeps a film encodes together: a GIF's groups hold more.
+/// Returns the number of stored frames that a film encodes together. A group of a GIF contains more
+/// frames than it stores.
 int GroupOf(const Manifest& manifest, const std::filesystem::path& film)
 {
     const VideoSettings ofOne{.framesPerSecond = manifest.framesPerSecond, .groupFrames = 1};

@@ -21,7 +21,7 @@ struct MergeOptions
 /// Declares `boxreel merge` and its options to the parser, which writes to `options`.
 Command& Declare(Command& program, MergeOptions& options);
 
-/// Whether the options fit together; opens nothing.
+/// Checks the options for contradictions; opens nothing.
 Result<void> Check(MergeOptions& options);
 
 /// Joins the parts without encoding them again.

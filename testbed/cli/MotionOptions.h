@@ -6,10 +6,10 @@
 namespace boxreel
 {
 
-/// Options of a still: its moments, what shows motion in it, and what is written beside it.
+/// Options of a still: its moments, the display of motion, and its annotations.
 void AddMotion(Command& command, ShotOptions& shot);
 
-/// Whether they fit together, and with a panel.
+/// Checks the options for contradictions, also with a panel.
 Result<void> CheckMotion(const ShotOptions& options);
 
 } // namespace boxreel

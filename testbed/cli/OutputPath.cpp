@@ -31,7 +31,7 @@ Result<void> CheckExtension(const std::filesystem::path& path, const std::vector
 std::filesystem::path WholePath(const std::filesystem::path& path)
 {
     std::error_code failure;
-    // Absolute first: of what does not exist nothing else makes a relative name whole.
+    // Made absolute first, because a relative name of a missing file cannot be resolved otherwise.
     const std::filesystem::path whole =
         std::filesystem::weakly_canonical(std::filesystem::absolute(path, failure), failure);
     return failure ? path : whole;
@@ -52,8 +52,8 @@ Result<void> CheckPath(const std::filesystem::path& path, bool force,
         return Error{ErrorKind::Unusable, path.string(), "already exists",
                      "use --force to overwrite it"};
     }
-    // Permissions are not all: /proc has them and takes no file, as a full disk. What is made here
-    // goes with its owner.
+    // Permissions are not sufficient: /proc has them but accepts no file, like a full disk. The
+    // trial file is removed with its owner.
     const Result<AtomicFile> attempt = AtomicFile::Create(path, force);
     return attempt ? Result<void>() : Result<void>(attempt.GetError());
 }

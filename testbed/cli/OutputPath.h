@@ -19,15 +19,15 @@ std::vector<std::string> FilmExtensions();
 /// Refuses the names of unfinished films.
 Result<void> CheckFilmName(const std::filesystem::path& film);
 
-/// Whether a picture can be written there: the name ends in .png, its folder exists and takes
-/// a file, and no file exists unless `force`. Leaves everything as it was.
+/// Checks that a picture can be written there. The name must end in .png, and its folder must exist
+/// and be writable. No file may exist unless `force`. Changes nothing.
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force);
 
 /// True if two names refer to the same file, in any spelling, or if one is a frame of the other, a
 /// numbered film.
 bool IsSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// Whether a picture has the name of one that a numbered film, frames-####.png, may write.
+/// True if a picture has the name of one that a numbered film, frames-####.png, may write.
 bool IsFrameOf(const std::filesystem::path& picture, const std::filesystem::path& film);
 
 enum class PictureFormat

@@ -17,7 +17,7 @@ namespace boxreel
 namespace
 {
 
-/// An error of a reader on its way through the parser.
+/// An error of a reader that passes through the parser.
 struct Refusal : CLI::ValidationError
 {
     explicit Refusal(boxreel::Error why) : CLI::ValidationError(""), error(std::move(why)) {}
@@ -149,8 +149,8 @@ Error MissingCommand(CLI::App& command)
             "use " + JoinedBy(", ", CommandNames(command))};
 }
 
-/// The option with a missing, a needless or a repeated value. The parser's exception does not hold
-/// it, so it is looked up in what was typed and read.
+/// Returns the error of an option with a missing, an unexpected or a repeated value. The parser's
+/// exception does not contain the option, so it is looked up in the arguments.
 Error WrongCount(const CLI::App& command, const std::vector<std::string>& arguments)
 {
     for (const CLI::Option* option : command.get_options())

@@ -10,7 +10,7 @@
 namespace boxreel
 {
 
-/// What was typed.
+/// The words of the command line.
 struct ParsedLine
 {
     enum class Kind

@@ -128,7 +128,7 @@ Result<void> Planner::Plan()
 {
     const Script& script = m_play.script;
     m_actions = std::make_shared<const Script>(script);
-    // With options that every picture has: what is wrong is the scene's line.
+    // Parsed with options that every picture has, so an error is in the scene's line.
     const Result<ShotOptions> any =
         Understood<ShotOptions>(script, "shot", {"--step", "0"}, "any.png");
     if (!any)
@@ -304,7 +304,7 @@ Result<void> CheckBody(const Play& play, const Expectation& expectation,
                                                   : play.script.At(expectation.line, *missing);
 }
 
-/// What an expectation says now.
+/// The present result of an expectation.
 struct Answer
 {
     bool holds = false;
@@ -325,7 +325,7 @@ Answer AnswerOf(const Expectation& expectation, const SceneSession& session)
             value ? NumberText(*value) : ""};
 }
 
-/// How many do not hold, each in a line.
+/// Returns the number of expectations that do not hold, and prints one line for each.
 Result<int> Expect(const Play& play, SceneSession& session)
 {
     std::vector<const Expectation*> inOrder;
@@ -355,7 +355,7 @@ Result<int> Expect(const Play& play, SceneSession& session)
         line += answer.found.empty() ? "" : " (" + answer.found + ")";
         RETURN_IF_ERROR(WriteOutput(line + "\n"));
     }
-    // A click on what is not there is to be known before anything is made.
+    // A click on a missing control is reported before anything is made.
     for (const ScriptAction& action : play.script.actions)
     {
         if (action.IsForPanels())
@@ -393,7 +393,7 @@ Result<GoldenCandidate> CandidateOf(const Play& play, const GoldenPicture& golde
     return candidate;
 }
 
-/// How many are not as approved, each in a line.
+/// Returns the number of golden moments that differ, and prints one line for each.
 Result<int> CompareGoldens(const Play& play, const PlayOptions& options)
 {
     const fs::path folder = play.script.file.parent_path();

@@ -10,7 +10,7 @@
 namespace boxreel
 {
 
-/// A script's expectations are checked, and what it makes is made.
+/// Options of `boxreel play`, which checks a script's expectations and makes its files.
 struct PlayOptions
 {
     std::filesystem::path script;
@@ -27,7 +27,7 @@ struct PlayOptions
 /// Declares `boxreel play` and its options to the parser, which writes to `options`.
 Command& Declare(Command& program, PlayOptions& options);
 
-/// Whether the options fit together; opens nothing.
+/// Checks the options for contradictions; opens nothing.
 Result<void> Check(PlayOptions& options);
 
 /// Checks what the script expects, and makes its films and pictures.

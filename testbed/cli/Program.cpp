@@ -17,7 +17,7 @@ Result<int> Run(const TextRequest& request)
     return 0;
 }
 
-/// Whether a render farm reads the output, even if the arguments are wrong.
+/// True if a render farm reads the output, even if the arguments are wrong.
 bool AsksForOpenJd(const std::vector<std::string>& arguments)
 {
     for (auto word = arguments.begin(); word != arguments.end(); ++word)

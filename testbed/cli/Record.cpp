@@ -26,7 +26,7 @@ void GiveLargeBlocksBack()
 #endif
 }
 
-/// Checks that the thumbnail can be written, lies within the film, and is not one of its frames.
+/// Checks that the thumbnail can be written, is within the film, and is not one of its frames.
 Result<void> CheckThumbnail(const RecordOptions& options, const FilmPlan& plan)
 {
     if (IsFrameOf(options.thumbnail.file, options.output))
@@ -206,7 +206,7 @@ void AddUntil(Command& command, std::vector<Condition>& until)
         .Group("Time");
 }
 
-/// What is filmed, and how fast.
+/// Adds the options of the film's length and speed.
 void AddTime(Command& command, RecordOptions& record)
 {
     AddValue(command, "--seconds", "TIME", record.length.seconds, ParseDuration,

@@ -14,13 +14,13 @@ namespace boxreel
 /// Declares `boxreel record` and its options to the parser, which writes to `options`.
 Command& Declare(Command& program, RecordOptions& options);
 
-/// Whether the files could be made; simulates and makes nothing.
+/// Checks that the files can be made; simulates and writes nothing.
 Result<void> Prepare(const RecordOptions& options);
 
 /// The files that are made; of a numbered film its pattern.
 std::vector<std::filesystem::path> FilesOf(const RecordOptions& options);
 
-/// Whether the options fit together; opens nothing.
+/// Checks the options for contradictions; opens nothing.
 Result<void> Check(RecordOptions& options);
 
 /// Makes the film.

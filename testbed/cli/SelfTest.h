@@ -11,7 +11,7 @@ namespace boxreel
 /// seconds, with one and with four sub-steps.
 std::uint64_t RunSelfTest();
 
-/// What it is on every machine.
+/// The result of RunSelfTest on every machine.
 inline constexpr std::uint64_t kSelfTestState = 0xfbcca0e2541249cd;
 
 } // namespace boxreel

@@ -81,7 +81,7 @@ Figure Named(Figure figure, const BodyNames& names)
     return figure;
 }
 
-/// Whether all moments fit on one sheet. Asked before anything is simulated, with empty pictures.
+/// Checks that all moments fit on one sheet. Uses empty pictures, before anything is simulated.
 Result<void> CheckSheet(const ShotOptions& options, PictureFormat format)
 {
     const std::size_t count = options.at.size() + options.steps.size();
@@ -138,7 +138,7 @@ Result<void> TellMissingLetters(const Figure& figure, PictureFormat format)
     return {};
 }
 
-/// What was drawn for it is added to `totals`.
+/// Writes the figure and adds its rendering statistics to `totals`.
 Result<void> WriteFigure(const ShotOptions& options, const Picture& picture, const Figure& figure,
                          RenderTotals& totals)
 {
@@ -319,7 +319,7 @@ Command& Declare(Command& program, ShotOptions& shot)
 namespace
 {
 
-/// What pixels cannot be, and what only pixels can be.
+/// Checks the options that pixels exclude, and those that require pixels.
 Result<void> CheckPixels(const ShotOptions& options)
 {
     const bool isVector =

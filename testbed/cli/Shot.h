@@ -32,13 +32,13 @@ struct ShotOptions
 /// Declares `boxreel shot` and its options to the parser, which writes to `options`.
 Command& Declare(Command& program, ShotOptions& options);
 
-/// Whether the files could be made; simulates and makes nothing.
+/// Checks that the files can be made; simulates and writes nothing.
 Result<void> Prepare(const ShotOptions& options);
 
 /// The files that are made; of a numbered film its pattern.
 std::vector<std::filesystem::path> FilesOf(const ShotOptions& options);
 
-/// Whether the options fit together; opens nothing.
+/// Checks the options for contradictions; opens nothing.
 Result<void> Check(ShotOptions& options);
 
 /// Writes the pictures.

@@ -28,7 +28,7 @@ constexpr int kHeight = kGoldenHeight / 2;
 constexpr std::uintmax_t kLargestPicture = 64u << 20; // [bytes]
 constexpr double kCloseUpMargin = 0.3; // of the picture's height, on every side of the body
 
-/// Where a body lies; empty when it draws nothing.
+/// Returns the bounds of a body; empty if it draws nothing.
 Rect BoundsOf(const DrawList& list, int body)
 {
     Rect bounds;
@@ -88,7 +88,7 @@ Result<std::string> Drawn(Renderer& renderer, const DrawList& list, const Camera
                : Result<std::string>(png.GetError());
 }
 
-/// The same step by another program. `close`: what is seen; none: as the scene is shown.
+/// Draws the same step with another program. `close`: the visible area; none: the scene's view.
 Result<std::string> PictureBy(const fs::path& program, const std::string& scene, std::int64_t step,
                               const std::optional<Camera>& close)
 {
@@ -228,7 +228,7 @@ std::vector<std::int64_t> StepsAround(std::int64_t first, std::int64_t last)
             steps.push_back(step);
         }
     }
-    // What parts by a rounding is seen some ten steps later, or a hundred.
+    // A difference that starts with a rounding error is visible some ten or a hundred steps later.
     for (const std::int64_t behind : {4, 12, 30, 60, 120})
     {
         if (first + behind < last)

@@ -15,8 +15,8 @@
 namespace boxreel
 {
 
-/// Which steps a strip shows: two before `first`, it, and further and further behind it up to
-/// `last`, ten at most; sorted.
+/// Returns the steps of a strip, sorted, at most ten. They are two before `first`, `first` itself,
+/// and some after it up to `last` with growing distance.
 std::vector<std::int64_t> StepsAround(std::int64_t first, std::int64_t last);
 
 /// By name. A name of no known scene has no strip. `against`: another build of the program,

@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 // While nothing moves, the window looks up so often by itself [s]: for signals.
 constexpr double kRest = 0.1;
-// While a scene goes on of which nothing is seen to move, it does not turn in circles.
+// Pause between frames of a scene in which nothing visible moves, to avoid a busy loop.
 constexpr std::chrono::milliseconds kPause(4);
 
 Error WithoutWindow(const Error& error)
@@ -64,7 +64,7 @@ private:
     std::string m_title;
 };
 
-/// What was asked for, else the last one, else the first of all.
+/// Returns the requested scene, otherwise the last one, otherwise the first of all.
 Result<SceneSource> Desk::Source(const UiSettings& settings) const
 {
     if (!m_options.scene.empty())
@@ -142,7 +142,7 @@ void Desk::HandleEvents()
     }
 }
 
-/// What has not changed is not shown again.
+/// An unchanged picture is not shown again.
 Result<void> Desk::Show()
 {
     if (m_window.Width() != m_width || m_window.Height() != m_height)
@@ -197,7 +197,7 @@ UiSettings Desk::Settings() const
     return settings;
 }
 
-/// What was kept; what cannot be read is said, and is as in a first run.
+/// Returns the stored settings. If they cannot be read, prints a message and returns the defaults.
 UiSettings Kept(const UiOptions& options, const std::filesystem::path& file)
 {
     UiSettings settings;
@@ -251,15 +251,15 @@ Command& Declare(Command& program, UiOptions& ui)
     Command& command = AddCommand(program, "ui", "Open a scene in a window");
     AddScene(command, ui.scene).isOptional = true;
     AddValue(command, "--size", "WxH", ui.size, ParseSize,
-             "Set the size of the window in pixels, up to that of the display\n(last size, else "
+             "Set the size of the window in pixels, up to that of the display\n(last size, or "
              "1280x720)");
     const std::vector<std::string> themes(ThemeNames().begin(), ThemeNames().end());
     AddValue(command, "--theme", "NAME", ui.theme, OneWordOf(themes),
-             "Set the colours: " + JoinedBy(", ", themes) + "\n(last theme, else classic)");
+             "Set the colours: " + JoinedBy(", ", themes) + "\n(last theme, or classic)");
     AddValue(command, "--seed", "N", ui.seed, WholeBetween(0, 0xffffffffll),
              "Seed the scene's random numbers (1)");
     AddValue(command, "--hz", "RATE", ui.stepsPerSecond, RatioBetween(5.0, 480.0),
-             "Set simulation steps per second (the scene's own, else 60)");
+             "Set simulation steps per second (the scene's own, or 60)");
     AddPath(command, "--into", "DIR", ui.into,
             "Write films, figures and scripts to this folder (the current one)");
     AddFlag(command, "--paused", ui.isPaused, "Start paused; O makes one step, P continues");

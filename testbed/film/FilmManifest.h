@@ -21,16 +21,17 @@ public:
     /// Error (Unusable, Failed) when it cannot be continued.
     Result<bool> FindLeft();
 
-    /// Whether this film has one.
+    /// True if this film has a manifest.
     bool IsKept() const { return m_isKept; }
 
     /// Before frame `number` is drawn. Unusable when the run before had another state there.
     Result<void> Note(std::int64_t number, const b2World& world);
 
-    /// Of the part that is closed and ends before frame `end`, which shows `world`.
+    /// Writes the manifest of the closed part, which ends before frame `end`. That frame shows
+    /// `world`.
     Result<void> Complete(std::int64_t end, const b2World& world);
 
-    /// That of the unfinished film.
+    /// Removes the manifest of the unfinished film.
     void Remove() const;
 
 private:

@@ -35,8 +35,8 @@ std::string FramesOf(const Manifest& manifest)
            std::to_string(manifest.end - 1);
 }
 
-/// What tells the film of these manifest from the one that is asked for, as a clause; nothing where
-/// it is the same, or another length of it.
+/// Returns the difference between this manifest's film and the requested one, as a clause. Empty if
+/// they are the same film, or the same with another length.
 std::string DifferenceFromAsked(const Manifest& there, const RecordOptions& options,
                                 const FilmPlan& plan)
 {

@@ -3,11 +3,11 @@
 
 #include "RecordOptions.h"
 
-/// Which frames a recording makes, and how they are encoded. Writes nothing.
+/// Selects the frames of a recording and their encoding. Writes nothing.
 namespace boxreel
 {
 
-/// What the options come to before anything is opened.
+/// The effective settings, before anything is opened.
 struct FilmPlan
 {
     VideoSettings film;
@@ -19,8 +19,8 @@ struct FilmPlan
 /// Unusable when the options contradict each other.
 Result<FilmPlan> PlanFilm(const RecordOptions& options);
 
-/// Whether the part that is to be made is there, whole. An Error (Unusable) when what is there is
-/// another film, or no longer what its manifest speak of.
+/// True if the requested part exists and is complete. An Error (Unusable) if the file is another
+/// film, or does not match its manifest.
 Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan);
 
 /// Error (Unusable) if the path of the manifest holds a foreign file, or the manifest of another

@@ -45,8 +45,7 @@ Result<void> FilmRun::Open(SceneSource source)
                                                           .backend = m_options.backend}));
     m_renderer.emplace(std::move(renderer));
     RETURN_IF_ERROR(m_simulation.Open(std::move(source)));
-    // The last, for a writer that goes on with what was left takes that with it when it is given
-    // up.
+    // Opened last, because a writer that resumes a film removes the file when it is abandoned.
     m_plan.film.stages = Stages();
     ASSIGN_OR_RETURN(VideoWriter writer, VideoWriter::Open(m_options.output, m_plan.film));
     m_resumed = m_filmed = writer.ResumedFrames();

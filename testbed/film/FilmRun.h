@@ -9,8 +9,8 @@
 #include <base/AtomicFile.h>
 #include <render/Renderer.h>
 
-/// One recording: the scene is simulated, its frames drawn and encoded, and what is beside the film
-/// (manifest, thumbnail, reports) written. While it runs there is one StopSignals.
+/// One recording. It simulates the scene, draws and encodes the frames, and writes the accompanying
+/// files (manifest, thumbnail, reports). There is one StopSignals while it runs.
 namespace boxreel
 {
 
@@ -43,7 +43,7 @@ private:
         return m_thumbnail.IsWanted() && m_thumbnail.Index() < m_resumed;
     }
     Result<void> DrawThumbnail();
-    /// Nobody is timed unless the figures are asked for.
+    /// Stages are timed only with --stats.
     StageTimes* Stages() { return m_options.messages.stats ? &m_stages : nullptr; }
     std::string StageText() const;
 

@@ -26,10 +26,11 @@ public:
     /// `number`: of the first frame that is wanted.
     void Begin(std::int64_t number);
 
-    /// Up to this frame. False: a signal asks for a stop, also between two of many steps.
+    /// Simulates up to this frame. Returns false if a signal requests a stop, even between two
+    /// steps.
     bool AdvanceTo(std::int64_t number);
 
-    /// As AdvanceTo, but ignores stop signals.
+    /// Same as AdvanceTo, but ignores stop signals.
     void FinishAt(std::int64_t number);
 
     void Fill(FrameContent& content);

@@ -96,7 +96,7 @@ Manifest FromJson(const json& object)
     return manifest;
 }
 
-/// Whether the numbers can be those of a film.
+/// True if the numbers can be those of a film.
 bool IsSound(const Manifest& manifest)
 {
     const Rational& rate = manifest.framesPerSecond;

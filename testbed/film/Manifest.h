@@ -10,24 +10,24 @@
 #include <string>
 #include <vector>
 
-/// What is written beside a film that is not whole, FILE.json: which command makes it, and the
-/// state of its world where it may be continued or joined to another part. Whoever goes on checks
-/// that it is the same film and the same simulation. Used by record and merge.
+/// The manifest FILE.json beside an incomplete film. It contains the command that makes the film,
+/// and the state of its world where it may be continued or joined to another part. A run that
+/// continues the film checks that film and simulation are the same. Used by record and merge.
 namespace boxreel
 {
 
 struct Manifest
 {
     std::string version;              ///< of this program
-    std::vector<std::string> command; ///< what the user asked for, without where it goes
+    std::vector<std::string> command; ///< the user's arguments, without the output
     Rational framesPerSecond;
     std::int64_t groupFrames = 100;
     int plays = 0;               ///< how often an animation plays; 0: forever
     std::int64_t frameCount = 0; ///< of the whole film
     std::int64_t first = 0;      ///< number of this part's first frame
     std::int64_t end = 0;        ///< one more than that of its last
-    /// Of the film's file, once it is closed: what was cut off, altered or put in its place since
-    /// then is not what these manifest speak of.
+    /// Checksum of the film's file, once it is closed. If the file is truncated, altered or
+    /// replaced afterwards, it no longer matches the manifest.
     std::string checksum;
     /// State hashes by number of the frame that shows them: where groups begin, and at `end`.
     std::map<std::int64_t, std::string> states;
@@ -36,7 +36,7 @@ struct Manifest
 /// film.mkv becomes film.mkv.json.
 std::filesystem::path ManifestPath(const std::filesystem::path& film);
 
-/// Replaces what is there.
+/// Replaces an existing manifest.
 Result<void> WriteManifest(const std::filesystem::path& film, const Manifest& manifest);
 
 /// Error (Unusable) if there is no manifest or it is not readable, with this `remedy`.
@@ -49,11 +49,11 @@ std::string WriterOfManifest(const std::filesystem::path& film);
 /// Returns the checksum of a film and its size; empty if it is not a readable file.
 std::string ChecksumOfFilm(const std::filesystem::path& film);
 
-/// The command without the options that do not change a frame: where it goes, how it is reported,
-/// which part it is, that it goes on.
+/// Returns the command without the options that do not change a frame: its output, its progress
+/// reports, the selected part, and --resume.
 std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments);
 
-/// Nothing when both make the same film; else what differs, as a clause.
+/// Returns the difference as a clause; empty if both make the same film.
 std::string DifferenceOf(const Manifest& a, const Manifest& b);
 
 } // namespace boxreel

@@ -44,7 +44,7 @@ int Percent(const RecordingProgress& progress)
                             std::max<std::int64_t>(1, progress.framesTotal));
 }
 
-/// What there was before took none of the time.
+/// Frames that existed before took none of the time.
 std::int64_t MadeNow(const RecordingProgress& progress)
 {
     return progress.framesDone - progress.framesKept;

@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-/// How far a film is, on standard error: a bar for a person at a terminal, lines for a log, JSON
-/// objects for a program; of these only Open Job Description's go to standard output.
+/// Progress of a film on standard error: a bar for a terminal, lines for a log, JSON objects for a
+/// program. Only the progress of Open Job Description goes to standard output.
 namespace boxreel
 {
 
@@ -20,11 +20,11 @@ enum class ProgressMode
     Bar,
     Lines,
     Json,
-    OpenJD, ///< what Open Job Description's agents read, on standard output
+    OpenJD, ///< for Open Job Description's agents, on standard output
     None,
 };
 
-/// What was made, for the last line.
+/// The result of a recording, for the last line.
 struct FilmReport
 {
     std::filesystem::path file;
@@ -44,7 +44,7 @@ std::string ProgressBarText(const RecordingProgress& progress, double seconds, i
 std::string ProgressLineText(const RecordingProgress& progress, double seconds);
 std::string ProgressJsonText(const RecordingProgress& progress, double seconds);
 std::string ProgressOpenJdText(const RecordingProgress& progress, double seconds);
-/// What is simulated before a frame can be drawn.
+/// Progress of the simulation before the first frame can be drawn.
 struct SimulationProgress
 {
     std::int64_t step = 0; ///< has been simulated

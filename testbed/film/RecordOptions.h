@@ -14,11 +14,11 @@
 #include <string>
 #include <vector>
 
-/// What a recording is asked for, as plain data.
+/// The options of a recording, as plain data.
 namespace boxreel
 {
 
-/// Which frames a film has.
+/// The frames of a film.
 struct FilmLength
 {
     std::optional<Duration> seconds;    ///< length of the film
@@ -28,7 +28,7 @@ struct FilmLength
     std::optional<FrameRange> range;    ///< only these frames are made
 };
 
-/// How simulated time becomes film time.
+/// The relation of simulated time to film time.
 struct FilmPace
 {
     Rational speed{1, 1};     ///< simulated seconds per second of film
@@ -42,14 +42,14 @@ struct ThumbnailOptions
     std::optional<Duration> at; ///< time in the film; none: its middle
 };
 
-/// States of the simulation that are kept, so that a part need not simulate what is before it.
+/// Saved states of the simulation, so a part need not simulate the steps before it.
 struct SnapshotOptions
 {
     std::filesystem::path folder;      ///< empty: none
     std::optional<std::int64_t> every; ///< [steps]; none: as IsSnapshotDue says
 };
 
-/// What a recording writes to the terminal.
+/// The messages of a recording to the terminal.
 struct FilmMessages
 {
     bool stats = false; ///< rendering statistics and a timing breakdown when done

@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <string>
 
-/// What --stats prints: how much of a film or a picture was really simulated and drawn.
+/// The rendering statistics of --stats: how much of a film or a picture was simulated and drawn.
 namespace boxreel
 {
 
-/// A few lines for people, without a newline at the end. Of all the frames that a renderer was
-/// given.
+/// Returns a few lines for people, without a newline at the end. They describe all frames of a
+/// renderer.
 std::string DescribeDrawing(const RenderTotals& totals);
 
 struct SimulationTotals

@@ -47,7 +47,8 @@ constexpr Known kKnown[] = {{Stage::Simulate, "simulating", "main"},
                             {Stage::Encode, "encoding", "encoder"},
                             {Stage::Write, "writing", "encoder"}};
 
-/// What is after the name of a program or thread, which may hold anything, in a file of /proc.
+/// Returns the numbers after the name of a program or thread in a file of /proc. The name may
+/// contain anything.
 std::vector<double> NumbersOf(const std::string& stat)
 {
     std::vector<double> numbers;

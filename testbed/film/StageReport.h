@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-/// What --stats prints of a film's time: where each millisecond of a frame goes.
+/// The timing breakdown of --stats: the time per frame of each stage of a film.
 namespace boxreel
 {
 
@@ -16,7 +16,7 @@ struct ProcessTime
     double wall = 0.0; ///< since the process was started [s]
 };
 
-/// Of this process since it was started.
+/// Returns the time of this process since it was started.
 ProcessTime ProcessSoFar();
 
 /// CPU time of Mesa's raster threads, as far as they are still there [s], in steps of 1/100 s.

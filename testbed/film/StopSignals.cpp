@@ -12,7 +12,7 @@ namespace
 // SIGPIPE as well: the reader of the progress has ended, so the film is not needed.
 constexpr int kStopSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 
-// A handler may touch nothing but a lock-free atomic.
+// A handler may only access lock-free atomics.
 std::atomic<int> s_caught{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 

@@ -15,7 +15,7 @@ public:
     StopSignals(const StopSignals&) = delete;
     StopSignals& operator=(const StopSignals&) = delete;
 
-    /// Of a program that was stopped: as sysexits.h calls "try again later".
+    /// Exit code of a stopped program: EX_TEMPFAIL of sysexits.h, "try again later".
     static constexpr int kExitCode = 75;
 
     /// The signal that came, or 0.

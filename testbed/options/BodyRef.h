@@ -11,8 +11,9 @@
 #include <utility>
 #include <vector>
 
-/// A body as options mean it: by its number in the order of creation, as `--labels` shows it, or by
-/// the name that its scene file gives it. Which number a name has is found when the scene is there.
+/// A reference to a body in options. It is the body's number in the order of creation, as
+/// `--labels` shows it, or its name in the scene file. A name becomes a number once the scene is
+/// open.
 namespace boxreel
 {
 
@@ -29,8 +30,8 @@ struct BodyRef
 /// The parts between separators that stand outside of quotes ("); quotes are kept.
 std::vector<std::string> SplitOutsideQuotes(std::string_view separator, std::string_view text);
 
-/// "3", "left wheel", "\"3, or so\"": digits are a number, unless in quotes; so must be names with
-/// commas, colons and semicolons, and, where an end follows, those with " to ".
+/// Reads "3", "left wheel", "\"3, or so\"". Digits are a number, unless in quotes. Names with
+/// commas, colons and semicolons need quotes, and so do those with " to " where an end follows.
 std::optional<BodyRef> ReadBodyRef(std::string_view text);
 
 /// "3,left wheel".

@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-/// What a still shows beside its moment: where bodies have been, and what is written on it.
-/// Bodies are meant by their number or name.
+/// Additional content of a still: past paths of bodies, and annotations. Bodies are named by their
+/// number or name.
 namespace boxreel
 {
 

@@ -13,26 +13,26 @@
 #include <string>
 #include <vector>
 
-/// What of a world a picture shows, as `--draw` names it, and the collecting of it. A layer that is
+/// The layers of a world in a picture, as named by `--draw`, and their collection. A layer that is
 /// off is not collected.
 namespace boxreel
 {
 
-/// Of all layers, as `--draw` and its help have them.
+/// Returns the names of all layers, in the order of `--draw` and its help.
 std::vector<std::string> LayerNames();
 
-/// "shapes,contacts": these and no others. Unusable, one sentence that names `option` and all
-/// layers, for anything else.
+/// Reads a list such as "shapes,contacts" of the only visible layers. For any other text, returns
+/// an Error (Unusable) that names `option` and all layers.
 Result<LayerSet> ParseLayers(const std::string& option, const std::string& text);
 
-/// What ParseLayers takes; empty when nothing is shown.
+/// Returns the text that ParseLayers accepts; empty when nothing is shown.
 std::string TextOf(const LayerSet& layers);
 
-/// What may reach into a picture of this camera, whose pixels are `scale` times as many: with room
-/// for outlines and their corners.
+/// Returns the area that is visible in a picture of this camera with `scale` times as many pixels.
+/// Includes a margin for outlines and their corners.
 View PictureView(const Camera& camera, const Theme& theme, double scale);
 
-/// How long arrows are.
+/// The scales of arrows.
 struct ArrowScales
 {
     double velocitySeconds = 0.2;          ///< a velocity is drawn as the displacement in this time
@@ -50,8 +50,8 @@ public:
 
     void BeforeStep(const b2World& world);
 
-    /// Into a list that may have something already; `notes` go over all but names, which keep clear
-    /// of them. The world's debug drawing is borrowed for it and none is registered afterwards.
+    /// Adds the items to a list, which may be non-empty. `notes` cover all items except names,
+    /// which avoid them. Replaces the world's debug drawing; none is registered afterwards.
     void Collect(b2World& world, const View& view, const BodyNames& names,
                  const JointNames& jointNames, DrawList& list, const DrawList& notes = {}) const;
 

@@ -56,7 +56,7 @@ bool ReadNanoseconds(std::string_view text, std::int64_t unit, std::int64_t& nan
     std::int64_t place = unit;
     for (const char digit : decimals)
     {
-        // What is finer than a nanosecond is rounded.
+        // Digits below a nanosecond are rounded.
         if (place == 1)
         {
             nanoseconds += digit >= '5';

@@ -39,7 +39,8 @@ std::optional<FixedView> ReadFixed(std::string_view text)
     return x && y && height ? std::optional(FixedView{*x, *y, *height}) : std::nullopt;
 }
 
-/// "the height 1e-5 is not from 0.001 to 1000000 m" of a number out of its limits, else nothing.
+/// Returns "the height 1e-5 is not from 0.001 to 1000000 m" for a number out of its limits,
+/// otherwise nothing.
 std::string WhyOutside(const char* what, std::string_view text, double lowest, double highest)
 {
     const Result<double> number = ParseNumber("", text);
@@ -60,7 +61,7 @@ std::string WhyOutsideHeights(std::string_view text)
     return WhyOutside("height", text, kSmallestHeight, kLargestHeight);
 }
 
-/// Which of the three numbers "X,Y,HEIGHT" is out of its limits, and what they are.
+/// Returns which of the three numbers "X,Y,HEIGHT" is out of its limits, and the limits.
 std::string WhyNotFixed(std::string_view text)
 {
     const std::vector<std::string> parts = SplitAt(',', text);

@@ -12,12 +12,12 @@
 #include <variant>
 #include <vector>
 
-/// What a picture of a scene looks at, as `--camera` names it. Bodies are meant by their number or
+/// The view of a picture of a scene, as `--camera` names it. Bodies are named by their number or
 /// name.
 namespace boxreel
 {
 
-/// As the scene prefers it; what moves, if it prefers nothing.
+/// The view that the scene prefers; if it has none, the view of the dynamic bodies.
 struct SceneView
 {
     friend bool operator==(const SceneView&, const SceneView&) = default;

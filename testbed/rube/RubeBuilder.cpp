@@ -14,13 +14,14 @@ namespace
 /// More of a body are weighed together, not again with each that comes.
 constexpr std::size_t kManyFixtures = 100;
 
-/// As chains want their neighbours, with the same rounding.
+/// True if two points have the distance that chains require, with the same rounding.
 bool AreApart(const b2Vec2& a, const b2Vec2& b)
 {
     return b2DistanceSquared(a, b) > b2_linearSlop * b2_linearSlop;
 }
 
-// Vertices closer to the one before than the engine can tell apart add nothing but asserts.
+// Omits vertices closer to the previous one than the engine can distinguish, because they cause
+// asserts.
 std::vector<b2Vec2> WithoutRepeats(const std::vector<b2Vec2>& vertices)
 {
     std::vector<b2Vec2> kept;
@@ -124,8 +125,8 @@ private:
         }
     }
 
-    // The inertia is about the body's origin; what is left about the centre of mass must not be
-    // negative. What the fixtures have given already stays as it is, to the last bit.
+    // The inertia is about the body's origin, and must not become negative about the centre of
+    // mass. Values that equal those of the fixtures stay unchanged, to the last bit.
     void ApplyMassData(const b2MassData& data, b2Body& body)
     {
         b2MassData given;
@@ -144,7 +145,7 @@ private:
         body.SetMassData(&data);
     }
 
-    /// Empty when built, else the reason why it was not.
+    /// Returns an empty text if the fixture was built, otherwise the reason why not.
     std::string BuildFixture(const RubeFixture& source, b2Body& body)
     {
         const auto attach = [&](const b2Shape& shape) { Attach(source, shape, body); };

@@ -8,13 +8,12 @@ class b2World;
 namespace boxreel
 {
 
-/// Of shapes that may meet; the first step looks at each and keeps about 300 bytes. A heap of a
-/// hundred thousand boxes has half as many.
+/// Maximum number of pairs of shapes that may touch. The first step visits each and stores about
+/// 300 bytes. A stack of a hundred thousand boxes has half as many.
 constexpr std::size_t kMaxPairs = 1'000'000;
 
-/// Whether more pairs of shapes than that have overlapping boxes, at least one of them of a body
-/// that can move. Stops when it knows: a few bodies in one place make as many pairs as their
-/// square.
+/// True if more than kMaxPairs pairs of shapes have overlapping boxes, at least one of them on a
+/// body that can move. Stops counting at the limit, because n bodies in one place make n^2 pairs.
 bool IsTooCrowded(const b2World& world);
 
 } // namespace boxreel

@@ -169,7 +169,7 @@ void Describe(RubeJoint& said, b2PrismaticJoint& joint)
     said.details = prismatic;
 }
 
-/// Whether a distance joint is a rope: a maximum length and nothing else.
+/// True if a distance joint is a rope: it has a maximum length and nothing else.
 bool IsRope(const b2DistanceJoint& joint)
 {
     const float32 minimum = joint.GetMinLength();
@@ -178,7 +178,7 @@ bool IsRope(const b2DistanceJoint& joint)
            maximum < b2_maxFloat;
 }
 
-/// Whether it has limits that a scene file has no word for: others are ropes or rods.
+/// True if it has limits that the format cannot express. Other joints are ropes or rods.
 bool HasUnsaidLimits(const b2DistanceJoint& joint)
 {
     const float32 minimum = joint.GetMinLength();
@@ -377,7 +377,8 @@ private:
         m_said.joints.push_back(std::move(said));
     }
 
-    /// What the engine has no use for, if nothing has come or gone since.
+    /// Copies the parts of the file that the engine does not use, if nothing was added or removed
+    /// since.
     void KeepFrom(const Scene& scene)
     {
         const RubeScene* const file = ContentOfFile(scene);
@@ -412,8 +413,8 @@ private:
         }
     }
 
-    /// Of all dynamic bodies, also where it is what the fixtures have: other readers set the mass
-    /// data that a file gives, which without any are 1 kg at the origin.
+    /// Writes the mass of all dynamic bodies, even if it equals that of the fixtures. Other readers
+    /// set the mass data of the file, and use 1 kg at the origin if it has none.
     void DescribeMass(b2Body& body)
     {
         RubeBody& said = m_said.bodies.back();

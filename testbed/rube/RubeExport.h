@@ -13,9 +13,9 @@
 namespace boxreel
 {
 
-/// What a scene file can say of a scene as it is now: its bodies, shapes, joints, names and the
-/// world's settings; of a scene that came from a file, its images and custom properties as well.
-/// What the format cannot say is named in `leftOut`.
+/// Returns the current state of a scene as a scene file. It contains bodies, shapes, joints, names
+/// and the world's settings. If the scene came from a file, it also contains images and custom
+/// properties. `leftOut` names the parts that the format cannot express.
 RubeScene ExportScene(Scene& scene, const StepSettings& steps, float32 stepsPerSecond,
                       RubeNotes& leftOut);
 

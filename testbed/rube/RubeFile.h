@@ -17,11 +17,11 @@ namespace boxreel
 
 struct RubeScene;
 
-/// Loads a R.U.B.E. / b2dJson scene file as a scene whose PreferredSteps are the file's. Called by
-/// whoever is given a file instead of a scene's name. What cannot be built is left out
-/// and named in `leftOut` (see RubeBuilder.h). A file that is missing, too large,
-/// truncated, foreign or malformed is an Error that names it and the place; memory and time are
-/// bounded by the limits of RubeJson.h.
+/// Loads a R.U.B.E. / b2dJson scene file as a scene; its PreferredSteps are those of the file. Used
+/// wherever a file is given instead of a scene's name. Parts that cannot be built are omitted and
+/// named in `leftOut` (see RubeBuilder.h). A file that is missing, too large, truncated, foreign or
+/// malformed is an Error with the file and the place. The limits of RubeJson.h bound memory and
+/// time.
 Result<std::unique_ptr<Scene>> LoadRubeScene(const std::filesystem::path& file, RubeNotes& leftOut);
 
 /// The same of a text in memory; `source` names it in messages.
@@ -31,7 +31,7 @@ Result<std::unique_ptr<Scene>> SceneOfText(std::string_view text, const std::str
 /// RubeTraps of a file.
 Result<RubeNotes> TrapsOfFile(const std::filesystem::path& file);
 
-/// What the file said of a scene that came from one; null of others.
+/// Returns the content of the scene's file; null for a scene without a file.
 const RubeScene* ContentOfFile(const Scene& scene);
 
 /// Its joints in the order of the file, null where one was left out; of others none. Only to

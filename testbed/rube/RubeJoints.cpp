@@ -86,7 +86,7 @@ private:
         m_leaveOut({"limit of " + m_who, "its lower end is above its upper end"});
     }
 
-    // Empty when made, else why not.
+    // Empty if the joint was made, otherwise the reason why not.
 
     static std::string Make(const RubeJoint&, std::monostate)
     {

@@ -119,7 +119,7 @@ std::string Place(std::string_view text, std::size_t position)
     return std::to_string(line) + ":" + std::to_string(column);
 }
 
-// Where the parser gave up.
+// Returns the error at the position where the parser stopped.
 Error SyntaxError(std::string_view text, std::size_t position, const std::string& source)
 {
     if (text.empty())

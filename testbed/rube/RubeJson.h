@@ -10,25 +10,26 @@
 #include <string>
 #include <string_view>
 
-/// JSON as the scene-file reader wants it: every access says what it expects, and the first value
-/// that is not so is remembered with its place instead of being thrown. Only RubeJson.cpp, and
-/// RubeWriter.cpp for text that is made, know the JSON library. Text from anywhere may be given:
-/// memory is bounded by kMaxBytes, kMaxValues and kMaxObjects.
+/// JSON for the scene-file reader. Every access states the expected type, and the first value of
+/// another type is stored with its place as an error. Nothing is thrown. Only RubeJson.cpp, and
+/// RubeWriter.cpp for output, depend on the JSON library. Accepts text from any source: kMaxBytes,
+/// kMaxValues and kMaxObjects bound the memory.
 namespace boxreel
 {
 
 /// Larger files are refused unread; a scene of ten thousand bodies has about 10 MB.
 constexpr std::uintmax_t kMaxBytes = 64u << 20;
-/// Of numbers, strings, lists and objects; a parsed value takes about 100 bytes.
+/// Maximum number of numbers, strings, lists and objects. A parsed value takes about 100 bytes.
 constexpr std::size_t kMaxValues = 2'000'000;
-/// Of those; one in a list may become a body of 600 bytes. A body that is written out has seven.
+/// Maximum number of objects. One in a list may become a body of 600 bytes. A fully written body
+/// has seven.
 constexpr std::size_t kMaxObjects = 500'000;
-/// Of lists and objects in each other; scene files need about ten.
+/// Maximum nesting of lists and objects. Scene files need about ten levels.
 constexpr std::size_t kDeepest = 64;
 
 class JsonValue;
 
-/// A whole text, parsed. Holds what was wrong in it as well; values must not outlive it.
+/// A parsed text, including its errors. Values must not outlive it.
 class JsonDocument
 {
 public:
@@ -59,9 +60,9 @@ class JsonValue
 public:
     bool Exists() const { return m_node != nullptr; }
 
-    /// Of an object; the result is missing when there is no such member.
+    /// Returns the member of an object; a missing value if there is no such member.
     JsonValue Member(const char* name) const;
-    /// As Member, but its absence is complained about.
+    /// Same as Member, but reports an absent member as an error.
     JsonValue Required(const char* name) const;
 
     /// Elements of a list; 0 when missing.
@@ -84,13 +85,13 @@ public:
     /// Remembers the problem of this value, such as "must be a list".
     void Complain(const std::string& problem) const;
 
-    /// Whether anything in the document has been complained about: time to stop reading.
+    /// True if an error in the document has been reported, so reading can stop.
     bool IsHopeless() const;
 
 private:
     friend class JsonDocument;
 
-    /// Of the member of that name; empty: of this value.
+    /// Reports an error of the member of that name; empty: of this value.
     void ComplainAt(const std::string& member, const std::string& problem) const;
 
     JsonValue(const void* node, JsonDocument::Content* content) : m_node(node), m_content(content)

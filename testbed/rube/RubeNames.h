@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// How messages about a scene file call its parts.
+/// The names of a scene file's parts in messages.
 namespace boxreel
 {
 

@@ -9,8 +9,8 @@ namespace boxreel
 namespace
 {
 
-/// Whether these are the corners that SetAsBox makes, in its order: then it is what comes back
-/// from a file bit by bit.
+/// True if these are the corners that SetAsBox makes, in its order. A file then restores the box
+/// bit by bit.
 bool IsBox(const std::vector<b2Vec2>& vertices)
 {
     if (vertices.size() != 4)

@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
-/// What a R.U.B.E. / b2dJson scene file says, as plain data: filled by the reader (RubeText.h),
-/// used by the builder (RubeBuilder.h). The defaults are the format's, which are not always the
-/// engine's. Numbers are finite and within the reader's limits, indices are valid; whether a shape
-/// can be built is not yet decided here.
+/// The content of a R.U.B.E. / b2dJson scene file as plain data, written by the reader (RubeText.h)
+/// and read by the builder (RubeBuilder.h). The defaults are those of the format, which sometimes
+/// differ from the engine's. Numbers are finite and within the reader's limits, and indices are
+/// valid. Some shapes may still be impossible to build.
 namespace boxreel
 {
 
@@ -41,8 +41,8 @@ struct RubeChain
 struct RubePolygon
 {
     std::vector<b2Vec2> vertices; ///< two of them mean an edge
-    /// Of the edges, an addition of ours to the format: where they are not, to the last bit, those
-    /// that the vertices give. Empty: they are.
+    /// Normals of the edges, an extension of the format. Empty if all of them are exactly, to the
+    /// last bit, the normals computed from the vertices.
     std::vector<b2Vec2> normals = {};
 };
 
@@ -60,7 +60,7 @@ struct RubeFixture
     std::string properties; ///< JSON text of what the engine has no use for; empty: none
 };
 
-/// A picture that goes with a body. What it shows is not read; its outline can be drawn.
+/// A picture of a body. The image file is not read; its outline can be drawn.
 struct RubeImage
 {
     std::string text;                   ///< all of it, as JSON

@@ -131,8 +131,8 @@ RubeFixture ReadFixture(const JsonValue& value)
     return fixture;
 }
 
-// A file that gives a centre or an inertia but no mass means the mass of the fixtures: applying the
-// rest alone would make it a body of 1 kg that cannot turn.
+// A file with a centre or an inertia but no mass means the mass of the fixtures. Otherwise the body
+// would have 1 kg and could not rotate.
 std::optional<b2MassData> ReadMassData(const JsonValue& value)
 {
     const JsonValue mass = value.Member("massData-mass");
@@ -292,7 +292,7 @@ RubeRope ReadRope(const JsonValue& value)
     return RubeRope{value.Member("maxLength").Number(0.0f, 0.0f, kFarthest)};
 }
 
-/// Of a kind that is not known: nothing.
+/// Reads the details of a joint; none for an unknown type.
 decltype(RubeJoint::details) ReadDetails(const std::string& type, const JsonValue& value)
 {
     using Details = decltype(RubeJoint::details);

@@ -11,9 +11,9 @@
 namespace boxreel
 {
 
-/// What a scene file does not say and gets by the format's defaults, where these are not the
-/// engine's and surprise, and what readers of today make of old spellings. For a text that
-/// ParseRubeScene has taken; an Error else.
+/// Returns the surprising parts of a scene file. These are omitted values whose default in the
+/// format differs from the engine's, and old spellings that today's readers interpret differently.
+/// Requires a text that ParseRubeScene has accepted; otherwise returns an Error.
 Result<RubeNotes> RubeTraps(std::string_view text, const std::string& source);
 
 } // namespace boxreel

@@ -17,8 +17,9 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// 0 and 1 as integers, others in as few digits as tell the single apart; what no decimal number
-/// says (-0, or where reading by way of a double would round otherwise) as the digits of its bits.
+/// Writes 0 and 1 as integers, and other numbers with the fewest digits that identify the float.
+/// Numbers without a decimal form (-0, or if reading via a double rounds differently) are written
+/// as hex digits of their bits.
 Json Number(float32 value)
 {
     if (value == 1.0f || (value == 0.0f && !std::signbit(value)))
@@ -190,7 +191,7 @@ Json Body(const RubeBody& body)
 
 void AddDetails(Json&, std::monostate) {}
 
-/// Of revolute and prismatic joints.
+/// Adds limit and motor of revolute and prismatic joints.
 void AddLimitAndMotor(Json& object, const auto& joint)
 {
     object["refAngle"] = Number(joint.referenceAngle);
@@ -332,7 +333,7 @@ std::string WriteRubeText(const RubeScene& scene)
         });
     }
     AddProperties(root, scene.properties);
-    // Names may hold any bytes; what is no UTF-8 becomes U+FFFD.
+    // Names may contain any bytes. Invalid UTF-8 becomes U+FFFD.
     return root.dump(1, '\t', false, Json::error_handler_t::replace) + "\n";
 }
 

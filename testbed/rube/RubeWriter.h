@@ -8,9 +8,9 @@
 namespace boxreel
 {
 
-/// The text of a scene file that ParseRubeScene reads back as the same data, bit by bit. Numbers
-/// are as short as that allows; what has the format's default is left out where R.U.B.E. leaves it
-/// out, too. The same data make the same text.
+/// Returns the text of a scene file that ParseRubeScene reads back as the same data, bit by bit.
+/// Numbers are as short as possible. Values equal to the format's default are omitted where
+/// R.U.B.E. omits them. The same data gives the same text.
 std::string WriteRubeText(const RubeScene& scene);
 
 } // namespace boxreel

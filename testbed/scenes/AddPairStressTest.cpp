@@ -15,7 +15,7 @@ constexpr float32 kBlock = 1.5f;     ///< half its side [m]
 constexpr float32 kSpeed = 60.0f;    ///< of the block [m/s]
 const b2Vec2 kHalfRoom(16.0f, 9.0f); ///< [m]
 
-/// Without gravity, so that nearly all pairs are made by the block and what it sets in motion.
+/// Without gravity, so nearly all pairs come from the block and the bodies it moves.
 class AddPairStressTest : public Scene
 {
 public:

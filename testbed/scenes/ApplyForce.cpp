@@ -22,9 +22,8 @@ constexpr KeyBinding kKeys[] = {{'w', "pushes the ship forward"},
                                 {'a', "turns it to the left"},
                                 {'d', "turns it to the right"}};
 
-/// Seen from above, without gravity: a force at the ship's stern drives it, a torque turns it, and
-/// damping lets it and what it runs into come to rest. Until a key is pressed the ship flies
-/// in a wide turn by itself.
+/// Top view, without gravity. A force at the ship's stern drives it, and a torque turns it. Damping
+/// stops the ship and the boxes it hits. Until a key is pressed, the ship flies in a wide turn.
 class ApplyForce : public Scene
 {
 public:
@@ -100,7 +99,7 @@ private:
         room->CreateFixture(&walls, 0.0f)->SetRestitution(0.3f);
     }
 
-    // What moves is slowed down as by a thin film of oil.
+    // Slows a body down like a thin film of oil.
     static void Slow(b2Body* body)
     {
         body->SetLinearDamping(kDamping);

@@ -12,7 +12,7 @@ constexpr int32 kStones = 21;       ///< odd, so that there is a keystone
 constexpr float32 kInside = 8.0f;   ///< radius [m]
 constexpr float32 kOutside = 10.0f; ///< radius [m]
 
-// A half circle of stones stands as long as the line of thrust lies within it, which takes a
+// A half circle of stones stands as long as the line of thrust is within it. That requires a
 // thickness of 0.107 of the mean radius (J. Heyman, "The stone skeleton", 1966); here it is 0.22.
 constexpr Material kStone{.density = 2.0f, .friction = 0.8f};
 

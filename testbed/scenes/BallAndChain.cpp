@@ -21,8 +21,8 @@ constexpr float32 kLinkHalfLength = 0.5f * kLinkLength + 0.05f; ///< [m]
 constexpr Material kSteel{.density = 1.6f};
 constexpr Material kLead{.density = 27.0f}; ///< 275 kg on links of half a kilogram
 
-/// A chain with a ball of five hundred times a link's mass, let go from the horizontal: nothing but
-/// the hinges holds it, and they do not stretch.
+/// A chain with a ball of five hundred times a link's mass, released from the horizontal. Only the
+/// hinges hold it, and they do not stretch.
 class BallAndChain : public Scene
 {
 public:

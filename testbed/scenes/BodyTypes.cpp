@@ -22,8 +22,8 @@ constexpr KeyBinding kKeys[] = {{'d', "makes the platform dynamic"},
                                 {'k', "makes the platform kinematic"}};
 
 /// A platform on a slide, with crates on it. Kinematic, it moves to and fro under any load. Static,
-/// it stands. Dynamic, it is pushed by bodies that touch it and keeps its speed. The scene switches
-/// between the three types in turn.
+/// it does not move. Dynamic, it is pushed by bodies that touch it and keeps its speed. The scene
+/// switches between the three types in turn.
 class BodyTypes : public Scene
 {
 public:

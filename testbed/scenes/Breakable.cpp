@@ -18,9 +18,9 @@ constexpr float32 kAngle = 0.25f * b2_pi; ///< it comes down on a corner [rad]
 constexpr float32 kHardest = 25.0f;       ///< what it bears, of one contact in a step [N s]
 constexpr Material kStone{.density = 1.0f};
 
-/// A beam of two parts in one body. The first hard impact breaks it: contacts tell their impulses
-/// while the world steps, afterwards one of the parts goes on as a body of its own, with the speed
-/// that it had before the impact.
+/// A beam of two parts in one body. The first hard impact breaks it. Contacts report their impulses
+/// during the step. Afterwards one of the parts becomes a separate body, with the speed it had
+/// before the impact.
 class Breakable : public Scene, private b2ContactListener
 {
 public:

@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    /// Of a plank against the horizontal [rad]; from plank to plank it grows by the same angle.
+    /// Returns the angle of a plank to the horizontal [rad]. It grows by the same angle per plank.
     static float32 SlopeOf(std::size_t plank)
     {
         const float32 middle = 0.5f * static_cast<float32>(kPlankCount - 1);

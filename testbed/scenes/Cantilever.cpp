@@ -19,7 +19,7 @@ constexpr float32 kKick = 3.0f;            ///< of the hanging beams' lower ends
 constexpr Material kWood{.density = 4.0f};
 constexpr Material kLead{.density = 2.0f};
 
-/// How the planks of a beam are welded.
+/// The weld between the planks of a beam.
 struct Weld
 {
     float32 hertz;
@@ -50,8 +50,8 @@ public:
     }
 
 private:
-    /// The planks follow each other from `start` [m] at this angle [rad]; the first is welded to
-    /// `holder` unless there is none.
+    /// Adds a row of planks from `start` [m] at this angle [rad]. The first is welded to `holder`
+    /// if there is one.
     std::vector<b2Body*> AddBeam(b2Body* holder, const b2Vec2& start, float32 angle, int32 planks,
                                  const Weld& weld)
     {

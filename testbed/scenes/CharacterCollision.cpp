@@ -29,8 +29,8 @@ constexpr float32 SeamPlace(int32 i)
     return -kHalfWidth + kTile * static_cast<float32>(i);
 }
 
-/// What games move about: bodies that cannot turn, a box, an octagon and a disc, on three grounds
-/// that are flat but made of parts. Where a part ends must not be felt.
+/// Typical characters of games: bodies that cannot rotate, a box, an octagon and a disc. They move
+/// on three flat grounds made of several parts. The seams between the parts must have no effect.
 class CharacterCollision : public Scene
 {
 public:

@@ -16,7 +16,7 @@ constexpr float32 kRadius = 0.5f; ///< [m]
 constexpr float32 kStep = 1.02f;     ///< from centre to centre in a row [m]
 constexpr float32 kRowStep = 0.861f; ///< from row to row: balls of 1 m that touch [m]
 
-/// A heap of balls between two kerbs: nothing but the kerbs keeps it from running apart.
+/// A heap of balls between two kerbs. Only the kerbs keep it from spreading.
 class CircleStack : public Scene
 {
 public:

@@ -94,7 +94,7 @@ private:
         return body.GetType() == b2_dynamicBody && body.GetNumber() <= m_lastBall;
     }
 
-    /// Of several that touch a ball the biggest has it, of two equal ones the older.
+    /// The biggest body that touches a ball gets it; of two equal ones, the older.
     static bool IsBigger(const b2Body& a, const b2Body& b)
     {
         return a.GetMass() > b.GetMass() ||

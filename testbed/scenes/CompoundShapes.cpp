@@ -48,8 +48,8 @@ void AddBowl(b2Body& body)
     AttachBox(body, 0.8f, 0.15f, kStuff, b2Vec2(1.2f, 0.5f), 0.9f);
 }
 
-/// Each body is rigid and consists of several shapes. On the table stands a bowl that catches a
-/// ball. Dumbbells, crosses, darts and small tables fall around it.
+/// Each body is rigid and consists of several shapes. A bowl on the table catches a ball.
+/// Dumbbells, crosses, darts and small tables fall around it.
 class CompoundShapes : public Scene
 {
 public:

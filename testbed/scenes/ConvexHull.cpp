@@ -103,7 +103,7 @@ private:
         ++m_hulls;
     }
 
-    // Anew until they make a polygon: eight points hardly ever lie on a line.
+    // Repeated until they make a polygon; eight points are rarely collinear.
     void ThrowPoints()
     {
         do

@@ -91,9 +91,9 @@ public:
     }
 
 private:
-    // Friction brings B's velocity against A's, along the normal turned clockwise, to this. The
-    // normal points to B: a belt below moves what lies on it to the right, whichever of the two is
-    // the belt.
+    // Friction drives B's velocity relative to A's, along the normal turned clockwise, to this
+    // speed. The normal points to B. A belt below therefore moves bodies to the right, for either
+    // order of the two.
     void PreSolve(b2Contact* contact, const b2Manifold*) override
     {
         const b2Body* a = contact->GetFixtureA()->GetBody();
@@ -101,7 +101,8 @@ private:
         contact->SetTangentSpeed(SpeedOf(a) + SpeedOf(b));
     }
 
-    /// Of its upper side, to the right [m/s]: the lower belt runs back.
+    /// Returns the speed of its upper side to the right [m/s]. The lower belt runs in the opposite
+    /// direction.
     float32 SpeedOf(const b2Body* body) const
     {
         return body == m_upper ? m_speed : body == m_lower ? -m_speed : 0.0f;

@@ -23,9 +23,9 @@ constexpr float32 kLowerFirst = 5.0f;  ///< where the first domino of the lower 
 constexpr Material kDomino{.density = 2.0f, .friction = 0.3f};
 constexpr Material kBall{.density = 2.0f, .friction = 0.5f, .restitution = 0.1f};
 
-/// The hammer fells the upper row to the right; its last domino pushes a ball off the shelf; a ramp
-/// turns the ball round; it fells the lower row to the left, whose last domino pushes another ball
-/// into a bucket. The dominoes are made in the order in which they fall.
+/// The hammer fells the upper row to the right. Its last domino pushes a ball off the shelf, and a
+/// ramp turns the ball round. The ball fells the lower row to the left, whose last domino pushes
+/// another ball into a bucket. The dominoes are made in the order in which they fall.
 class Dominos : public Scene
 {
 public:

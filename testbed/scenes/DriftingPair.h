@@ -6,9 +6,9 @@
 namespace boxreel
 {
 
-/// A body that drifts and turns about another that stays, to and fro, through it: for scenes that
-/// show what the engine's geometry has to say of two shapes. Keys move the drifter by hand, the
-/// mouse drags it. What the two are made of is the scene's; Detach makes it collide with nothing.
+/// A body that moves to and fro and rotates through another, static body. It is the base of scenes
+/// that show the engine's geometry queries for two shapes. Keys move the drifter by hand, and the
+/// mouse drags it. The scene defines both shapes. Detach makes the body collide with nothing.
 class DriftingPair : public Scene
 {
 public:

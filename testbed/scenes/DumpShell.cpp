@@ -17,8 +17,8 @@ void Fill(b2World* m_world)
 #include <scenes/DumpShell.inc>
 }
 
-/// A shell full of stones, a pearl on a thread and a bar on a hinge, all in the middle of a motion:
-/// made by the code that b2World::Dump wrote of them.
+/// A shell full of stones, a pearl on a thread and a bar on a hinge, all in motion. They are made
+/// by the code that b2World::Dump wrote.
 class DumpShell : public Scene
 {
 public:

@@ -19,23 +19,22 @@ constexpr float32 kHalfSize = 0.5f;        ///< of what slides [m]
 constexpr float32 kSpeed = 8.0f;           ///< [m/s]
 constexpr float32 kRoom = 1.5f;            ///< from where it turns to the end of the lane [m]
 
-// Nothing but the seams could take their speed.
+// Only the seams can slow the bodies down.
 constexpr Material kSlippery{.density = 1.0f, .friction = 0.0f};
 
 constexpr KeyBinding kKeys[] = {{'a', "sends them to the left"}, {'d', "sends them to the right"}};
 
-// What is drawn below a lane for each of its edges: alone it ends where it ends, with neighbours it
-// reaches into both of them.
+// The mark below a lane for each of its edges. A single edge ends at its vertices, an edge with
+// neighbours extends into both of them.
 constexpr float32 kBelow = 0.35f;    ///< [m]
 constexpr float32 kGap = 0.12f;      ///< between two that are alone, half of it [m]
 constexpr float32 kOverlap = 0.3f;   ///< into a neighbour [m]
 constexpr float32 kLossScale = 4.0f; ///< of the arrows for lost speed [s]
 constexpr float32 kSeen = 0.02f;     ///< less lost speed than this has no arrow [m/s]
 
-/// A box and a disc on each of two rows of edges. The edges of the lower row know their neighbours
-/// (blue) and so collide as one smooth line; those of the upper row are each alone (orange), and a
-/// disc that sinks in by the engine's slop meets the next one's end. Arrows show the speed that
-/// this has taken.
+/// A box and a disc on each of two rows of edges. The edges of the lower row have neighbours (blue)
+/// and collide as one smooth line. Those of the upper row are single (orange), so a disc that sinks
+/// in by the engine's slop hits the end of the next one. Arrows show the loss of speed.
 class EdgeTest : public Scene
 {
 public:
@@ -157,7 +156,7 @@ private:
         return body.GetPosition().y - m_lane->GetPosition().y > 0.5f * (kLanes[0] - kLanes[1]);
     }
 
-    /// Of what it was sent with [m/s].
+    /// Returns the loss of speed since the start [m/s].
     static float32 LostSpeed(const b2Body& body)
     {
         return b2Max(kSpeed - b2Abs(body.GetLinearVelocity().x), 0.0f);

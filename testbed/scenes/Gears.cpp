@@ -23,7 +23,7 @@ constexpr Material kIron{.density = 1.0f};
 
 constexpr KeyBinding kKeys[] = {{'m', "switches the motor"}, {'d', "turns the motor round"}};
 
-/// Of the circle on which gears touch as if they were plain wheels [m].
+/// Returns the radius of the circle on which gears touch like plain wheels [m].
 float32 PitchRadius(int32 teeth)
 {
     return 0.5f * kPitch * static_cast<float32>(teeth) / b2_pi;
@@ -42,7 +42,7 @@ public:
         const b2Vec2 largeHub(0.0f, kHeight);
         const b2Vec2 smallHub(-small - large, kHeight);
 
-        // Where they meet, a tooth of one lies between two of the other.
+        // At the contact, a tooth of one gear is between two of the other.
         b2Body* smallGear = AddGear(smallHub, kSmallTeeth, 0.0f);
         b2Body* largeGear =
             AddGear(largeHub, kLargeTeeth, b2_pi / static_cast<float32>(kLargeTeeth));
@@ -128,7 +128,7 @@ private:
         return gear;
     }
 
-    // A tooth lies beside the one of the gear on its right that is half a tooth up.
+    // The rack's teeth are half a tooth below those of the gear on its right.
     b2Body* AddRack(const b2Vec2& place)
     {
         b2Body* rack = AddBody(m_world, b2_dynamicBody, place);

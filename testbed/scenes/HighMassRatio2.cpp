@@ -13,7 +13,7 @@ constexpr float32 kHeavyHalfWidth = 6.0f;              ///< [m]
 constexpr float32 kHeavyHalfHeight = 2.0f;             ///< [m]
 constexpr Material kHeavy{.density = 1000.0f / 48.0f}; ///< 48 times the area, 1000 times the mass
 
-/// A slab lies on two boxes of a thousandth of its mass.
+/// A slab on two boxes of a thousandth of its mass.
 class HighMassRatio2 : public Scene
 {
 public:

@@ -11,8 +11,8 @@ namespace
 constexpr int32 kCount = 10;
 constexpr float32 kHalfSize = 0.5f; ///< [m]
 
-// From box to box the mass grows by so much: the top one of the last column has a thousand times
-// the mass of the one at the foot.
+// Factor of the mass from box to box. The top box of the last column has a thousand times the mass
+// of the one at its foot.
 constexpr float32 kGrowths[] = {1.0f, 1.29155f, 1.66810f, 2.15443f};
 constexpr float32 kPitch = 4.0f; ///< from column to column [m]
 

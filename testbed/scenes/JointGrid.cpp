@@ -19,9 +19,9 @@ constexpr int32 kNails[] = {0, 10}; ///< columns of the top row
 constexpr float32 kHertz = 12.0f;   ///< stiff enough to stretch by little under its own weight
 constexpr float32 kDamping = 0.2f;  ///< waves are to last
 
-/// A cloth of balls, each tied to its neighbours by springs between their centres, about which it
-/// can shear as cloth does: hinges halfway between the balls would make a stiff plate of it. The
-/// part beyond the second nail falls, swings and sends waves through the rest.
+/// A cloth of balls. Springs connect the centres of neighbours, so it can shear like cloth. Hinges
+/// halfway between the balls would make a stiff plate. The part beyond the second nail falls,
+/// swings and sends waves through the rest.
 class JointGrid : public Scene
 {
 public:

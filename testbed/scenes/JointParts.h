@@ -40,7 +40,7 @@ b2Joint* AddWeld(b2World& world, b2Body* bodyA, b2Body* bodyB, const b2Vec2& poi
 b2Joint* AddRope(b2World& world, b2Body* bodyA, b2Body* bodyB, const b2Vec2& localA,
                  const b2Vec2& localB, float32 length);
 
-/// Lets none of the body's fixtures touch what is of the same negative group.
+/// Prevents contact of the body's fixtures with others of the same negative group.
 void SetGroup(b2Body& body, int16 group);
 
 } // namespace boxreel

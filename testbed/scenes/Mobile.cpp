@@ -8,7 +8,7 @@ namespace boxreel
 namespace
 {
 
-/// Every rod hangs at its middle, and none is in balance: a chaos of pendulums.
+/// Every rod hangs at its middle and none is balanced, so the pendulums move chaotically.
 class Mobile : public Scene
 {
 public:

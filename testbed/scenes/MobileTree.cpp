@@ -10,8 +10,8 @@ namespace boxreel
 namespace
 {
 
-// A tree of order n carries one of order n - 1 and one of order n - 2, those of orders 0 and 1 are
-// balls: as many as Fibonacci's numbers say.
+// A tree of order n carries one of order n - 1 and one of order n - 2. Those of orders 0 and 1 are
+// balls. The number of balls is a Fibonacci number.
 constexpr int32 kOrder = 5;
 constexpr int32 kBalls = 8;
 constexpr float32 kBallStep = 2.0f;    ///< from ball to ball [m]
@@ -23,7 +23,7 @@ constexpr Material kWood{.density = 1.0f};
 constexpr Material kLead{.density = 4.0f};
 constexpr int16 kGroup = -1; ///< what swings about does not hit each other
 
-/// What hangs by its string.
+/// A branch with its string.
 struct Branch
 {
     b2Body* body;

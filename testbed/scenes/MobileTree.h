@@ -12,12 +12,12 @@ namespace boxreel
 enum class HeldAt
 {
     Middle,  ///< under any load
-    Balance, ///< where both ends pull equally
+    Balance, ///< the point at which both ends pull equally
 };
 
-/// A tree of rods and equal balls that hangs from one static point at this height [m]: each rod
-/// carries a greater tree at one of its ends and a smaller one at the other. Its balls are in a row
-/// about x = 0, and it reaches 9 m below the point. Returns the uppermost rod.
+/// Adds a tree of rods and equal balls that hangs from one static point at this height [m]. Each
+/// rod carries a greater tree at one end and a smaller one at the other. The balls are in a row
+/// about x = 0, and the tree reaches 9 m below the point. Returns the uppermost rod.
 b2Body* AddMobile(b2World& world, float32 height, HeldAt held);
 
 } // namespace boxreel

@@ -18,8 +18,8 @@ constexpr float32 kMaxTorque = 1000.0f; ///< [N m]
 
 constexpr KeyBinding kKeys[] = {{'s', "stops and goes on"}};
 
-/// A plate is driven along an eight and turned, with a limited force: it
-/// pushes light boxes aside. The cross is where it is asked to be.
+/// A plate is driven along an eight and rotated, with a limited force. It pushes light boxes aside.
+/// The cross shows its target.
 class MotorJoint : public Scene
 {
 public:

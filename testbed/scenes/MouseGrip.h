@@ -8,13 +8,13 @@ namespace boxreel
 
 class SceneState;
 
-/// Drags bodies: takes the dynamic one at a point and pulls it behind the mouse by a mouse joint,
-/// with at most a thousand times the force that would give it 1 m/s^2. Used by Scene only.
+/// Drags bodies: pulls the dynamic body at a point behind the mouse by a mouse joint. The force is
+/// at most a thousand times the one that would give it 1 m/s^2. Used by Scene only.
 class MouseGrip
 {
 public:
-    /// Nothing happens where no dynamic body is, or while something is gripped already. Of several
-    /// the youngest is taken.
+    /// Grips the newest dynamic body at the point. Does nothing if there is none, or if a body is
+    /// gripped already.
     void Take(b2World& world, const b2Vec2& point);
     void MoveTo(const b2Vec2& point);
     void LetGo(b2World& world);

@@ -11,9 +11,9 @@ namespace
 constexpr int32 kBallCount = 6;
 constexpr float32 kRadius = 1.0f; ///< [m]
 
-// To the eye the balls touch. The sliver between them makes every blow a matter of two balls: the
-// solver meets them one after the other, as the shock wave in a real cradle does. Balls that touch
-// exactly would be solved at once, and Newton's law of restitution for one instant leaves open
+// The balls seem to touch. A tiny gap between them makes every impact one between two balls: the
+// solver handles them one after the other, like the shock wave in a real cradle. Balls that touch
+// exactly would be solved at once. Newton's law of restitution for one instant does not determine
 // which of them carry the momentum on.
 constexpr float32 kGap = 0.01f;                   ///< [m]
 constexpr float32 kPitch = 2.0f * kRadius + kGap; ///< from ball to ball [m]
@@ -21,11 +21,11 @@ constexpr float32 kPitch = 2.0f * kRadius + kGap; ///< from ball to ball [m]
 constexpr float32 kStringLength = 8.0f; ///< [m]
 constexpr float32 kBeamHeight = 12.0f;  ///< of the points the strings hang from [m]
 
-// How far the first ball is pulled aside: the 3-4-5 triangle puts it exactly on its string's arc.
+// The initial angle of the first ball. The 3-4-5 triangle puts it exactly on its string's arc.
 constexpr float32 kRaisedSine = 0.6f;
 constexpr float32 kRaisedCosine = 0.8f;
 
-// What keeps energy keeps the cradle going: collisions are elastic and without friction.
+// Collisions are elastic and without friction, so the cradle keeps its energy.
 constexpr Material kSteel{.density = 5.0f, .friction = 0.0f, .restitution = 1.0f};
 
 class NewtonsCradle : public Scene

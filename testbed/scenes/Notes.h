@@ -5,7 +5,7 @@
 
 #include <string>
 
-/// What scenes add to the picture of their bodies: dots, arrows, outlines, numbers.
+/// Drawings that scenes add to their bodies: dots, arrows, outlines, numbers.
 namespace boxreel
 {
 

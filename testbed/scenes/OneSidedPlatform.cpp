@@ -20,8 +20,8 @@ constexpr float32 kFirstLeap = 0.5f; ///< [s]
 constexpr float32 kLeapEvery = 2.5f; ///< time to land and come to rest [s]
 constexpr float32 kWalk = 4.0f;      ///< when a key is held [m/s]
 
-// What lies on a platform overlaps it by the engine's slop, what lands by a little more; what comes
-// from below lies deeper by its own size.
+// A body at rest on a platform overlaps it by the engine's slop, a landing body by a little more. A
+// body from below overlaps it by its own size.
 constexpr float32 kTolerance = 0.1f; ///< [m]
 
 constexpr KeyBinding kKeys[] = {
@@ -46,7 +46,7 @@ bool IsAbove(const b2Fixture& fixture, const b2Fixture& platform)
     return LowestPoint(fixture) > top - kTolerance;
 }
 
-/// Contacts with what is not above a platform are switched off, step by step.
+/// Contacts with bodies that are not above a platform are disabled in each step.
 class OneSidedPlatform : public Scene, private b2ContactListener
 {
 public:

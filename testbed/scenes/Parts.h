@@ -11,7 +11,7 @@
 namespace boxreel
 {
 
-/// What a piece is made of. The defaults are those of the engine's reference scenes.
+/// The material of a piece. The defaults are those of the engine's reference scenes.
 struct Material
 {
     float32 density = 1.0f; ///< [kg/m^2]

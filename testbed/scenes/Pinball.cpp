@@ -38,8 +38,8 @@ constexpr float32 kHardest = 22.0f;  ///< of its speeds [m/s]
 constexpr float32 kReturn = 2.0f;    ///< on its way back [m/s]
 constexpr float32 kForce = 20000.0f; ///< of the plunger [N]
 
-// When it plays by itself a flipper is up for a moment and then waits for a while: what it would
-// otherwise hold up lay there for ever.
+// In automatic play a flipper is up for a moment and then down for a while. Otherwise a ball could
+// rest on it permanently.
 constexpr float32 kUp = 0.2f;   ///< [s]
 constexpr float32 kWait = 0.3f; ///< [s]
 
@@ -47,8 +47,8 @@ constexpr KeyBinding kKeys[] = {
     {'a', "the left flipper"}, {'d', "the right flipper"}, {'s', "shoots the ball up its lane"}};
 
 /// The ball is shot up a lane on the right, falls through bumpers and a windmill, and is hit back
-/// by two flippers; what they miss rolls back to the plunger. It plays by itself until a key is
-/// pressed.
+/// by two flippers. If they miss, it rolls back to the plunger. The scene plays automatically until
+/// a key is pressed.
 class Pinball : public Scene
 {
 public:

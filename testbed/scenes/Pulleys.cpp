@@ -81,7 +81,7 @@ public:
     }
 
 private:
-    // Does not turn, else the first ball would tip it over.
+    // Has a fixed rotation, because the first ball would tip it over.
     b2Body* AddBasket(const b2Vec2& place)
     {
         b2Body* basket = AddBody(m_world, b2_dynamicBody, place);

@@ -59,7 +59,7 @@ private:
         AddGroundBox(m_world, b2Vec2(15.25f, 2.0f), 0.25f, 2.0f);
         for (int32 i = 0; i < kSteps; ++i)
         {
-            // Of the lowest, which is the longest, to the highest.
+            // From the lowest step, which is the longest, to the highest.
             const float32 right = kLanding + kTread * static_cast<float32>(kSteps - i);
             const float32 y = kRiser * (static_cast<float32>(i) + 0.5f);
             AddGroundBox(m_world, b2Vec2(0.5f * (left + right), y), 0.5f * (right - left),

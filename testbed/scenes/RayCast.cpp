@@ -64,8 +64,8 @@ private:
     Wish m_wish;
 };
 
-/// Three rays turn about the middle: the orange one asks for the closest shape, the blue one for
-/// any, the yellow one for all on its path. None sees the discs.
+/// Three rays rotate about the middle. The orange one finds the closest shape, the blue one any,
+/// the yellow one all on its path. All of them ignore the discs.
 class RayCast : public Scene
 {
 public:

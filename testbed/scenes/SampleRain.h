@@ -28,7 +28,7 @@ protected:
 private:
     void Drop(int32 kind);
 
-    float32 m_reach;  ///< how far from the middle they fall at most [m]
+    float32 m_reach;  ///< maximum distance from the middle [m]
     float32 m_height; ///< from which they fall [m]
     Random m_random;
     int32 m_dropped = 0;

@@ -10,7 +10,7 @@ namespace boxreel
 namespace
 {
 
-// Heavy for its size, so that it breaks through what it hits.
+// Heavy for its size, so it breaks through the bodies it hits.
 constexpr float32 kBombRadius = 0.3f; // [m]
 constexpr Material kBomb{.density = 20.0f};
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-/// What a scene is: a world it fills in its constructor and may steer around each step, by itself
-/// or as keys and the mouse say. Scenes use the engine only and do not depend on who shows
+/// A scene fills a world in its constructor. It may control the world around each step, on its own
+/// or in response to keys and the mouse. Scenes use only the engine and do not depend on who shows
 /// them (film, window, script, test).
 namespace boxreel
 {
@@ -27,7 +27,7 @@ struct SceneSettings
     uint32 seed = 1; ///< of the scene's random numbers
 };
 
-/// How far and how carefully one step goes.
+/// Duration and iterations of one step.
 struct StepSettings
 {
     float32 timeStep = 1.0f / 60.0f; ///< [s]
@@ -35,7 +35,7 @@ struct StepSettings
     int32 positionIterations = 3;
 };
 
-/// Where to look.
+/// The visible area.
 struct SceneArea
 {
     b2Vec2 center;              ///< [m]; of a body that is followed, ignored
@@ -47,7 +47,7 @@ struct SceneArea
 struct KeyBinding
 {
     char key;
-    const char* effect; ///< what it does, e.g. "drives forward"
+    const char* effect; ///< its effect, e.g. "drives forward"
 };
 
 class Scene : private b2DestructionListener
@@ -60,22 +60,22 @@ public:
 
     b2World& World() { return m_world; }
 
-    /// How the scene wants to be stepped unless the user says otherwise; scene files have their
-    /// own.
+    /// Returns the step settings that the scene prefers unless the user chooses others. Scene files
+    /// have their own.
     virtual StepSettings PreferredSteps() const { return {}; }
 
-    /// Where to look unless the user says otherwise; none: at what moves.
+    /// Returns the area to show unless the user chooses another; none: the dynamic bodies.
     virtual std::optional<SceneArea> PreferredView() const { return std::nullopt; }
 
-    /// Does it make bodies after it was created? When not, what is asked of a body that is not
-    /// there can be refused before anything is simulated.
+    /// Returns true if it creates bodies after the constructor. If false, a reference to a missing
+    /// body can be refused before anything is simulated.
     virtual bool MakesBodiesLater() const { return false; }
 
-    /// What it calls its bodies, by their number in the order of creation; those it leaves out have
-    /// no name.
+    /// Returns the names of its bodies, by number in the order of creation. Other bodies have no
+    /// name.
     const std::map<std::uint32_t, std::string>& Names() const { return m_names; }
 
-    /// What it calls its joints; those it leaves out have no name.
+    /// Returns the names of its joints. Other joints have no name.
     const std::map<const b2Joint*, std::string>& JointNames() const { return m_jointNames; }
 
     /// One step of the world; a scene that steers overrides it and calls this one.
@@ -89,8 +89,8 @@ public:
     virtual void KeyDown(char key) { (void)key; }
     virtual void KeyUp(char key) { (void)key; }
 
-    /// The mouse, at a point of the world [m]: it grips the dynamic body that lies there. A scene
-    /// with a use of its own for it overrides these.
+    /// The mouse is pressed at a point of the world [m]. It grips the dynamic body there. A scene
+    /// that uses the mouse differently overrides these.
     virtual void MouseDown(const b2Vec2& point) { m_grip.Take(m_world, point); }
     virtual void MouseMove(const b2Vec2& point) { m_grip.MoveTo(point); }
     virtual void MouseUp(const b2Vec2& point);
@@ -103,13 +103,13 @@ public:
     /// The world's, and that of what the scene keeps in coordinates of its own.
     virtual void ShiftOrigin(const b2Vec2& newOrigin) { m_world.ShiftOrigin(newOrigin); }
 
-    /// What it has to say of its present state, as names and values: "torque", "12.5 N m".
+    /// Describes its present state as names and values: "torque", "12.5 N m".
     virtual std::vector<std::pair<std::string, std::string>> Describe() const { return {}; }
 
-    /// What it shows beside its bodies: rays, hulls, marks.
+    /// Draws the additions to its bodies: rays, hulls, marks.
     virtual void Draw(b2Draw& draw) const { (void)draw; }
 
-    /// Boxes [m] of what it draws that a camera which fits the scene keeps in view as it does
+    /// Returns boxes [m] of its drawings that a camera which fits the scene keeps in view like
     /// bodies.
     virtual std::vector<b2AABB> Framed() const { return {}; }
 
@@ -117,7 +117,7 @@ public:
     /// be saved and restored; a scene that keeps nothing need not.
     virtual void VisitState(SceneState& state) { (void)state; }
 
-    /// What every scene keeps, for the same purpose: names, the mouse's grip, the bomb.
+    /// Visits the state that all scenes have: names, the mouse's grip, the bomb.
     void VisitCommonState(SceneState& state);
 
 protected:
@@ -141,7 +141,7 @@ private:
 
     MouseGrip m_grip;
     b2Body* m_bomb = nullptr;
-    Random m_bombs; ///< where they come from
+    Random m_bombs; ///< source of their positions
 };
 
 /// One line of the table of scenes.
@@ -149,7 +149,7 @@ struct SceneEntry
 {
     const char* name;     ///< as users know it, e.g. "Newton's Cradle"
     const char* category; ///< for lists and menus
-    const char* summary;  ///< what it shows, one sentence
+    const char* summary;  ///< one sentence about its content
     std::unique_ptr<Scene> (*create)(const SceneSettings&);
 };
 

@@ -9,7 +9,7 @@ namespace boxreel
 namespace
 {
 
-// The scene's own part stands in front, with its length; the world's has a checksum of its own.
+// The scene's own part comes first, with its length; the world's has its own checksum.
 constexpr std::size_t kLengthBytes = 8;
 /// FNV-1a (RFC 9923) of the scene's part: it is short.
 constexpr std::size_t kSumBytes = 8;

@@ -21,7 +21,7 @@ std::vector<Thing*> OldestFirst(Thing* newest)
     return things;
 }
 
-/// Of a pointer that may be null: a name for none.
+/// The number of a null pointer.
 constexpr std::uint64_t kNone = ~std::uint64_t(0);
 
 } // namespace

@@ -15,10 +15,10 @@
 namespace boxreel
 {
 
-/// What a scene keeps beside its world: pointers into it, counters, times, random numbers. A scene
-/// lists them in Scene::VisitState, once for both ways:
+/// The state of a scene beside its world: pointers into it, counters, times, random numbers. A
+/// scene lists them in Scene::VisitState, which both saves and restores:
 ///   void VisitState(SceneState& state) override { state(m_ball, m_thrown, m_time, m_random); }
-/// Bodies are kept by their number and joints by their place, so the world is restored first.
+/// Bodies are stored by their number and joints by their index, so the world is restored first.
 class SceneState
 {
 public:
@@ -33,9 +33,9 @@ public:
         (Visit(values), ...);
     }
 
-    /// What has been saved.
+    /// Returns the saved bytes.
     std::vector<uint8> Take() { return std::move(m_saved); }
-    /// Whether what has been restored was all there was, and no less.
+    /// True if the restored data was valid and has been read completely.
     bool IsWhole() const { return m_sound && m_left.empty(); }
 
 private:

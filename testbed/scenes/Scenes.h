@@ -3,8 +3,8 @@
 
 #include <scenes/Scene.h>
 
-/// How each scene is made, one function a scene, each defined in the file of the scene's name. Only
-/// the table of scenes calls them; everyone else asks the table.
+/// The functions that create the scenes, one per scene, each defined in the file of the scene's
+/// name. Only the table of scenes calls them; all others use the table.
 namespace boxreel
 {
 

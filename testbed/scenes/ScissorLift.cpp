@@ -111,7 +111,8 @@ public:
     }
 
 private:
-    // Where the ends of the bars meet before the first step, the lowest at stage 0.
+    // Returns the point where the ends of the bars meet before the first step; stage 0 is the
+    // lowest.
     static b2Vec2 LeftHinge(int32 stage)
     {
         return {kLeft, kFoot + kBar * b2Rot(kFlattest).s * static_cast<float32>(stage)};

@@ -14,7 +14,7 @@ namespace
 const b2Vec2 kCenter(0.0f, 9.0f);       ///< of the sensor [m]
 constexpr float32 kSensorRadius = 5.0f; ///< [m]
 
-// Four times gravity, so that what is caught stays; the drag takes the speed of the fall.
+// Four times gravity, so caught bodies stay. The drag takes the speed of the fall.
 constexpr float32 kPull = 40.0f; ///< towards the centre [m/s^2]
 constexpr float32 kDrag = 1.5f;  ///< within the sensor [1/s]
 
@@ -28,7 +28,7 @@ bool IsTouchingSensor(const b2Contact& contact)
            (contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor());
 }
 
-/// A sensor notices what is in it and does not collide; the pull is the scene's.
+/// A sensor detects the bodies in it and does not collide. The scene applies the pull.
 class SensorTest : public Scene
 {
 public:

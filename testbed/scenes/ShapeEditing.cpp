@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    /// The circle that is not in the middle; null when there is none.
+    /// Returns the circle that is not in the middle; null if there is none.
     b2Fixture* Load() const
     {
         for (b2Fixture* fixture = m_toy->GetFixtureList(); fixture; fixture = fixture->GetNext())

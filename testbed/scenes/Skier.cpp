@@ -38,7 +38,7 @@ constexpr float32 kDeepSnow = 4.0f;
 constexpr Material kSki{.density = 3.0f, .friction = 0.04f};
 constexpr Material kBody{.density = 1.0f, .friction = 0.5f};
 
-/// A figure whose joints are springs stands on a ski and lets it run.
+/// A figure with spring joints slides on a ski.
 class Skier : public Scene
 {
 public:

@@ -14,8 +14,8 @@ constexpr float32 kGap = 0.4f;         ///< between balls before they fall [m]
 constexpr float32 kOffset = 0.01f;     ///< of every other ball of the untrue column [m]
 constexpr float32 kColumnPlace = 3.0f; ///< of a column, left and right of the middle [m]
 
-/// A column of balls stands as long as each is exactly above the one below. The left one is true;
-/// in the right one every other ball is off by a centimetre.
+/// A column of balls is stable as long as each is exactly above the one below. The left one is
+/// exact. In the right one every other ball is off by a centimetre.
 class SphereStack : public Scene
 {
 public:

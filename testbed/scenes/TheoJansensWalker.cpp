@@ -43,8 +43,8 @@ constexpr KeyBinding kKeys[] = {{'a', "walks to the left"},
                                 {'d', "walks to the right"},
                                 {'m', "cuts the motor"}};
 
-/// The corner of a triangle whose other two are `from` and `to`, at these distances from them, on
-/// the left hand of who looks from one to the other.
+/// Returns the third corner of a triangle, at these distances from `from` and `to`. It is on the
+/// left of the line from `from` to `to`.
 b2Vec2 Corner(const b2Vec2& from, const b2Vec2& to, float32 distanceFrom, float32 distanceTo)
 {
     const float32 base = b2Distance(from, to);
@@ -111,8 +111,9 @@ public:
     void VisitState(SceneState& state) override { state(m_trunk, m_wheel, m_motor); }
 
 private:
-    // Of the left leg, with the crank's centre at the origin; the right one is its mirror image.
-    // Two rigid triangles: one turns about the pivot, the other hangs from three rods.
+    // Adds a leg. The coordinates are those of the left one, with the crank's centre at the origin;
+    // the right one is its mirror image. It has two rigid triangles. One rotates about the pivot,
+    // the other is held by three rods.
     void AddLeg(const b2Vec2& pin, float32 side)
     {
         const b2Vec2 crank(-side * pin.x, pin.y);

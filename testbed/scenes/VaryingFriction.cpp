@@ -19,8 +19,9 @@ constexpr float32 kLevelStart = -5.0f; ///< [m]
 constexpr float32 kTierStep = 4.5f;    ///< from slide to slide [m]
 constexpr float32 kHalfSize = 0.5f;    ///< of a box [m]
 
-// With the slides' 0.6 the coefficients are the roots of the products: 0.67 holds on a slope of
-// 30 degrees, whose tangent is 0.58; 0.55, 0.42 and 0.24 slide ever farther, 0 without end.
+// With the slides' 0.6 the effective coefficients are the roots of the products. 0.67 holds on a
+// slope of 30 degrees, whose tangent is 0.58. 0.55, 0.42 and 0.24 slide ever farther, and 0 without
+// end.
 constexpr float32 kFrictions[] = {0.75f, 0.5f, 0.3f, 0.1f, 0.0f};
 
 /// From the top of the slope, around the bend, along the level, to the wall at its end.

@@ -148,7 +148,7 @@ private:
 
     static bool IsThread(const b2Joint& joint) { return joint.GetType() == e_distanceJoint; }
 
-    /// Of the joints, the mouse's among them, only the threads.
+    /// Returns the number of threads, without other joints such as the mouse's.
     int32 ThreadCount() const
     {
         int32 count = 0;

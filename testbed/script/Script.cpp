@@ -231,7 +231,7 @@ Result<void> Parser::TakeSetting(ScriptAction action, Words& words)
     return CheckEnd(words, "set");
 }
 
-/// What is done with the panels: which of them there are, those know.
+/// Reads the actions for panels. The panels themselves check the names.
 Result<void> Parser::TakePanels(const std::string& verb, ScriptAction action, Words& words)
 {
     using Kind = ScriptAction::Kind;

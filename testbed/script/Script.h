@@ -12,9 +12,9 @@
 #include <variant>
 #include <vector>
 
-/// A script as it was written: a scene, what is done to it at which moments, and what is made and
-/// expected of that. The same file serves as a test, a film and a figure. docs/scripts.md has the
-/// format. Reading one opens nothing but its file.
+/// A parsed script: a scene, the actions and their times, the outputs, and the expectations. The
+/// same file serves as a test, a film and a figure. docs/scripts.md has the format. Reading a
+/// script opens only its file.
 namespace boxreel
 {
 
@@ -25,11 +25,11 @@ struct ScriptMoment
 
     /// The last step at or before it.
     std::int64_t Step(const Rational& stepsPerSecond) const;
-    /// As options take it: {"--at", "1.5s"} or {"--step", "90"}.
+    /// Returns the option with this time: {"--at", "1.5s"} or {"--step", "90"}.
     std::vector<std::string> AsOption() const;
 };
 
-/// What a person would do with the keyboard or the mouse, before the step that begins at `at`.
+/// A keyboard or mouse action of a person, before the step that begins at `at`.
 struct ScriptAction
 {
     enum class Kind
@@ -65,7 +65,7 @@ struct ScriptAction
     }
 };
 
-/// Something that is asked or made of what the script plays.
+/// An expectation or an output of a script.
 struct ScriptProduct
 {
     enum class Kind
@@ -108,8 +108,7 @@ struct Script
 /// The error with "walk.play:12: " in front of its culprit.
 Error AtLine(const std::filesystem::path& file, int line, const Error& error);
 
-/// An Error (Unusable) names file, line, what is wrong and the remedy; Failed: the file cannot be
-/// read.
+/// An Error (Unusable) contains file, line, problem and remedy. Failed: the file cannot be read.
 Result<Script> ReadScript(const std::filesystem::path& file);
 
 /// `file`: for messages.

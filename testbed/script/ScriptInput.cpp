@@ -78,7 +78,7 @@ Result<void> ScriptInput::Add(const Script& script, const ScriptAction& action,
     return {};
 }
 
-/// Where the mouse is when it moves on or lets go.
+/// Tracks the position of the mouse for actions that move or release it.
 Result<void> ScriptInput::FollowMouse(const Script& script)
 {
     bool holds = false;

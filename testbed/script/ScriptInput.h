@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-/// What a script does to a scene, step by step. The actions of a step depend only on its
-/// number, so a simulation that continues from a saved state gets the same ones.
+/// Applies a script to a scene, step by step. The actions of a step depend only on its number, so a
+/// simulation that continues from a saved state gets the same ones.
 namespace boxreel
 {
 
-/// Does it to the scene, now; of a Drag, the mouse is at its point. What is for panels is left to
-/// them.
+/// Performs the action on the scene immediately. A Drag moves the mouse to its point. Ignores
+/// actions for panels.
 void Perform(const ScriptAction& action, Scene& scene, StepSettings& steps);
 
 class ScriptInput
@@ -29,10 +29,11 @@ public:
     static Result<ScriptInput> Create(const Script& script, const Rational& stepsPerSecond,
                                       const Scene& scene);
 
-    /// What is done before the step that begins after `step` steps.
+    /// Performs the actions before the step that begins after `step` steps, except those for
+    /// panels.
     void Apply(Scene& scene, StepSettings& steps, std::int64_t step) const;
 
-    /// What is done then with the panels, which Apply leaves to them.
+    /// Returns the actions for panels before that step.
     std::vector<ScriptAction> ForPanels(std::int64_t step) const;
 
 private:

@@ -6,9 +6,9 @@
 
 #include <string>
 
-/// Settings of the solver that may change while a scene goes on, by the names that scripts have for
-/// them: velocity-iterations, position-iterations, sub-steps; sleep, warm-starting, continuous and
-/// sub-stepping, which are on or off.
+/// Solver settings that may change during a run, with their names in scripts: velocity-iterations,
+/// position-iterations and sub-steps; sleep, warm-starting, continuous and sub-stepping, which are
+/// on or off.
 namespace boxreel
 {
 

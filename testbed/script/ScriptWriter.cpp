@@ -31,7 +31,7 @@ std::string PairOf(const b2Vec2& pair)
     return text;
 }
 
-/// What stands behind the moment, as words.
+/// Returns the words after the moment.
 std::vector<std::string> ActionWords(const ScriptAction& action)
 {
     switch (action.kind)

@@ -18,13 +18,13 @@ namespace boxreel
 class Condition
 {
 public:
-    /// SUBJECT.QUANTITY OPERATOR NUMBER, or QUANTITY OPERATOR NUMBER of the whole world. A subject
-    /// is a body's number or name, `any` or `all` of the bodies that can move. An Error (Unusable)
-    /// names what is not understood. `option`: for the message.
+    /// Parses SUBJECT.QUANTITY OPERATOR NUMBER, or QUANTITY OPERATOR NUMBER for the whole world. A
+    /// subject is a body's number or name, or `any` or `all` of the bodies that can move. An Error
+    /// (Unusable) names the part that is wrong. `option` is for the message.
     static Result<Condition> Parse(std::string_view option, std::string_view text);
 
-    /// `seconds`: simulated so far. A body that is not there meets no condition, nor
-    /// does what is not a number.
+    /// Returns true if the condition holds. `seconds`: simulated so far. A missing body meets no
+    /// condition, nor does a value that is not a number.
     bool Holds(const b2World& world, const std::map<std::uint32_t, std::string>& names,
                double seconds) const;
 
@@ -32,8 +32,8 @@ public:
     std::optional<Error> MissingBody(const b2World& world,
                                      const std::map<std::uint32_t, std::string>& names) const;
 
-    /// What it compares with its number: of the world, of the body that it names; none for several
-    /// bodies and for one that is not there.
+    /// Returns the value that is compared with the number, of the world or of the named body. None
+    /// for several bodies and for a body that does not exist.
     std::optional<double> ValueIn(const b2World& world,
                                   const std::map<std::uint32_t, std::string>& names,
                                   double seconds) const;
@@ -74,7 +74,8 @@ private:
     };
     struct Word;
 
-    /// Of the world or of a body; an Error is half a sentence: what there is, and the remedy.
+    /// Finds a quantity of the world or of a body. The Error contains only the second half of a
+    /// sentence: the known quantities and the remedy.
     static Result<Quantity> QuantityOf(std::string_view word, bool isOfWorld);
     static double Value(const b2Body& body, Quantity quantity);
     static double Value(const b2World& world, Quantity quantity, double seconds);

@@ -20,7 +20,7 @@ struct Moment
     Duration time;
 };
 
-// While it starts, while it is busy, and when most scenes have shown what they are known for.
+// At the start, during the main action, and after most scenes have shown their effect.
 constexpr Moment kMoments[] = {
     {"0.5s", Duration{500'000'000}},
     {"2s", Duration{2'000'000'000}},
@@ -48,7 +48,7 @@ StateTrace Advance(SceneSession& session, std::int64_t step)
     return trace;
 }
 
-// `trace`: what it did since the moment before.
+// `trace`: the steps since the previous moment.
 Result<GoldenCandidate> CandidateAt(const std::string& name, SceneSession& session,
                                     StateTrace trace, Renderer& renderer)
 {

@@ -35,7 +35,7 @@ struct GoldenFilm
     ContactSheetSettings sheet;
 };
 
-/// What is asked for: a scene at all its moments, or at one, or a film.
+/// The selection of a golden command: a scene at all its moments or at one, or a film.
 struct GoldenSelection
 {
     const SceneEntry* scene = nullptr;
@@ -60,7 +60,7 @@ Result<std::vector<GoldenVerdict>> VerifyGolden(const GoldenSelection& selection
                                                 const ReferenceStore& store, Renderer& renderer,
                                                 const CompareSettings& settings = {});
 
-/// Which moments are accepted: all, or those alone that differ, or that were never approved.
+/// The moments to accept: all, only those that differ, or only those without a reference.
 enum class GoldenFilter
 {
     All,
@@ -74,8 +74,8 @@ struct GoldenAcceptance
     bool forThisRenderer = false; ///< the pictures; else for all
 };
 
-/// Makes what the scene shows the reference; returns what was accepted, with the verdict it had
-/// before.
+/// Makes the scene's present pictures the references. Returns the accepted moments, with their
+/// previous verdict.
 Result<std::vector<GoldenVerdict>> AcceptGolden(const GoldenSelection& selection,
                                                 const ReferenceStore& store, Renderer& renderer,
                                                 const GoldenAcceptance& acceptance = {});
@@ -91,7 +91,8 @@ struct GoldenRun
     WorldState state;
 };
 
-/// As the references are made; to `lastStep`, or to the selection's last moment.
+/// Simulates the selection with the settings of the references, to `lastStep` or to the selection's
+/// last moment.
 Result<GoldenRun> SimulateGolden(const GoldenSelection& selection,
                                  std::optional<std::int64_t> lastStep = {});
 

@@ -12,8 +12,8 @@ namespace boxreel
 namespace
 {
 
-// Of the view of what is followed without a height: enough to see where a body of a metre is, and
-// around larger ones as much again on either side.
+// The view of a followed body, if no height is given. It is high enough to show the place of a body
+// of one metre. Around larger bodies it has as much space again on either side.
 constexpr double kMinFollowHeight = 10.0; // [m]
 constexpr double kFollowedShare = 1.0 / 3.0;
 

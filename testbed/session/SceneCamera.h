@@ -9,18 +9,18 @@
 
 #include <span>
 
-/// The camera that a ViewChoice asks for, at work on a world: tells debugdraw's cameras, which know
-/// no bodies, where the bodies are. Only reads the world.
+/// The camera of a ViewChoice on a world. It passes the positions of bodies to debugdraw's cameras,
+/// which do not depend on worlds. Only reads the world.
 namespace boxreel
 {
 
 class SceneCamera
 {
 public:
-    /// Of a picture of `width` x `height` pixels. Unusable when the world has no body of a number
-    /// that the view names, unless bodies may come later: until the first of those that are named
-    /// does, the view keeps in sight what moves. `framed`: boxes [m] that a view which fits the
-    /// scene shows beside bodies.
+    /// Creates the camera of a picture of `width` x `height` pixels. Unusable if the view names a
+    /// body that does not exist, unless bodies may be created later. Until the first of the named
+    /// bodies exists, the view shows the dynamic bodies. `framed`: boxes [m] that a view which fits
+    /// the scene shows beside bodies.
     static Result<SceneCamera> Create(const ViewChoice& choice, b2World& world, int width,
                                       int height, bool bodiesMayCome = false,
                                       const std::vector<b2AABB>& framed = {});
@@ -39,8 +39,8 @@ public:
 
     /// All that Update changes, as numbers.
     std::vector<double> State() const;
-    /// Goes on from the numbers of a camera of the same choice, picture and scene. False when they
-    /// are of another one; it is then as it was.
+    /// Continues from the numbers of a camera of the same choice, picture and scene. Returns false
+    /// and leaves the camera unchanged if they belong to another.
     bool Restore(std::span<const double> state);
 
 private:

@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
-/// Which body is meant by a number: its place in the order of creation, as it is in draw lists and
-/// figures too.
+/// Numbers of bodies. The number of a body is its place in the order of creation, also in draw
+/// lists and figures.
 namespace boxreel
 {
 
 /// All bodies, the oldest first.
 std::vector<const b2Body*> OldestFirst(const b2World& world);
 
-/// How many bodies there have been: one more than the number of the newest.
+/// Returns the number of bodies created so far, which is one more than the number of the newest.
 int CountMade(const b2World& world);
 
-/// Unusable when a number that `option` named is none of the `made` bodies that a scene has, or has
-/// had by the moment that is meant.
+/// Checks numbers of bodies named by `option`. Unusable if one is not among the `made` bodies that
+/// the scene has had by that moment.
 Result<void> CheckBodies(const std::string& option, int made, const std::vector<int>& numbers);
 
 /// The bodies of these numbers, one for each; null where the world has none, or none any more.

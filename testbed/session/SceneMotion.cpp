@@ -17,9 +17,9 @@ namespace boxreel
 namespace
 {
 
-// Of a stroboscope: enough to tell its poses from the ground and from the last one.
+// Opacity of a stroboscope's poses. They must differ from the background and from the last pose.
 constexpr double kStrobeOpacity = 0.45;
-// Of an onion skin's oldest and newest.
+// Opacity of an onion skin's oldest and newest pose.
 constexpr double kOldestOpacity = 0.15;
 constexpr double kNewestOpacity = 0.6;
 
@@ -72,7 +72,7 @@ std::vector<int> MeasuredBodies(const MotionLook& look)
     return bodies;
 }
 
-/// Of the first `made` bodies are all that the look names.
+/// Checks that all bodies of the look are among the first `made` bodies.
 Result<void> CheckAllBodies(const MotionLook& look, int made)
 {
     const std::pair<const char*, std::vector<int>> named[] = {
@@ -281,7 +281,7 @@ void SceneMotion::AddPoses(SceneSession& session, DrawList& list) const
     }
 }
 
-/// Adds the dimensions that the look asks for, of ends that are there.
+/// Adds the dimensions of the look whose ends exist.
 void SceneMotion::AddDimensions(const SceneSession& session, DrawList& list) const
 {
     for (const DimensionChoice& dimension : m_look.dimensions)
@@ -308,7 +308,7 @@ DrawList SceneMotion::Dimensions(SceneSession& session) const
     AddTrails(session, inTheWay);
     for (DrawItem& item : inTheWay.items)
     {
-        // As a body or as a sign is.
+        // Restores the layer of a body or a sign.
         item.layer = item.layer == DrawLayer::Poses ? DrawLayer::Shapes : DrawLayer::JointGlyphs;
     }
     Append(picture, inTheWay);

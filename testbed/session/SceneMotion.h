@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-/// Watches a scene step by step and adds to its stills what a MotionLook asks for: trails, earlier
+/// Observes a scene step by step and adds the items of a MotionLook to its stills: trails, earlier
 /// poses, dimensions, the origin.
 namespace boxreel
 {
@@ -25,11 +25,13 @@ public:
     /// Advances the session to `step` and observes every step.
     void AdvanceTo(SceneSession& session, std::int64_t step);
 
-    /// What lies over the picture of the session's step, but for labels: dimensions and the origin.
+    /// Returns the drawings over the picture of the session's step, without labels: dimensions and
+    /// the origin.
     DrawList Notes(SceneSession& session);
 
-    /// What the picture of the session's step shows: `scene`, which is drawn at scale 1 and has the
-    /// notes already, with trails and earlier poses beneath it. The step is one of the moments.
+    /// Returns the picture of the session's step: `scene`, with trails and earlier poses beneath
+    /// it. `scene` is drawn at scale 1 and already contains the notes. The step is one of the
+    /// moments.
     DrawList Picture(SceneSession& session, const DrawList& scene) const;
 
     /// After the last picture: Unusable when a body that the look names has never been there, or,
@@ -37,13 +39,13 @@ public:
     Result<void> CheckBodiesCame() const;
 
 private:
-    /// How bodies stood at a step.
+    /// The poses of bodies at a step.
     struct Pose
     {
         DrawList list;
         std::set<std::uint32_t> bodies; // those that are shown
     };
-    /// Where a body's centre of mass was, step by step.
+    /// The path of a body's centre of mass, step by step.
     struct Way
     {
         std::int64_t firstStep = 0;

@@ -29,9 +29,9 @@ struct SceneSource
 {
     const SceneEntry* entry = nullptr; ///< null: `scene` was loaded from a file
     std::unique_ptr<Scene> scene;
-    std::string asked; ///< what OpenScene was given
+    std::string asked; ///< the argument of OpenScene
     std::string title;
-    RubeNotes leftOut; ///< what the file asks for and is not there
+    RubeNotes leftOut; ///< parts of the file that could not be built
 };
 
 /// Finds the scene, loads it when it is a file. Names of scenes come first; anything that ends in

@@ -46,7 +46,7 @@ Rational RateOf(float32 timeStep)
     return Rational{thousandths / common, 1000 / common};
 }
 
-/// What "as the scene prefers" means in a picture of this shape.
+/// Returns the view that the scene prefers, in a picture of this shape.
 ViewChoice PreferredView(const Scene& scene, double aspect)
 {
     const std::optional<SceneArea> area = scene.PreferredView();
@@ -71,7 +71,7 @@ LayerSet LayersOf(const SceneLook& look)
     return layers;
 }
 
-/// What stands at bodies: names, numbers, or "3 ball" when both are asked for.
+/// Returns the labels of bodies: names, numbers, or "3 ball" with both.
 BodyNames ShownNames(const SceneLook& look, const BodyNames& names)
 {
     BodyNames shown = look.layers[DrawLayer::Labels] ? names : BodyNames();
@@ -82,7 +82,8 @@ BodyNames ShownNames(const SceneLook& look, const BodyNames& names)
     return shown;
 }
 
-/// Of the picture, by panels [px]; something is left for the scene in any case.
+/// Returns the width that panels cover in the picture [px]. It always leaves some width for the
+/// scene.
 int WidthBesidePanels(const SceneLook& look)
 {
     return std::max(look.width - look.covered, (2 * look.width + 4) / 5);
@@ -345,7 +346,7 @@ void SceneSession::Collect(double farthest, DrawList& list, const DrawList& note
                      m_look.layers[DrawLayer::Labels] ? m_scene->JointNames() : kNone, list, own);
 }
 
-/// What has jumped is found where it is now, not farther than `farthest` [m] from where it is
+/// A body that has jumped is found at its current position, at most `farthest` [m] from where it is
 /// shown.
 View SceneSession::CollectedView(double farthest) const
 {

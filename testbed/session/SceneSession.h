@@ -19,13 +19,13 @@
 #include <string>
 #include <vector>
 
-/// A scene being shown: simulated step by step, looked at by a camera, described by a panel. Films,
-/// stills and golden candidates all come from here, which is why a still has the very pixels that a
-/// film has at that time. Knows no files and no pixels of its own; never prints.
+/// A scene that is simulated step by step, with a camera and a panel. Films, stills and golden
+/// candidates are all made by it, so a still equals the film's frame of that time. It does not use
+/// files, does not draw pixels, and never prints.
 namespace boxreel
 {
 
-/// How a scene is simulated and what its picture shows.
+/// The settings of a scene's simulation and picture.
 struct SceneLook
 {
     int width = 1280;   ///< [px]
@@ -40,7 +40,7 @@ struct SceneLook
     ViewChoice view;
     LayerSet layers;
     ArrowScales arrows;
-    /// What lies outside of the picture is collected too: for lists that are kept and compared.
+    /// Also collects items outside of the picture, for lists that are stored and compared.
     bool collectEverything = false;
     bool labels = false;          ///< the number of each body at its centre of mass
     bool hud = false;             ///< a panel with time, step and counts
@@ -51,7 +51,8 @@ struct SceneLook
 
 class SceneSession;
 
-/// What goes along with a session and may change it between two steps: panels that a script clicks.
+/// An observer that accompanies a session and may change it between two steps, such as panels that
+/// a script clicks.
 class SessionCompanion
 {
 public:
@@ -59,9 +60,9 @@ public:
     /// `actions`: what the script does with the panels before this step.
     virtual void BeforeStep(SceneSession& session, const std::vector<ScriptAction>& actions) = 0;
     virtual void AfterStep(SceneSession& session) = 0;
-    /// What lies over the picture.
+    /// Returns the overlay over the picture.
     virtual Overlay OverPicture(SceneSession& session) = 0;
-    /// What went wrong.
+    /// Returns the first error.
     virtual Result<void> Check() const = 0;
 };
 
@@ -78,8 +79,8 @@ public:
     /// AdvanceTo. Moments must not go back.
     void AdvanceBetween(std::int64_t step, double fraction);
 
-    /// What the picture of this moment shows, with `notes` over all but labels, which keep clear of
-    /// them. Expects an empty list.
+    /// Adds the picture of this moment, with `notes` on top of all items except labels. Labels
+    /// avoid the notes. Expects an empty list.
     void Fill(FrameContent& content, const DrawList& notes = {});
 
     std::int64_t Step() const
@@ -103,13 +104,13 @@ public:
     bool MakesBodiesLater() const;
     /// Unusable while a body that the camera should show has never been there.
     Result<void> CheckView() const;
-    /// What went wrong in what goes along.
+    /// Returns the first error of the companion.
     Result<void> CheckCompanion() const
     {
         return m_companion ? m_companion->Check() : Result<void>();
     }
 
-    // What a person changes while it goes on.
+    // Changes of the user during the session.
     const SceneLook& Look() const { return m_look; }
     void SetLayers(const LayerSet& layers, bool labels);
     /// Paused, steps pass by and nothing is simulated.
@@ -117,16 +118,18 @@ public:
     bool IsPaused() const { return m_isPaused; }
     /// The next step is simulated although it is paused.
     void StepOnceThough() { m_stepsOnce = true; }
-    /// This point in the middle of what no panel covers, at so many pixels a metre, from now on.
+    /// Sets a fixed view: this point is in the middle of the uncovered area, at a scale in pixels
+    /// per metre.
     void LookAt(const b2Vec2& center, double pixelsPerMeter);
-    /// As its look says, again.
+    /// Restores the view of its look.
     void LookAsBefore() { m_ownView.reset(); }
     /// The view goes with bodies by itself.
     bool Follows() const { return !m_ownView && m_camera.Follows(); }
     bool HasOwnView() const { return m_ownView.has_value(); }
-    /// What panels leave of the picture's width [px].
+    /// Returns the width of the picture that no panel covers [px].
     int UncoveredWidth() const;
-    /// Of another size from now on, and covered so far by panels; the view shows as much as it did.
+    /// Changes the size of the picture and the width that panels cover. The view shows the same
+    /// area.
     void Resize(int width, int height, int covered);
     /// Replaces the scene by another, or by a new one of the same name. The count of steps
     /// continues, and companions stay. Unchanged if there is an Error.
@@ -143,8 +146,8 @@ public:
     std::vector<std::uint8_t> SaveState();
     /// False when the bytes are not such a state; the session is then as it was.
     bool RestoreState(std::span<const std::uint8_t> bytes);
-    /// From which step on, at the latest, what has been restored must be simulated so that the
-    /// picture of `step` has all that it shows.
+    /// Returns the latest step from which a restored state must be simulated, so the picture of
+    /// `step` contains all of its items.
     std::int64_t LatestStateFor(std::int64_t step) const;
 
 private:

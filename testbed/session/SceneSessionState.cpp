@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A session in the middle as bytes, and what it must have in common with one that goes on from
+// A running session as bytes, and the settings it must share with a session that continues from
 // them.
 #include "SceneSession.h"
 

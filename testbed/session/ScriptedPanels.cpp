@@ -14,7 +14,7 @@ namespace boxreel
 namespace
 {
 
-// Frames after which everything that was opened or scrolled to stands still.
+// Number of frames after which opening and scrolling is complete.
 constexpr int kFramesToSettle = 4;
 
 /// "ctrl+o": a key, and whether Control is down.

@@ -11,7 +11,7 @@ namespace boxreel
 namespace
 {
 
-/// Where the time of the last step went, in the panel's order [ms].
+/// Returns the times of the last step's stages, in the panel's order [ms].
 std::array<float, kStageNames.size()> TimesOf(const b2Profile& profile)
 {
     return {profile.step,          profile.collide,       profile.solve,    profile.solveInit,

@@ -15,10 +15,10 @@ namespace boxreel
 /// `isTimed`: with where the time of the last step went, which no two runs share.
 PanelFacts FactsOf(SceneSession& session, bool isTimed);
 
-/// How the session's world is stepped now.
+/// Returns the current solver settings of the session's world.
 SolverChoices SolverOf(const SceneSession& session);
 
-/// What of it may change while the session goes on: all but the rate.
+/// Applies the settings that may change during a session: all except the rate.
 void Apply(const SolverChoices& solver, SceneSession& session);
 
 /// Those before and after, as scripts call them: {"sleep", "off"}.
@@ -30,7 +30,7 @@ std::vector<std::pair<std::string, std::string>> Differences(const SolverChoices
 Result<std::shared_ptr<SessionCompanion>> CreateScriptedPanels(const SceneLook& look,
                                                                const SceneSession& session);
 
-/// Opens a session, with panels where its look or its script asks for them.
+/// Opens a session, with panels if its look or its script requests them.
 Result<SceneSession> OpenSession(SceneSource source, SceneLook look);
 
 } // namespace boxreel

@@ -17,13 +17,13 @@ namespace boxreel
 namespace
 {
 
-// Of the file, with its heading. To be raised with every change of what a state holds.
+// Version of the file format, in its heading. Increase it with every change of a state's content.
 constexpr const char* kFormat = "boxreel snapshot 1";
 
 // Parts of a film begin with a group of frames, 100 unless the user says otherwise.
 constexpr std::int64_t kFirstGap = 100;
-// The gap is doubled when the simulation has so many gaps. More: more files; fewer: more is
-// simulated again.
+// The gap is doubled when the simulation is this many gaps long. With more there are more files,
+// with fewer more steps are simulated again.
 constexpr std::int64_t kGapsInWay = 32;
 
 // A larger file is not a snapshot: 100,000 bodies in a contact island have about 100 MB.
@@ -32,7 +32,7 @@ constexpr std::uintmax_t kMaxBytes = 4'000'000'000;
 constexpr const char* kExtension = ".snapshot";
 constexpr int kStepDigits = 10;
 
-/// How files that are not whole yet are marked on this machine.
+/// Returns the mark of incomplete files of this machine.
 std::string HostMark()
 {
     char host[256] = "";
@@ -46,8 +46,8 @@ std::string OwnMark()
     return HostMark() + std::to_string(::getpid());
 }
 
-/// What a run left that was killed while it wrote. Whether a file is being written is only known on
-/// the same machine, and only a moment after it was made.
+/// True for the incomplete file of a killed run. Only the same machine can tell whether a file is
+/// being written, and only some time after its creation.
 bool IsLeftover(const std::filesystem::directory_entry& entry)
 {
     constexpr std::chrono::minutes kMoment{1};
@@ -138,7 +138,7 @@ std::filesystem::path SnapshotFolder::PathOf(std::int64_t step) const
     return m_folder / (m_name + WithDigits(step) + kExtension);
 }
 
-/// Of the files that are there.
+/// Returns the steps of the existing files.
 std::set<std::int64_t> SnapshotFolder::Steps() const
 {
     std::set<std::int64_t> steps;
@@ -160,7 +160,8 @@ std::set<std::int64_t> SnapshotFolder::Steps() const
     return steps;
 }
 
-/// All that stands in front of the state but the last line: readable, and compared as a whole.
+/// Returns the heading before the state, without its last line. It is readable, and compared as a
+/// whole.
 std::string SnapshotFolder::Heading(std::int64_t step) const
 {
     std::string heading = kFormat;

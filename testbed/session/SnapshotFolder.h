@@ -11,16 +11,16 @@
 #include <set>
 #include <string>
 
-/// A folder in which runs of a film leave the state of its simulation now and then, so that others
-/// need not simulate what was before their first frame. Any number of runs, of the same film or of
-/// others, may use it at the same time. Nothing in it is needed: what is missing or unusable is
-/// simulated. Used by record.
+/// A folder in which runs of a film save the state of their simulation at intervals. Other runs
+/// then do not need to simulate the steps before their first frame. Any number of runs, also of
+/// other films, may use it at the same time. All files are optional: if one is missing or unusable,
+/// its steps are simulated. Used by record.
 namespace boxreel
 {
 
-/// Whether the state after this many steps is saved: `every` so many steps, or, without, every 100
-/// and from step 3,200 on with gaps of at most a sixteenth of what was before, so that the number
-/// of files grows with the logarithm of the film's length.
+/// Returns true if the state after this many steps is saved. With `every`, that is each multiple of
+/// it. Without, it is every 100 steps. From step 3,200 on, the gaps grow up to a sixteenth of the
+/// elapsed steps, so the number of files grows with the logarithm of the film's length.
 bool IsSnapshotDue(std::int64_t step, std::optional<std::int64_t> every);
 
 class SnapshotFolder

@@ -25,12 +25,12 @@ public:
     void Clear() { *this = History(); }
 
     bool IsEmpty() const { return m_count == 0; }
-    /// Of the values that it has.
+    /// Returns the number of stored values.
     std::size_t Count() const { return std::min(m_count, kLength); }
     float Last() const { return m_values[(m_next + kLength - 1) % kLength]; }
     float Mean() const { return m_count == 0 ? 0.0f : float(m_sum / double(m_count)); }
     float Largest() const { return m_largest; }
-    /// As a ring, whose oldest value is at Oldest(); zero where there is none yet.
+    /// Returns the values as a ring buffer with the oldest at Oldest(). Unused entries are zero.
     const std::array<float, kLength>& Values() const { return m_values; }
     std::size_t Oldest() const { return m_next; }
 

@@ -15,11 +15,11 @@
 namespace boxreel
 {
 
-/// Where the time of a step went, in the order of the panel.
+/// The stages of a step that are timed, in the order of the panel.
 inline constexpr std::array<const char*, 8> kStageNames{
     "step", "collide", "solve", "init", "velocity", "position", "TOI", "broad-phase"};
 
-/// What panels show.
+/// The data that panels show.
 struct PanelFacts
 {
     std::string scene;
@@ -42,7 +42,7 @@ struct PanelFacts
     std::string message;               ///< the last action
 };
 
-/// How the world is stepped.
+/// The settings of the world's solver.
 struct SolverChoices
 {
     int velocityIterations = 8;
@@ -56,7 +56,7 @@ struct SolverChoices
     friend bool operator==(const SolverChoices&, const SolverChoices&) = default;
 };
 
-/// What panels change.
+/// The settings that panels change.
 struct PanelChoices
 {
     bool isPaused = false;
@@ -73,7 +73,7 @@ struct PanelChoices
     friend bool operator==(const PanelChoices&, const PanelChoices&) = default;
 };
 
-/// What is asked for once.
+/// A one-time request.
 enum class PanelWish
 {
     Step,

@@ -25,7 +25,7 @@ std::string Text(const char* format, ...)
     return text;
 }
 
-/// Where the right one of two columns of check boxes begins, from the window's side [px].
+/// Returns the x of the second column of check boxes, from the window's side [px].
 float SecondColumn()
 {
     float widest = 0.0f;
@@ -58,7 +58,7 @@ constexpr KeyHelp kKeyHelp[] = {
     {"Esc", "quit"},
 };
 
-// Sections of the column that need no more than what they show.
+// Sections of the column that depend only on their content.
 
 /// The scene's own texts; most scenes have none.
 void SceneSection(Widgets& widgets, const PanelFacts& facts)
@@ -291,7 +291,7 @@ void Panels::FileButtons(const PanelFacts& facts, PanelChoices& choices)
         Ask(PanelWish::Script);
     }
     m_widgets.Check("Panels in films", choices.filmsPanels);
-    // Room for it in any case, so that what is below stays where it is.
+    // Always reserves its space, so the controls below do not move.
     ImGui::BeginChild("message", {0.0f, 3.0f * ImGui::GetTextLineHeight()}, false,
                       ImGuiWindowFlags_NoScrollbar);
     ImGui::PushTextWrapPos(0.0f);

@@ -9,7 +9,8 @@
 #include <render/PanelCanvas.h>
 
 /// The panels of the testbed: one column at the right of the picture, and the picker of scenes over
-/// its middle. The same in a window and in pictures without one. Knows no world and no files.
+/// its middle. They are the same in a window and in pictures without one. Independent of worlds and
+/// files.
 namespace boxreel
 {
 
@@ -21,10 +22,10 @@ public:
     /// For a picture of this size [px], with the scale in it.
     static Result<Panels> Create(int width, int height, double scale);
 
-    /// A frame: shows the facts, changes the choices, says what was asked for.
+    /// Builds a frame: shows the facts, changes the choices, returns the requests.
     PanelAnswer Build(const PanelFacts& facts, PanelChoices& choices, const PanelInput& input);
 
-    /// What the last frame looks like.
+    /// Returns the overlay of the last frame.
     const Overlay& Picture() const { return m_picture; }
 
     /// Adds a simulated step to the plots. Facts of another scene, or of an earlier step, restart
@@ -33,7 +34,7 @@ public:
 
     void Resize(int width, int height);
 
-    /// How much of the picture's right side they cover [px].
+    /// Returns the width that they cover at the right of the picture [px].
     double Width(const PanelChoices& choices) const;
 
     bool WantsPointer() const { return m_canvas.WantsPointer(); }

@@ -12,8 +12,8 @@ namespace boxreel
 class ScenePicker
 {
 public:
-    /// Over the middle of a picture of this size [px], while `isOpen`; the name of the scene that
-    /// was chosen, empty while none is.
+    /// Draws over the middle of a picture of this size [px] while `isOpen`. Returns the name of the
+    /// chosen scene; empty if none was chosen.
     std::string Build(bool& isOpen, int width, int height, Widgets& widgets);
 
 private:

@@ -135,7 +135,7 @@ Result<void> WriteUiSettings(const std::filesystem::path& file, const UiSettings
                      "cannot be created: " + error.message(),
                      "set XDG_CONFIG_HOME to another folder"};
     }
-    // Scene files have names of any bytes; what is no UTF-8 would not be JSON.
+    // Names of scene files may contain any bytes, and invalid UTF-8 is not valid JSON.
     return WriteWhole(file, object.dump(1, ' ', false, json::error_handler_t::replace) + "\n",
                       true);
 }

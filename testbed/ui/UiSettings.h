@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-/// What the window keeps from one run to the next, in a small JSON file of the user's.
+/// The settings of the window that persist between runs, in a small JSON file of the user.
 namespace boxreel
 {
 
@@ -23,7 +23,7 @@ struct UiSettings
     friend bool operator==(const UiSettings&, const UiSettings&) = default;
 };
 
-/// $XDG_CONFIG_HOME/boxreel/ui.json, else ~/.config/boxreel/ui.json; empty without a home.
+/// Returns $XDG_CONFIG_HOME/boxreel/ui.json, or ~/.config/boxreel/ui.json; empty without a home.
 std::filesystem::path UiSettingsPath();
 
 /// Returns the settings; defaults if there is no file. Missing and invalid values are defaults.

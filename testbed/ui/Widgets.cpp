@@ -33,8 +33,8 @@ void DrawTick()
               StyleColor(ImGuiCol_CheckMark));
 }
 
-/// A header as wide as what lies below it. Dear ImGui draws it wider by half the window's padding,
-/// rounded in another way since 1.92; half of 1 px is none in either.
+/// Draws a header as wide as the content below it. Dear ImGui draws it wider by half the window's
+/// padding, rounded differently since 1.92. Half of 1 px is 0 in both versions.
 bool Header(const char* name, bool opensFirst)
 {
     float& padding = ImGui::GetCurrentWindow()->WindowPadding.x;

@@ -15,7 +15,7 @@
 namespace boxreel
 {
 
-/// Where a control is in the picture [px].
+/// The position of a control in the picture [px].
 struct ControlPlace
 {
     Vec2 low;
@@ -33,15 +33,14 @@ public:
     /// Once a frame, before any of the others.
     void BeginFrame();
 
-    /// A headline that opens and closes what is below it; true while it is open. What follows
-    /// belongs to it.
+    /// A headline that expands and collapses the controls that follow; true while it is expanded.
     bool Section(const char* name, bool opensFirst);
-    /// What follows belongs to a panel of this name.
+    /// Assigns the following controls to a panel of this name.
     void SetPanel(const char* name) { m_panel = name; }
 
     bool Button(const char* name, float width = 0.0f);
     bool Check(const char* name, bool& value);
-    /// Of its box and its label [px].
+    /// Returns the width of a check box with its label [px].
     static float CheckWidth(const char* name);
     /// A slider between two limits, with a button for one less and one for one more.
     bool Number(const char* name, int& value, int lowest, int highest);
@@ -64,7 +63,7 @@ public:
     std::optional<ControlPlace> PlaceOf(const std::string& name) const;
     /// Opens its section and scrolls to it, in the frames that follow.
     void Reveal(const std::string& name) { m_revealed = name; }
-    /// Of the controls of the last frame.
+    /// Returns the names of the controls of the last frame.
     std::vector<std::string> Names() const;
 
     const std::set<std::string>& OpenSections() const { return m_open; }

@@ -8,8 +8,8 @@
 
 #include <set>
 
-/// What a person's hand does to a scene: the mouse pulls bodies, moves the view and slings bombs,
-/// and keys are pressed that the scene answers to.
+/// Mouse and keyboard interaction with a scene. The mouse pulls bodies, moves the view and throws
+/// bombs. Keys are passed to the scene.
 namespace boxreel
 {
 
@@ -21,21 +21,21 @@ public:
     void Release(SceneWork& work, const WindowEvent& event);
     void Move(SceneWork& work, const WindowEvent& event);
 
-    /// A key goes down; nothing happens when the scene does not know it.
+    /// Presses a key. Does nothing if the scene does not use it.
     void PressKey(SceneWork& work, Key key);
     void ReleaseKey(SceneWork& work, Key key);
 
-    /// Nobody will say when what is down goes up; the mouse was last at `pointer` [px].
+    /// Releases all held keys and buttons. The mouse was last at `pointer` [px].
     void LetGo(SceneWork& work, Vec2 pointer);
 
-    /// Another scene is there: what was held of the one before is gone.
+    /// Forgets everything held in the previous scene, after a new one has been opened.
     void Forget();
 
     /// While a bomb is pulled back, the path of the pull.
     void AddSling(const SceneWork& work, Vec2 pointer, DrawList& list) const;
 
 private:
-    /// What the mouse's button that is down does.
+    /// The action of the mouse button that is down.
     enum class Hold
     {
         Nothing,

@@ -7,8 +7,7 @@
 
 #include <string>
 
-/// The scene that a person works at: what is done to it and where it is looked at goes into a log,
-/// so that a script can do it again.
+/// A scene with its user. User actions and views are logged, so a script can repeat them.
 namespace boxreel
 {
 
@@ -26,21 +25,22 @@ public:
     WorkbenchLog& Log() { return m_log; }
     /// The scene's own, before anything was set.
     const SolverChoices& Preferred() const { return m_preferred; }
-    /// What has been done since the scene began.
+    /// Returns the actions since the scene began, as a script.
     std::string Script() const { return m_log.Text(m_session.SceneStep(), m_session.World()); }
 
-    void Do(const ScriptAction& action);                         ///< to the scene
-    void Set(const std::string& name, const std::string& value); ///< how it is stepped
-    void Step();                                                 ///< simulates one
+    void Do(const ScriptAction& action); ///< to the scene
+    void Set(const std::string& name,
+             const std::string& value); ///< changes a setting of the solver
+    void Step();                        ///< simulates one
 
     Camera View() const;      ///< at full size, over the whole window
     Camera Uncovered() const; ///< the part of the view that no panel covers, at scale 1
     b2Vec2 WorldAt(Vec2 pixel) const;
     void LookAt(double x, double y, double pixelsPerMeter); ///< the middle of what is uncovered [m]
     void Pan(double x, double y);                           ///< the middle goes by so much [m]
-    void Zoom(double factor, Vec2 about);                   ///< what is at `about` [px] stays there
-    /// The point (x, y) becomes the origin [m]; what is seen stays where it is, unless the view
-    /// goes with what it follows.
+    void Zoom(double factor, Vec2 about); ///< the point at `about` [px] stays there
+    /// Makes the point (x, y) the origin [m]. The visible area stays the same, unless the view
+    /// follows a body.
     void Shift(float32 x, float32 y);
 
 private:

@@ -161,7 +161,7 @@ void Workbench::BuildPanels(const PanelInput& input)
     }
 }
 
-/// It takes the keyboard, and gives it back, after a frame or two: what is typed before would be
+/// The picker takes and releases the keyboard after a frame or two. Keys typed before would be
 /// lost.
 void Workbench::SettlePicker()
 {
@@ -268,7 +268,7 @@ std::string Workbench::Summary() const
            ", state " + StateHashText(m_work.Session().World());
 }
 
-/// What its films and figures look like now.
+/// Returns the current look of its films and figures.
 WorkbenchOutput Workbench::Output() const
 {
     return {m_settings.into, m_settings.backend, m_settings.look.theme, m_choices};

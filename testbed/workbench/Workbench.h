@@ -13,9 +13,9 @@
 #include <set>
 #include <string>
 
-/// A scene at which a person works: it goes on in real time, mouse and keyboard pull and steer it,
-/// panels change how it is stepped and drawn, buttons make films, figures and scripts of it. Gets a
-/// window's events and gives the pictures; knows no window itself.
+/// An interactive scene. It runs in real time, mouse and keyboard control it, panels change its
+/// solver and its look, and buttons make films, figures and scripts. Gets the events of a window
+/// and returns the pictures; does not depend on a window.
 namespace boxreel
 {
 
@@ -35,11 +35,11 @@ public:
 
     void Handle(const WindowEvent& event);
 
-    /// So much time has passed [s]: as many steps are simulated as fit in, but at most those of a
-    /// tenth of a second, so that a slow machine is slow instead of stuck.
+    /// Simulates the steps of an elapsed time [s], but at most those of a tenth of a second. A slow
+    /// machine is then slow instead of stuck.
     void Advance(double seconds);
 
-    /// What the window shows. Expects an empty content.
+    /// Adds the content of the window. Expects an empty content.
     void Fill(FrameContent& content);
 
     void Resize(int width, int height); ///< of the picture [px], with the scale in it
@@ -52,12 +52,12 @@ public:
     Panels& Controls() { return m_panels; }
     const std::string& SceneAsked() const { return m_work.Session().Asked(); }
     const std::set<std::string>& OpenSections() const { return m_panels.Controls().OpenSections(); }
-    const std::string& Message() const { return m_message; } ///< what was done last
+    const std::string& Message() const { return m_message; } ///< the result of the last action
 
     /// "Pyramid: step 412, state 0123456789abcdef".
     std::string Summary() const;
 
-    /// Ends a film that is being made. What has been written stays.
+    /// Ends a recording. The written file is kept.
     Result<void> Finish();
 
 private:

@@ -33,7 +33,7 @@ std::string Decimals(double value)
     return text;
 }
 
-/// What films show: the window, or what panels leave of it.
+/// Returns the view of films: the window, or the part that no panel covers.
 Camera FilmedView(const SceneWork& work, bool hasPanels)
 {
     return hasPanels ? work.View() : Scaled(work.Uncovered(), work.Session().Look().scale);

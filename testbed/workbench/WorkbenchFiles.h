@@ -10,18 +10,18 @@
 #include <filesystem>
 #include <string>
 
-/// What the buttons of a workbench write: films and figures of a scene, each with what a script
-/// says to make it again.
+/// The files that the buttons of a workbench write: films and figures of a scene, each with a
+/// script that makes it again.
 namespace boxreel
 {
 
-/// What films and figures look like, and where they go.
+/// The look of films and figures, and their folder.
 struct WorkbenchOutput
 {
     std::filesystem::path into; ///< a folder; empty: the current one
     Backend backend = Backend::Auto;
     Theme theme;
-    PanelChoices choices; ///< what is drawn, by name
+    PanelChoices choices; ///< the layers, by name
 };
 
 /// "pyramid-1.mp4": the first number that is not taken.
@@ -40,8 +40,8 @@ public:
     static Result<WorkbenchFilm> Open(const SceneWork& work, const WorkbenchOutput& output);
 
     const std::filesystem::path& Path() const { return m_path; }
-    double Seconds(const SceneWork& work) const; ///< of what has been filmed, simulated [s]
-    /// Whether this moment is one of its frames.
+    double Seconds(const SceneWork& work) const; ///< simulated length of the film [s]
+    /// True if this moment is one of its frames.
     bool HasFrameAt(std::int64_t sceneStep) const { return (sceneStep - m_first) % m_every == 0; }
 
     /// This moment, with the pixels that the window shows, less an odd row or column. False: it

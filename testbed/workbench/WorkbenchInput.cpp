@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What mouse and keyboard do at a workbench.
+// Mouse and keyboard input of a workbench.
 #include "Workbench.h"
 
 #include <algorithm>

@@ -57,7 +57,7 @@ void WorkbenchLog::Add(ScriptAction action, std::int64_t step, const b2World& wo
     }
     action.at.when = step;
     std::vector<ScriptAction>& actions = m_script.actions;
-    // Of all places that the mouse was at before a step, the step sees the last.
+    // Only the last place of the mouse before a step affects the step.
     if (action.kind == kMove && !actions.empty() && actions.back().kind == kMove &&
         std::get<std::int64_t>(actions.back().at.when) == step)
     {
@@ -89,7 +89,7 @@ void WorkbenchLog::See(const Camera& view, std::int64_t step, bool isChosen)
     }
 }
 
-/// Where the view began and ended to move, and every so often between.
+/// Returns the start and the end of each movement of the view, and times at intervals between them.
 std::vector<WorkbenchLog::Seen> WorkbenchLog::Keys() const
 {
     const std::int64_t apart =

@@ -12,14 +12,14 @@
 
 class b2World;
 
-/// What a person has done to a scene since it began, as the script that does it again.
+/// The user's actions on a scene since it began, as a script that repeats them.
 namespace boxreel
 {
 
 class WorkbenchLog
 {
 public:
-    /// A scene begins: what was logged is forgotten.
+    /// Begins a scene and clears the log.
     void Begin(std::string scene, std::vector<std::string> options, const Rational& stepsPerSecond);
 
     /// Is about to be done to `world`, before the step that begins after `step` steps.
@@ -27,11 +27,11 @@ public:
     /// The same for a picture or a film, whose options say its moments.
     void Add(ScriptProduct product) { m_script.products.push_back(std::move(product)); }
 
-    /// What is seen at a step; `isChosen`: since a person has moved the view.
+    /// Logs the view at a step; `isChosen`: true if the user has moved the view.
     void See(const Camera& view, std::int64_t step, bool isChosen);
 
-    /// Up to `step`, at whose end the script expects the state that the world had: what has been
-    /// done since shows only in the next one.
+    /// Returns the script up to `step`, which expects the world's state at the end of that step.
+    /// Later actions appear only in the next step.
     std::string Text(std::int64_t step, const b2World& world) const;
 
 private:

@@ -21,7 +21,8 @@ bool IsGuide(const std::string& path)
            (path.starts_with("docs/notes/") && path.ends_with(".md"));
 }
 
-/// What a line shows as code, without arguments: `engine/src/Solver.h` or `Solver.h`.
+/// Returns the words that a line shows as code, without arguments: `engine/src/Solver.h` or
+/// `Solver.h`.
 std::vector<std::string> CodeWords(const std::string& line)
 {
     static const std::regex code("`([A-Za-z0-9_.*/-]+)`");
@@ -50,8 +51,8 @@ class Tree
 public:
     explicit Tree(const fs::path& root) : m_root(root), m_files(FilesBelow(root)) {}
 
-    /// Whether a word is meant as a path: below a folder of the tree, or a file of one of its
-    /// kinds. Files that a recipe asks the reader to add are called Your….
+    /// True if a word is a path: below a folder of the tree, or a file of one of its kinds. Files
+    /// that a recipe asks the reader to add are called Your….
     bool MeansAPath(const std::string& word) const
     {
         static const std::regex file(
@@ -65,8 +66,8 @@ public:
                word.find("your") == std::string::npos;
     }
 
-    /// Whether a file or folder of the tree has this path, or one that ends like it; a star stands
-    /// for anything.
+    /// True if a file or folder of the tree has this path, or one that ends like it. A star matches
+    /// anything.
     bool Has(const std::string& word) const
     {
         return std::ranges::any_of(m_files, [&](const std::string& file) {

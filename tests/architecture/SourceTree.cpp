@@ -27,13 +27,13 @@ constexpr std::array<std::string_view, 11> kEngineRooms{
     "engine/src/Dynamics/Energy", "engine/src/Dynamics/SubSteps", "engine/src/Dynamics/Continuous",
     "engine/src/Dynamics/World",  "engine/src/Dynamics/Snapshot"};
 
-/// The arrows of ARCHITECTURE.md. What is missing here is forbidden.
+/// The arrows of ARCHITECTURE.md. All other dependencies are forbidden.
 std::vector<Layer> MakeLayers()
 {
     std::vector<Layer> layers{
         {"engine/Common", {}},
         {"engine/Collision", {"engine/Common"}},
-        // The public headers of Dynamics; what is private is in rooms, below.
+        // The public headers of Dynamics. Private ones are in rooms, below.
         {"engine/Dynamics", {"engine/Common", "engine/Collision"}},
         {"engine/Rope", {"engine/Common"}},
         {"engine", {"engine/Common", "engine/Collision", "engine/Dynamics", "engine/Rope"}},
@@ -136,7 +136,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
     return libraries;
 }
 
-// What the system and the compiler bring; the engine may use the second line only.
+// Headers of the system and the compiler. The engine may use only those of the second line.
 constexpr std::array<std::string_view, 12> kSystemHeaders{
     "sys/",      "unistd.h",  "fcntl.h", "signal.h", "spawn.h", "dlfcn.h",
     "pthread.h", "termios.h", "poll.h",  "sched.h",  "errno.h", "malloc.h"};
@@ -148,8 +148,7 @@ bool StartsWithAny(std::string_view text, const auto& beginnings)
     return std::ranges::any_of(beginnings, [&](std::string_view b) { return text.starts_with(b); });
 }
 
-/// The manual's three modules and the rope that stands beside them, from the path below
-/// include/Box2D/ or src/.
+/// The manual's three modules and the rope beside them, from the path below include/Box2D/ or src/.
 std::string_view EngineLayer(std::string_view below)
 {
     for (std::string_view module :
@@ -161,7 +160,7 @@ std::string_view EngineLayer(std::string_view below)
             return module;
         }
     }
-    // Only the header that includes them all stands beside the modules.
+    // Only the header that includes all others is outside the modules.
     return below == "Box2D.h" ? "engine" : "";
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-/// Reads the source tree as text and reports what breaks the rules of ARCHITECTURE.md: who may
-/// include whom, which file may name which foreign library, what every file opens with. Called by
-/// the tests only; never compiles or preprocesses anything, so an include under #if counts too.
+/// Reads the source tree as text and reports violations of the rules of ARCHITECTURE.md: allowed
+/// includes, the files that may name a foreign library, and the first lines of every file. Called
+/// by the tests only. Never compiles or preprocesses anything, so an include under #if counts too.
 namespace architecture
 {
 

@@ -29,7 +29,7 @@ std::string Lines(const Findings& findings)
     return text;
 }
 
-/// A small source tree of its own, so that each rule is seen to find what it is for.
+/// A small source tree with planted violations, which test that each rule finds them.
 class PlantedTree : public testing::Test
 {
 protected:

@@ -24,7 +24,7 @@ std::vector<std::string> ReadLines(const fs::path& file)
 namespace
 {
 
-/// What git or a build made. In a worktree of git .git is a file.
+/// True for files of git or a build. In a worktree of git, .git is a file.
 bool IsMade(const fs::path& path)
 {
     static const std::set<std::string> made{".git", "build", ".cache"};

@@ -19,7 +19,7 @@ std::vector<std::string> FilesBelow(const std::filesystem::path& root);
 /// A header or source of ours, by its name.
 bool IsCpp(std::string_view path);
 
-/// How a finding begins: "path:line: ", lines counted from 1.
+/// Returns the beginning of a finding, "path:line: ", with lines counted from 1.
 std::string At(const std::string& path, std::size_t line);
 
 } // namespace architecture

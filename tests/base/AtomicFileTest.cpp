@@ -20,7 +20,7 @@ using testing::UnorderedElementsAre;
 namespace
 {
 
-// A disk with room for so many bytes a file, while it lives.
+// A disk with room for this many bytes per file, during its lifetime.
 class SmallDisk
 {
 public:
@@ -137,7 +137,7 @@ TEST(AtomicFile, KeepsAFileThatAppearedWhileItWrote)
     EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
 }
 
-TEST(AtomicFile, KnowsWhatAnotherOneIsWriting)
+TEST(AtomicFile, DetectsFileThatIsBeingWritten)
 {
     const TemporaryFolder folder;
     const std::filesystem::path path = folder / "film.mp4";

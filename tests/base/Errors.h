@@ -12,7 +12,7 @@
 namespace boxreel
 {
 
-/// What a failed expectation shows.
+/// Prints the Error of a failed expectation.
 inline void PrintTo(const Error& error, std::ostream* out)
 {
     *out << "kind " << int(error.kind) << ", culprit [" << error.culprit << "]: " << error.problem
@@ -51,7 +51,7 @@ MATCHER_P(Refuses, culprit, "")
     return testing::ExplainMatchResult(Fails(ErrorKind::Unusable, culprit), arg, result_listener);
 }
 
-/// As Refuses, and problem or remedy contain this number or name.
+/// Same as Refuses, and problem or remedy contain this number or name.
 MATCHER_P2(RefusesWith, culprit, detail, "")
 {
     if (!testing::ExplainMatchResult(Refuses(culprit), arg, result_listener))

@@ -32,7 +32,7 @@ public:
 
     std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
 
-    /// Names of what is in it.
+    /// Returns the names of the files in it.
     std::vector<std::string> Names() const
     {
         std::vector<std::string> names;

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-/// What is compared with the truth, the same for every engine: each case builds a small world,
-/// looks at it after each step, and says by how much it was wrong, in a unit of its own. Knows no
-/// clock; AccuracyRun times the steps.
+/// The accuracy benchmark, the same for every engine. Each case builds a small world, measures it
+/// after each step, and returns its error in its own unit. Does not measure time; AccuracyRun times
+/// the steps.
 namespace bench
 {
 
@@ -59,7 +59,7 @@ void AppendMotionCases(AccuracyCases& cases);
 void AppendJointCases(AccuracyCases& cases);
 /// Stacks and the card house: AccuracyStacks.cpp.
 void AppendPileCases(AccuracyCases& cases);
-/// The cradle, and what is too fast for its walls: AccuracyImpacts.cpp.
+/// The cradle, and bodies too fast for its walls: AccuracyImpacts.cpp.
 void AppendImpactCases(AccuracyCases& cases);
 
 /// Group by group, A to K and then X, which is continuous collision.

@@ -9,7 +9,7 @@ namespace bench
 namespace
 {
 
-/// Of circles of one size, in the unit in which each moving at 1 m/s has 1.
+/// Returns the sum for circles of one size. A circle that moves at 1 m/s contributes 1.
 double SumOfSquaredSpeeds(const Sim& sim, BodyId first)
 {
     double sum = 0.0;
@@ -58,8 +58,8 @@ private:
 };
 
 /// CCD: 500 circles of radius 0.1 on a grid of 1.5 m in random directions, friction 0, restitution
-/// 1, no bullets, in a square of half-extent 20 with walls of boxes 0.1 m thick. The number that
-/// are outside at the end, and the share of the kinetic energy that is left.
+/// 1, no bullets, in a square of half-extent 20 with walls of boxes 0.1 m thick. Measures the
+/// number of circles outside at the end, and the fraction of kinetic energy left.
 class WallsExperiment final : public Experiment
 {
 public:
@@ -113,8 +113,9 @@ private:
 };
 
 /// CCD: 100 pairs of bullets, circles of radius 0.1, head on at 100 m/s each, restitution 0, a lane
-/// of 1 m for each pair; they start 10 m apart and a little more from pair to pair, so that they
-/// meet at every part of a step. The number of pairs that have changed sides at any time.
+/// of 1 m for each pair. They start 10 m apart, with a small increment per pair, so they meet at
+/// every part of a step. Measures the number of pairs that have passed through each other at any
+/// time.
 class BulletsExperiment final : public Experiment
 {
 public:
@@ -158,9 +159,9 @@ private:
     std::vector<bool> m_passed;
 };
 
-/// CCD: 200 rods of 2 m x 0.02 m fly down at 60 m/s onto one edge, from heights and angles all
-/// different, and spin at 30 rad/s either way; restitution 0, no gravity, no contact with each
-/// other. The number whose centre is below the edge at the end.
+/// CCD: 200 rods of 2 m x 0.02 m fly down at 60 m/s onto one edge. All heights and angles differ,
+/// and the rods spin at 30 rad/s either way. Restitution 0, no gravity, no contact with each other.
+/// Measures the number of rods whose centre is below the edge at the end.
 class RodsExperiment final : public Experiment
 {
 public:

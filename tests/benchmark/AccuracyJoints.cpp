@@ -177,9 +177,9 @@ public:
     Outcome Judge(Sim&) override { return {Stretch(), {{"gap_mm", WidestGap()}}, Ending()}; }
 };
 
-/// I: two such rods in a row, hinged where they meet; one spins at 4.5 rad/s, the other does not,
-/// and the hinge, of which both agree how fast it moves, leaves their common centre at rest. What
-/// is off at the end, of the angular momentum (the error) and of the energy.
+/// I: two such rods in a row with a common hinge. One spins at 4.5 rad/s, the other does not. The
+/// velocity of the hinge is the same on both, so their common centre is at rest. Measures the final
+/// error of the angular momentum, and that of the energy.
 class PairExperiment final : public Experiment
 {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies on their own: nothing but time stepping, a slope and a floor can be wrong.
+// Single bodies: only time stepping, a slope and a floor can cause errors.
 #include "AccuracyParts.h"
 #include "References.h"
 
@@ -35,8 +35,8 @@ private:
     double m_time = 0.0;
 };
 
-/// F: a box of half-size 0.5 laid on a slope of 30 degrees (an edge), friction 0.3 on both; the
-/// error of its way along the slope, as a share of that way.
+/// F: a box of half-size 0.5 on a slope of 30 degrees (an edge), friction 0.3 on both. Measures the
+/// error of its path along the slope, as a fraction of that path.
 class SlopeExperiment final : public Experiment
 {
 public:
@@ -124,8 +124,9 @@ private:
     int m_apexes = 0;
 };
 
-/// K: a circle of radius 0.5 at (10 km, 0) moves on along x at 0.02 m/s; the error of its way as a
-/// share of it. A minute, so that what is read in single precision (0.5 mm out there) is 0.04 %.
+/// K: a circle of radius 0.5 at (10 km, 0) moves along x at 0.02 m/s. Measures the error of its
+/// path as a fraction of it. One minute, so the resolution of single precision (0.5 mm there) is
+/// 0.04 %.
 class FarExperiment final : public Experiment
 {
 public:

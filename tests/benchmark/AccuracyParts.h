@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-/// What several accuracy cases need: how to add a body in one line, and how to make a case of an
-/// Experiment. Kept out of Sim.h, for the timed scenes need none of it.
+/// Helpers of several accuracy cases: they add a body in one line, and make a case of an
+/// Experiment. Separate from Sim.h, because the timed scenes do not need them.
 namespace bench
 {
 
@@ -35,7 +35,7 @@ struct Place
     double x = 0.0, y = 0.0;
 };
 
-/// Where a body's own point is in the world.
+/// Returns the world position of a body's own point.
 inline Place WorldPoint(const BodyState& s, double x, double y)
 {
     return Place{s.x + std::cos(s.angle) * x - std::sin(s.angle) * y,

@@ -64,7 +64,7 @@ Run LookAtRun(const AccuracyCase& one, const SimSettings& settings)
     return run;
 }
 
-/// Of one run from its start [s].
+/// Returns the duration of one run from its start [s].
 double TimeRun(const AccuracyCase& one, const SimSettings& settings, int count)
 {
     const std::unique_ptr<Sim> sim = CreateSim(settings);
@@ -77,8 +77,8 @@ double TimeRun(const AccuracyCase& one, const SimSettings& settings, int count)
     return CpuTime() - start;
 }
 
-/// Of a step, on average over the fastest of many runs [s]: all take the same steps, and what makes
-/// some slower is the machine's, not theirs.
+/// Returns the mean duration of a step over the fastest of many runs [s]. All runs take the same
+/// steps, so a slower one is slowed down by the machine.
 double TimeSteps(const AccuracyCase& one, const SimSettings& settings, int count)
 {
     double fastest = std::numeric_limits<double>::infinity();
@@ -91,7 +91,7 @@ double TimeSteps(const AccuracyCase& one, const SimSettings& settings, int count
     return fastest / count;
 }
 
-/// JSON knows no others.
+/// JSON has no other numbers.
 std::string Number(double value)
 {
     if (!std::isfinite(value))
@@ -103,7 +103,7 @@ std::string Number(double value)
     return text;
 }
 
-/// From 1 on, or 0 when it is none.
+/// Returns the number, from 1 on, or 0 for any other text.
 int ParseNumber(const std::string& word)
 {
     char* end = nullptr;

@@ -9,8 +9,8 @@
 namespace bench
 {
 
-/// Prints a line of JSON a case: name, what it is, the unit of its error, and the most sub-steps
-/// that this engine takes.
+/// Prints one line of JSON per case: name, description, the unit of its error, and the maximum
+/// number of sub-steps of this engine.
 int ListAccuracy();
 
 /// Runs a case, first with a look after each step, then again, as often as the clock needs,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What has to stand: stacks with too much on top, tall ones that are not straight, a card house.
+// Structures that must stand: stacks with too much load on top, tall crooked ones, a card house.
 #include "AccuracyParts.h"
 
 #include <string>
@@ -9,7 +9,7 @@ namespace bench
 namespace
 {
 
-/// What is left of a pile: where its bodies were put, and how far they have come from there.
+/// A stack, and the displacement of its bodies.
 class PileExperiment : public Experiment
 {
 public:
@@ -64,9 +64,9 @@ private:
     std::vector<Place> m_start;
 };
 
-/// E: ten boxes of half-size 0.5, straight and touching, the top one so many times as heavy. While
-/// it stands, the error is the deepest overlap of the second half (what the engine takes for one,
-/// skins included); once a box is half a box lower, it is the farthest way of any box.
+/// E: ten boxes of half-size 0.5, straight and touching, the top one `ratio` times as heavy. While
+/// it stands, the error is the maximum overlap in the second half, as the engine defines it, skins
+/// included. Once a box is half a box lower, it is the maximum displacement of any box.
 class HeavyTopExperiment final : public PileExperiment
 {
 public:
@@ -102,8 +102,8 @@ private:
     double m_overlap = 0.0;
 };
 
-/// J: boxes of half-size 0.5, touching, by turns 1 cm to the right and to the left. The error is
-/// the farthest way of any box: centimetres while it stands.
+/// J: boxes of half-size 0.5, touching, alternating 1 cm to the right and to the left. The error is
+/// the maximum displacement of any box: centimetres while it stands.
 class StackExperiment final : public PileExperiment
 {
 public:
@@ -128,10 +128,10 @@ private:
     int m_count;
 };
 
-/// J: five rows of tents, each of two cards of 1 m x 0.05 m that lean by 25 degrees and meet in a
-/// corner; five tents in the lowest row, one on top. On the tents of a row lie cards from ridge to
-/// ridge, the outer ones a little longer, that the next row stands on. Friction 0.8. The error is
-/// the farthest way of any card.
+/// J: five rows of tents. Each tent has two cards of 1 m x 0.05 m that lean by 25 degrees and meet
+/// in a corner. There are five tents in the lowest row and one on top. Cards on the tents of a row,
+/// the outer ones a little longer, carry the next row. Friction 0.8. The error is the maximum
+/// displacement of any card.
 class CardHouseExperiment final : public PileExperiment
 {
 public:

@@ -15,7 +15,7 @@ namespace
 
 using namespace boxreel;
 
-// Of OpenGL 1.1 and OSMesa, whose headers need not be installed.
+// Constants of OpenGL 1.1 and OSMesa, whose headers need not be installed.
 constexpr unsigned kLines = 1, kLineLoop = 2, kTriangleFan = 6;
 constexpr unsigned kColorBuffer = 0x4000, kBlend = 0xBE2, kSourceAlpha = 0x302;
 constexpr unsigned kOneMinusSourceAlpha = 0x303, kProjection = 0x1701;

@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-/// Debug drawing the classic way, to compare with: a call of GL for each vertex of each shape of
-/// each frame (OpenGL 1.1), without smoothed edges, on Mesa's off-screen library; all pixels are
+/// Classic debug drawing, for comparison. It makes one GL call for each vertex of each shape of
+/// each frame (OpenGL 1.1), without smoothed edges, on Mesa's off-screen library. All pixels are
 /// read back after every frame.
 namespace bench
 {
@@ -21,7 +21,7 @@ public:
     /// An Error (Absent) when the library is not installed or offers no such context.
     static boxreel::Result<std::unique_ptr<ImmediateDraw>> Create(int width, int height);
 
-    /// Clears the picture; what is drawn until Read is seen by this camera.
+    /// Clears the picture and sets the camera for all drawing until Read.
     virtual void Begin(const boxreel::Camera& camera) = 0;
 
     /// The pixels as RGBA, rows from bottom to top, as GL has them.

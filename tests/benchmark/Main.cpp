@@ -23,7 +23,7 @@ namespace bench
 namespace
 {
 
-/// Of the whole process, so that workers count [s].
+/// Returns the CPU time of the whole process, so workers count [s].
 double CpuTime()
 {
     timespec time{};
@@ -97,8 +97,8 @@ EndState Look(const Sim& sim, const Bounds& bounds)
     return end;
 }
 
-/// What is compared with the runs of the other engines: the mean of several looks during the second
-/// half of a run, for a pile that is stirred looks different from one moment to the next.
+/// Values compared with the runs of the other engines. Each is the mean of several samples in the
+/// second half of a run, because a stirred stack varies from one moment to the next.
 struct Likenesses
 {
     int looks = 0;
@@ -132,7 +132,7 @@ private:
 
 constexpr int kLooks = 6; ///< at most, over half a run: each costs the next step its warm cache
 
-/// JSON knows no other numbers.
+/// JSON has no other numbers.
 double Finite(double value)
 {
     return std::isfinite(value) ? value : 0.0;
@@ -168,8 +168,8 @@ struct Timing
     Found found;
 };
 
-/// A world that has burst need not be watched for minutes: twice a simulated second, outside what
-/// is timed, those bodies are looked at that were awake at the start.
+/// A world that has diverged need not run for minutes. Twice per simulated second, outside the
+/// timed part, the bodies are checked that were awake at the start.
 Timing Time(Sim& sim, const Scene& scene)
 {
     const std::vector<BodyId> watched = AwakeBodies(sim);
@@ -242,7 +242,8 @@ void Prepare(Sim& sim, const Scene& scene)
     }
 }
 
-/// By the calls, and by what is looked at afterwards; its bits count with those at the end.
+/// Adds the results of the calls and of the checks afterwards. The bits count with those at the
+/// end.
 Found AllFound(Sim& sim, const Scene& scene, Found found, EndState& end)
 {
     if (scene.afterwards)
@@ -299,7 +300,7 @@ const char* Text(bool value)
     return value ? "true" : "false";
 }
 
-/// What the runner has to know of each scene.
+/// Prints the data of each scene that the runner needs.
 int List()
 {
     for (const Scene& scene : AllScenes())

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// What the benchmark of drawing asks of a renderer. Each program has one source that implements it
-/// (Painter*.cpp) and the rest in common, as with the engines (Sim.h).
+/// The interface of a renderer in the benchmark of drawing. Each program has one source that
+/// implements it (Painter*.cpp) and shares the rest, like the engines (Sim.h).
 namespace bench
 {
 
@@ -30,7 +30,7 @@ public:
     /// The last picture that was read; not timed.
     virtual boxreel::Frame Picture() const = 0;
 
-    /// Which library draws, for people.
+    /// Returns the name of the drawing library, for people.
     virtual std::string Description() const = 0;
 };
 

@@ -39,7 +39,7 @@ public:
     {
         return m_renderer.Submit(list, camera);
     }
-    /// Only what has changed: the frame is the renderer's, and holds the rest already.
+    /// Reads only the changes. The frame belongs to the renderer and already contains the rest.
     Result<void> Read() override
     {
         const Result<const Frame*> frame = m_renderer.ReadChanges();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Cairo's image surface with the same shapes, in each of its three qualities: fill and outline of a
-// shape as a path, as whoever draws with Cairo would do it.
+// shape as a path, as a program with Cairo would draw it.
 #include "Painter.h"
 
 #include <debugdraw/Theme.h>

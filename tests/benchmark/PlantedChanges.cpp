@@ -69,7 +69,7 @@ private:
         m_all.push_back({change, std::move(expected), std::move(actual)});
     }
 
-    /// The last item of this kind that lies in the picture with room for a label.
+    /// Returns the last item of this kind that is inside the picture with room for a label.
     std::optional<std::size_t> Find(DrawLayer layer, DrawKind kind) const
     {
         const DrawList& list = m_content.list;
@@ -215,7 +215,8 @@ private:
         Add("stray", m_expected, std::move(actual));
     }
 
-    /// As another driver rounds corners; without labels, which snap to whole pixels.
+    /// Adds a shift as another driver may round corners. Without labels, because they snap to whole
+    /// pixels.
     void AddShifted()
     {
         DrawList list = m_content.list;

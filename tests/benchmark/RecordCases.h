@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// Which films are made, and the words by which the peer encodes the same. Called by
+/// The films of the benchmark, and the arguments for the peer that encodes the same. Called by
 /// RecordMain.cpp.
 namespace bench
 {
@@ -27,7 +27,7 @@ struct RecordCase
 
 const std::vector<RecordCase>& AllRecordCases();
 
-/// The case with other films: 0 frames or a width of 0 leave what it has.
+/// Returns the case with other films. 0 frames or a width of 0 keep its own.
 RecordCase Resized(RecordCase info, std::int64_t frames, int width, int height);
 
 /// A film of a case, and the words that make it.
@@ -46,7 +46,7 @@ struct Film
 std::vector<Film> FilmsOf(const RecordCase& info, const std::string& program,
                           const std::string& helper, const std::string& folder);
 
-/// The words after `raw`, `immediate` and others that say what is filmed.
+/// Returns the arguments after `raw`, `immediate` and others that select the film.
 std::vector<std::string> TakeWords(const RecordCase& info, std::int64_t frames);
 
 /// The words that check it; of another time than the raw frames no frame is compared.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What films are compared with. `list` prints the cases; `films` the films of one, and the words
-// that make them; `raw` draws the frames of a film as bare
-// pixels; `encode` becomes ffmpeg, which encodes them; `immediate` films by drawing the classic way
-// and piping the pixels to ffmpeg; `check` tells whether a film shows what the raw frames show.
-// Output is JSON, one object per line.
+// The helper of the film benchmark. `list` prints the cases, `films` the films of one with their
+// arguments. `raw` draws the frames of a film as bare pixels. `encode` becomes ffmpeg, which
+// encodes them. `immediate` draws the classic way and pipes the pixels to ffmpeg. `check` compares
+// a film with the raw frames. Output is JSON, one object per line.
 #include "ImmediateDraw.h"
 #include "RecordCases.h"
 
@@ -38,7 +37,7 @@ namespace
 
 using namespace boxreel;
 
-/// Which part of which scene is filmed, at 60 frames a second.
+/// A part of a scene that is recorded, at 60 frames a second.
 struct Take
 {
     std::string scene;
@@ -134,7 +133,7 @@ private:
     FrameClock m_clock;
 };
 
-/// The share of a file that lies in the page cache, after it has been read once.
+/// Returns the fraction of a file in the page cache, after it has been read once.
 double CachedShare(int file, std::size_t size)
 {
     std::vector<std::uint8_t> buffer(1 << 20);
@@ -302,7 +301,7 @@ Result<void> FilmImmediately(const Take& take, const std::string& film)
     return {};
 }
 
-/// How far colours are apart, in steps of 8 bits.
+/// The difference of colours in steps of 8 bits.
 struct Difference
 {
     double sum = 0.0;
@@ -310,11 +309,11 @@ struct Difference
     double Mean() const { return count > 0.0 ? sum / count : 0.0; }
 };
 
-/// Squares of so many pixels are compared by their mean colours: within, an encoder may blur
-/// colours, and a line be smooth or jagged.
+/// Squares of this many pixels are compared by their mean colours. Within them an encoder may blur
+/// colours, and a line may be smooth or jagged.
 constexpr int kSquare = 16;
 
-/// Of one square.
+/// The mean colours of one square.
 struct Means
 {
     double film[3] = {};
@@ -364,10 +363,10 @@ void Compare(const Frame& film, const std::vector<std::uint8_t>& raw, Difference
     }
 }
 
-/// Every so many frames are compared, and the first and last.
+/// The first and the last frame are compared, and every n-th between.
 constexpr std::int64_t kCompareEvery = 20;
 
-/// What a film shows.
+/// The content of a film.
 struct Seen
 {
     std::int64_t frames = 0;
@@ -408,14 +407,14 @@ Result<Seen> Look(const std::string& film, const std::string& rawPath)
     }
 }
 
-// Differences that a film may have, of 255. Encoded at crf 20 the squares of these drawings are off
-// by 0.5 where something is drawn, by 2 with jagged lines, which in small pictures are off by up to
-// 9; in grey by 7, with red and blue exchanged by 13.
+// Maximum differences of a film, of 255. At crf 20 the squares of these drawings are off by 0.5
+// where an item is drawn. With jagged lines they are off by 2, or up to 9 in small pictures. In
+// grey it is 7, and 13 with red and blue exchanged.
 constexpr double kMaxOnGround = 1.0;
 constexpr double kMaxDrawn = 4.0;
 constexpr double kMaxDrawnImmediately = 9.0;
 
-/// "sound", or what is wrong with the film that is to have the frames and the size of the take.
+/// Returns "sound", or the error of a film that must have the frames and the size of the take.
 std::string Judge(const Seen& seen, const Take& take, bool isImmediate)
 {
     if (seen.frames != take.frames)
@@ -460,7 +459,7 @@ void List()
     }
 }
 
-/// As JSON. What is quoted are names of scenes and paths.
+/// Returns the words as JSON. They are names of scenes and paths.
 std::string Quoted(const std::vector<std::string>& words)
 {
     std::string text;
@@ -477,7 +476,7 @@ std::string Quoted(const std::vector<std::string>& words)
     return "[" + text + "]";
 }
 
-/// A line for what is filmed, one for each film.
+/// Prints one line per film.
 Result<void> PrintFilms(const std::string& helper, char** words)
 {
     const Result<std::int64_t> frames = ParseWhole("FRAMES", words[1], 0, 100'000);
@@ -513,7 +512,7 @@ Result<void> PrintFilms(const std::string& helper, char** words)
                                           "'; `list` shows them."};
 }
 
-/// Becomes ffmpeg, so that whoever started us measures nothing else.
+/// Replaces this process by ffmpeg, so the parent process measures only ffmpeg.
 Result<void> Encode(const Take& take, const std::string& raw, const std::string& film)
 {
     std::vector<std::string> words = EncoderWords(take.width, take.height, raw, false, film);

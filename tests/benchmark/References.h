@@ -4,10 +4,10 @@
 #include <array>
 #include <cstddef>
 
-/// What really happens in the cases of the accuracy benchmark: closed forms where there are any,
-/// and otherwise Runge and Kutta's method of fourth order in long double, with steps so small that
-/// halving them changes nothing that the cases measure. Metres, seconds, radians, kilograms; y
-/// points up. Knows no engine.
+/// The exact results of the accuracy benchmark's cases. Closed forms where they exist. Otherwise
+/// the Runge-Kutta method of fourth order in long double, with steps so small that halving them
+/// changes nothing that the cases measure. Metres, seconds, radians, kilograms; y points up.
+/// Independent of engines.
 namespace bench
 {
 
@@ -21,10 +21,10 @@ struct RealPoint
 /// Thrown from the origin; `gravity` is what pulls down, above 0 [m/s^2].
 RealPoint ProjectilePosition(Real vx, Real vy, Real gravity, Real time);
 
-/// How far something slides down from rest, at a slope so steep that it does slide [m].
+/// Returns the distance that a body slides down from rest, at a slope so steep that it slides [m].
 Real SlideDistance(Real gravity, Real slope, Real friction, Real time);
 
-/// How high something bounces that fell from `height`, after so many impacts [m].
+/// Returns the apex of a bounce from `height` after this many impacts [m].
 Real ApexHeight(Real height, Real restitution, int impacts);
 
 /// One step of size h for y' = f(y).
@@ -73,7 +73,7 @@ public:
     State After(State state, Real time, Real step) const;
     /// 0 when it rests, level [J].
     Real Energy(const State& state) const;
-    /// Of swings so small that their size does not matter [s].
+    /// Returns the period of oscillations so small that their amplitude does not matter [s].
     Real PeriodOfSmallSwings() const;
 
 private:

@@ -123,8 +123,8 @@ TEST(References, ADoublePendulumKeepsItsEnergy)
 
 TEST(References, ADoublePendulumsAccelerationsAreThoseOfItsForces)
 {
-    // Newton for both rods, without Lagrange: from the accelerations follow the forces in the
-    // joints, and those must turn each rod about its own centre as it does turn.
+    // Newton's laws for both rods, without Lagrange. The accelerations give the forces in the
+    // joints. These must cause the rotation of each rod about its own centre.
     const DoublePendulum pendulum(kRod, kGravity);
     const DoublePendulum::State s{0.3L, -0.9L, 1.7L, -2.1L};
     const Real h = 1e-5L;
@@ -132,7 +132,7 @@ TEST(References, ADoublePendulumsAccelerationsAreThoseOfItsForces)
     const DoublePendulum::State after = pendulum.After(s, h, h);
     const Real a1 = (after[2] + before[2]) / (2 * h), a2 = (after[3] + before[3]) / (2 * h);
     const Real l = kRod.length, m = kRod.mass;
-    // Of a point that is turned: e = (cos, sin) times -w^2, and its normal times a.
+    // The acceleration of a rotating point: e = (cos, sin) times -w^2, and its normal times a.
     const auto ax = [](Real angle, Real w, Real a) {
         return -w * w * std::cos(angle) - a * std::sin(angle);
     };

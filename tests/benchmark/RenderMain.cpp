@@ -39,7 +39,7 @@ struct Work
     Shown before, after;
 };
 
-/// Of a frame [s].
+/// The times of a frame [s].
 struct Times
 {
     double cpu = 0.0; ///< of the whole process, the library's threads included
@@ -98,7 +98,7 @@ Result<Frame> FromScratch(Painter& painter, const Shown& shown)
     return done ? Result<Frame>(painter.Picture()) : Result<Frame>(done.GetError());
 }
 
-/// Whether the picture is the same when it is reached by the work's change alone.
+/// True if the incremental picture equals the one drawn from scratch.
 Result<bool> IsSameAsFromScratch(Painter& painter, const Work& work)
 {
     const Result<Frame> expected = FromScratch(painter, work.after);
@@ -163,7 +163,7 @@ std::string Json(const char* name, const Times& times)
     return text;
 }
 
-/// What could not be done, as the program's last word.
+/// Prints the error and returns the exit code.
 int Fail(const Error& error)
 {
     std::fprintf(stderr, "%s\n", error.Text().c_str());

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// What is drawn to compare renderers: pictures full of mixed shapes, the same on every machine.
-/// Knows neither clocks nor renderers.
+/// The pictures for comparing renderers. They are full of mixed shapes, and the same on every
+/// machine. Independent of clocks and renderers.
 namespace bench
 {
 
@@ -22,7 +22,7 @@ struct RenderCase
 
 const std::vector<RenderCase>& AllRenderCases();
 
-/// Which shapes have moved since the frame before.
+/// The shapes that have moved since the previous frame.
 enum class Change
 {
     None,
@@ -31,9 +31,10 @@ enum class Change
     Apart,    ///< one in twenty, all over the picture
 };
 
-/// Boxes of any angle, convex polygons of 3 to 8 corners, circles with an axis, segments; each in a
-/// place of its own, so that the picture is full and no shape covers another: what lies over an
-/// edge would be measured, not how the edge is drawn. What has moved has gone and turned a little.
+/// Boxes at any angle, convex polygons of 3 to 8 corners, circles with an axis, and segments. Each
+/// has its own place, so the picture is full and no shape covers another. Otherwise the benchmark
+/// would measure the order of shapes instead of their edges. Moved shapes are slightly shifted and
+/// rotated.
 boxreel::DrawList MakeRenderScene(const RenderCase& one, Change change);
 
 /// Sees the scene whole; 16 pixels a metre.

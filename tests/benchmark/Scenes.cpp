@@ -241,8 +241,8 @@ std::vector<BodyId> AddRow(Sim& sim, int count, double y)
     return row;
 }
 
-/// What sleeps are rows of 500 boxes 3 m apart, from y = -10 down. What moves are the stacks, for
-/// their ground carries them along: nothing else would keep them awake in a world that sleeps.
+/// The sleeping bodies are rows of 500 boxes 3 m apart, from y = -10 down. The moving ones are
+/// stacks on a moving ground. Nothing else would keep them awake in a world with sleeping.
 void BuildAsleep(Sim& sim, int count)
 {
     // Chipmunk's time to put n awake bodies to sleep grows with n * n, so never all at once.
@@ -390,7 +390,7 @@ void AddCurves(Scenes& scenes)
         scene.count = count;
         scene.onlyForCurve = count < 20000;
     }
-    for (const bool small : {false, true}) // steps, in engines that know small ones
+    for (const bool small : {false, true}) // sub-steps, in engines that have them
     {
         for (const int count : counts)
         {

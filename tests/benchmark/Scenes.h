@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-/// What is timed, the same for every engine. Sizes in metres; friction 0.6, density 1 and
-/// restitution 0 unless said.
+/// The scenes that are timed, the same for every engine. Sizes in metres; friction 0.6, density 1
+/// and restitution 0 unless stated otherwise.
 namespace bench
 {
 
@@ -18,7 +18,8 @@ struct Bounds
     double left = -1e4, bottom = -1e4, right = 1e4, top = 1e4;
 };
 
-/// What calls found, added up: it shows that they did something, and the same in every engine.
+/// Totals of the results of calls. They show that the calls had an effect, and the same effect in
+/// every engine.
 struct Found
 {
     double count = 0.0;
@@ -31,7 +32,7 @@ struct Found
     }
 };
 
-/// What a run must have in common with those of the peers, beside its contacts.
+/// The property that must agree with the runs of the peers, beside the contacts.
 enum class Likeness
 {
     Heights, ///< of the bodies on average, and how deep they overlap
@@ -49,7 +50,7 @@ struct Scene
     int steps = 0;  ///< timed steps; each alone when it takes long, in blocks when `block` is set
     int block = 1;  ///< calls between two looks at the clock
     Bounds bounds;
-    /// What one call does when it is not a step.
+    /// Performs one call if that is not a step.
     std::function<Found(Sim&, int call)> action;
     /// Once after all that is timed: shows that a world that nothing was seen of is a working one.
     std::function<Found(Sim&)> afterwards;

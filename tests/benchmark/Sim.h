@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-/// What the scenes of the benchmark need of an engine, in plain numbers: metres, seconds, radians.
-/// Each program links one implementation (Sim*.cpp), so that the scene source is the same for all
+/// The operations of an engine that the benchmark's scenes use, in plain numbers: metres, seconds,
+/// radians. Each program links one implementation (Sim*.cpp), so the scenes are the same for all
 /// engines.
 namespace bench
 {
@@ -78,12 +78,12 @@ public:
                          const Material& material) = 0;
     /// At a world point; the two bodies do not collide.
     virtual void AddRevolute(BodyId a, BodyId b, double x, double y) = 0;
-    /// Removes what was added last.
+    /// Removes the last added body.
     virtual void RemoveLastBody() = 0;
 
     /// One step of the length and with the iterations of the settings.
     virtual void Step() = 0;
-    /// The fraction of the way at which a ray first hits something, 1 when nothing.
+    /// Returns the fraction of a ray before its first hit; 1 without a hit.
     virtual double CastRay(double x1, double y1, double x2, double y2) = 0;
 
     /// At once, though the engine would not yet; only in a world that lets bodies sleep.
@@ -93,7 +93,7 @@ public:
     virtual int BodyCount() const = 0;
     virtual BodyState State(BodyId body) const = 0;
     virtual Touching LookAtContacts() = 0;
-    /// That a step runs on, the calling one included.
+    /// Returns the number of threads of a step, including the calling one.
     virtual int Threads() const = 0;
 };
 
@@ -115,12 +115,12 @@ struct Iterations
     int position = 0; ///< 0: the engine has no such iterations
 };
 
-/// What a sub-step gets of the iterations of the settings, which are those of a whole step, as this
-/// engine splits and counts them.
+/// Returns the iterations of one sub-step, as this engine divides and counts them. The iterations
+/// of the settings are those of a whole step.
 Iterations IterationsOfASubStep(const SimSettings& settings);
 /// Name and version of the engine that this program was built with.
 std::string EngineName();
-/// Into which a step can be split; 1: the engine knows no sub-steps.
+/// Returns the maximum number of sub-steps; 1: the engine has no sub-steps.
 int MostSubSteps();
 std::unique_ptr<Sim> CreateSim(const SimSettings& settings);
 

@@ -74,7 +74,7 @@ TEST(Arrow, HasASmallerHeadAndNoShaftWhereItIsShort)
     EXPECT_FLOAT_EQ(list.points[1].y, 0.2f);
 }
 
-TEST(Arrow, IsNothingWithoutALength)
+TEST(Arrow, IsEmptyWithoutLength)
 {
     const float infinity = std::numeric_limits<float>::infinity();
     const float nan = std::numeric_limits<float>::quiet_NaN();

@@ -35,7 +35,7 @@ DrawList AxesOf(const Camera& view)
     return list;
 }
 
-/// Of the text items, in their order: left, right, top [px of paper].
+/// The position of a text item: left, right, top [px of paper].
 struct Placed
 {
     double left, right, top;
@@ -138,7 +138,7 @@ TEST(Axes, NumbersHaveRoomBesideEachOtherAndInTheirMargin)
     }
 }
 
-TEST(Axes, AreNothingWhereNumbersMeanNothing)
+TEST(Axes, AreEmptyForInvalidViews)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const Camera& view :

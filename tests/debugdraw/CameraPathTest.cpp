@@ -59,7 +59,7 @@ TEST(CameraPath, StandsStillBeforeTheFirstKeyAndAfterTheLast)
     EXPECT_NE(path.At(0.0), path.At(2.0));
 }
 
-TEST(CameraPath, ZoomsByTheSameFactorInTheSameShareOfTheWay)
+TEST(CameraPath, ZoomsByConstantFactorPerShareOfThePath)
 {
     const CameraPath path(1280, 720, {{0.0, 0.0, 0.0, 100.0}, {1.0, 0.0, 0.0, 1.0}});
     EXPECT_NEAR(HeightOf(path.At(0.5)), 10.0, 1e-12);
@@ -76,7 +76,7 @@ TEST(CameraPath, KeepsOnePointOfTheWorldInItsPlaceWhileItZooms)
 {
     const Camera from = InAndOut().At(0.0);
     const Camera to = InAndOut().At(3.0);
-    // Where (x - centre) / height is the same in both.
+    // The point at which (x - centre) / height is the same in both.
     const double share = HeightOf(from) / (HeightOf(from) - HeightOf(to));
     const double x = from.centerX + share * (to.centerX - from.centerX);
     const double place = (x - from.centerX) * from.pixelsPerMeter;
@@ -147,7 +147,7 @@ TEST(CameraPath, IsTheSamePathBackwards)
     }
 }
 
-TEST(CameraPath, SaysWhyKeysAreNone)
+TEST(CameraPath, ReportsInvalidKeys)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double inf = std::numeric_limits<double>::infinity();

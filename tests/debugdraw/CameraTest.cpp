@@ -15,7 +15,8 @@ namespace
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 
-// Both ways pass through a float each; the one of world coordinates weighs as many pixels.
+// Both directions pass through a float each. The one of world coordinates is weighted by the
+// pixels.
 double RoundingInPixels(const Camera& camera, Vec2 world)
 {
     const double metres = std::abs(double(world.x)) + std::abs(double(world.y)) + 1.0;
@@ -115,7 +116,7 @@ TEST(Camera, MapsEveryPixelToWorldAndBackAtAnySize)
             }
             ++checked;
             const Vec2 again = camera.ToPixel(world);
-            // Rounded once each way, to the nearest; nothing else is lost.
+            // Rounded once in each direction, to the nearest; there is no other loss.
             EXPECT_NEAR(again.x, pixel.x, errorX + 0.5 * Spacing(pixel.x) + 1e-9);
             EXPECT_NEAR(again.y, pixel.y, errorY + 0.5 * Spacing(pixel.y) + 1e-9);
             EXPECT_EQ(std::floor(again.x), std::floor(pixel.x));
@@ -181,7 +182,7 @@ TEST(FitTo, ShowsTheWholeAreaWithItsMargin)
     }
 }
 
-TEST(FitTo, FallsBackToTheDefaultViewForAnAreaThatIsNone)
+TEST(FitTo, UsesDefaultViewForInvalidArea)
 {
     const Camera standard;
     for (const Rect& area :

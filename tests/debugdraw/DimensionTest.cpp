@@ -31,7 +31,7 @@ DrawList DimensionOf(Vec2 a, Vec2 b, const DimensionSettings& settings = {})
     return list;
 }
 
-/// Where the points of the arrows' heads lie.
+/// Returns the tips of the arrow heads.
 std::vector<Vec2> Tips(const DrawList& list)
 {
     std::vector<Vec2> tips;
@@ -162,7 +162,7 @@ TEST(Dimension, HasTheLabelItIsGiven)
     EXPECT_THAT(DimensionOf({0, 0}, {9, 0}, {.label = "L"}).texts, ElementsAre("L"));
 }
 
-TEST(Dimension, IsNothingBetweenOnePoint)
+TEST(Dimension, IsEmptyBetweenEqualPoints)
 {
     EXPECT_TRUE(DimensionOf({1, 1}, {1, 1}).items.empty());
     EXPECT_TRUE(DimensionOf({1, 1}, {std::numeric_limits<float>::infinity(), 1}).items.empty());

@@ -35,7 +35,8 @@ struct Edges
         return box.lower.x >= left && box.upper.x <= right && box.lower.y >= bottom &&
                box.upper.y <= top;
     }
-    // How far beyond `inner` the nearest edge lies; negative when `inner` sticks out [m].
+    // Returns the distance of the nearest edge outside `inner`; negative when `inner` extends
+    // beyond it [m].
     double Beyond(const Edges& inner) const
     {
         return std::min(std::min(inner.left - left, right - inner.right),
@@ -215,7 +216,7 @@ TEST(FitCamera, LetsGoOfABodyThatFellOffTheWorld)
     EXPECT_EQ(untouched.View(), FitTo(kScene, 1280, 720));
 }
 
-TEST(FitCamera, IgnoresBoxesThatAreNone)
+TEST(FitCamera, IgnoresInvalidBoxes)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float inf = std::numeric_limits<float>::infinity();

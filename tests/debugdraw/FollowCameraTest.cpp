@@ -220,7 +220,7 @@ TEST(FollowCamera, MovesAlikeAtAnyStepLength)
         return camera.View().centerX;
     };
     const double way = wayInATenthOfASecond(10000);
-    // Of a critically damped spring whose low-passes take T each: 1 - (1 + t/T) exp(-t/T).
+    // A critically damped spring whose low-passes take T each: 1 - (1 + t/T) exp(-t/T).
     const double t = 0.1 / 0.12;
     EXPECT_NEAR(way, (2.0 - kCalm) * (1.0 - (1.0 + t) * std::exp(-t)), 1e-3);
     EXPECT_NEAR(wayInATenthOfASecond(1000), way, 0.01 * way);
@@ -269,7 +269,7 @@ TEST(FollowCamera, KeepsItsHeightWhileASquareRolls)
     }
 }
 
-TEST(FollowCamera, IgnoresSubjectsThatAreNone)
+TEST(FollowCamera, IgnoresInvalidSubjects)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float inf = std::numeric_limits<float>::infinity();

@@ -21,7 +21,7 @@ TEST(TextWidth, AddsUpLetters)
     EXPECT_EQ(TextWidth("µ"), TextWidth("0")) << "one letter of two bytes";
 }
 
-TEST(TextWidth, OfWhatIsNoTextIsANumberAllTheSame)
+TEST(TextWidth, IsFiniteForInvalidText)
 {
     EXPECT_GT(TextWidth("\xff\xfe"), 0.0);
     EXPECT_GT(TextWidth("\xe2\x82"), 0.0);

@@ -56,10 +56,10 @@ enum class Vision
     Tritanopia,
 };
 
-/// How light looks to a dichromat: Vienot, Brettel and Mollon, "Digital Video Colourmaps for
-/// Checking the Legibility of Displays by Dichromats" (1999) for red and green; for blue Brettel,
-/// Vienot and Mollon, "Computerized Simulation of Color Appearance for Dichromats" (1997), which
-/// has two half planes.
+/// Returns the light that a dichromat sees. For red and green: Vienot, Brettel and Mollon, "Digital
+/// Video Colourmaps for Checking the Legibility of Displays by Dichromats" (1999). For blue:
+/// Brettel, Vienot and Mollon, "Computerized Simulation of Color Appearance for Dichromats" (1997),
+/// which has two half planes.
 Triple Seen(const Triple& light, Vision vision)
 {
     constexpr Matrix kProtan{0.11238, 0.88762, 0.0, 0.11238, 0.88762, 0.0, 0.00401, -0.00401, 1.0};
@@ -219,10 +219,10 @@ TEST(Theme, KeepsUsersColoursAndMakesTheirOutlinesSeen)
     }
 }
 
-// In OKLab a difference of 0.02 is about the least that is noticed side by side; the classic
-// palette comes down to 0.002 (contacts to a protanope), this one never below 0.079. All layers may
-// lie over each other, so every role is compared with every other.
-TEST(Theme, OkabeItoIsToldApartByEveryKindOfSight)
+// In OKLab a difference of about 0.02 is just visible side by side. The classic palette goes down
+// to 0.002 (contacts to a protanope), this one never below 0.079. All layers may overlap, so every
+// role is compared with every other.
+TEST(Theme, OkabeItoIsDistinctForEveryColourVision)
 {
     for (const Vision vision : kVisions)
     {
@@ -231,7 +231,7 @@ TEST(Theme, OkabeItoIsToldApartByEveryKindOfSight)
     EXPECT_LT(LeastDistance(kClassicPalette, Vision::Protanopia), 0.01) << "the measure can fail";
 }
 
-TEST(Theme, ArrowsAreToldApartFromAllElseByEveryKindOfSight)
+TEST(Theme, ArrowsAreDistinctForEveryColourVision)
 {
     for (const std::string_view name : {"okabe-ito", "print", "dark"})
     {
@@ -265,7 +265,7 @@ TEST(Theme, ClassicKeepsTheColoursThatEverybodyKnows)
         << "they look the same";
 }
 
-TEST(Theme, JointsAndPairsAreToldApartAsThinLines)
+TEST(Theme, JointsAndPairsAreDistinctAsThinLines)
 {
     for (const Theme& theme : {Theme::Print(), Theme::Dark()})
     {

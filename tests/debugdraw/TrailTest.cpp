@@ -57,7 +57,7 @@ TEST(Trail, GoesThroughThePlacesOfTheBody)
     EXPECT_EQ(list.layer, DrawLayer::Shapes) << "what follows is no trail";
 }
 
-TEST(Trail, LeavesOutWhatNobodySees)
+TEST(Trail, OmitsInvisibleParts)
 {
     EXPECT_EQ(TrailOf({{0, 0}, {1, 0}, {2, 0.001f}, {3, 0}}, kOpaque).items.size(), 1u);
     const std::vector<Vec2> arc = Arc(2000);
@@ -71,7 +71,7 @@ TEST(Trail, LeavesOutWhatNobodySees)
     EXPECT_EQ(list.points.back(), arc.back());
 }
 
-TEST(Trail, OfWhatRestsIsNothing)
+TEST(Trail, IsEmptyForBodyAtRest)
 {
     EXPECT_TRUE(TrailOf({}, kOpaque).items.empty());
     EXPECT_TRUE(TrailOf({{1, 1}}, {}).items.empty());

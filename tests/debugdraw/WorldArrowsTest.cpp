@@ -45,7 +45,7 @@ TEST_F(WorldArrows, AVelocityIsTheDisplacementInSomeSeconds)
     EXPECT_EQ(list.owner, kNoOwner);
 }
 
-TEST_F(WorldArrows, WhatRestsHasNone)
+TEST_F(WorldArrows, AreNotDrawnForBodiesAtRest)
 {
     scene.Box(1.0f, 2.0f);
     scene.Box(5.0f, 2.0f)->SetLinearVelocity(b2Vec2(0.1f, 0.0f)); // a pixel at most
@@ -62,7 +62,7 @@ TEST_F(WorldArrows, AVelocityIsSeenWhenItsTipIs)
     EXPECT_EQ(list.items.size(), 2u);
 }
 
-TEST_F(WorldArrows, AJointHoldsTheWeightThatHangsOnIt)
+TEST_F(WorldArrows, ShowWeightHeldByJoint)
 {
     const b2Joint* const rod = Hang(scene);
     for (int i = 0; i < 60; ++i)

@@ -83,7 +83,7 @@ TEST_F(WorldBodies, ALongNameIsCutBetweenLetters)
     EXPECT_GE(TextWidth(narrow), 180.0);
 }
 
-TEST_F(WorldBodies, ANameIsOneLineWhateverIsInIt)
+TEST_F(WorldBodies, NamesAreAlwaysOneLine)
 {
     const std::string zero(1, '\0');
     const BodyNames names{{0, "tab\tand\r\nline\u2028end\u0085\x7f"}, {1, zero + "\u00bd\u2026"}};
@@ -123,7 +123,7 @@ TEST_F(WorldBodies, MarksLieOnCentresOfMassAndTurnWithTheBody)
 namespace
 {
 
-/// What letters have ink on: 12 of 15 px.
+/// Returns the inked area of the letters: 12 of 15 px.
 Rect BoxOf(const DrawList& list, const DrawItem& text, double pixelsPerMeter)
 {
     const Vec2 corner = list.points[text.first];
@@ -349,7 +349,7 @@ TEST_F(Labels, DoNotMindWhatTheirBodyLiesOver)
     EXPECT_FALSE(labels.at(1).isTied);
 }
 
-TEST_F(Labels, StayOnTheirBodyWhateverLiesOnItToo)
+TEST_F(Labels, StayOnTheirBodyDespiteOtherItemsOnIt)
 {
     Box(0.0f, 0.0f, 0.2f, 0.2f);
     Box(0.3f, 0.0f, 0.297f, 0.03f); // a rod that ends beside the other's centre

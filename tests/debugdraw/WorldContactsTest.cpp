@@ -45,7 +45,7 @@ struct Resting : testing::Test
         EXPECT_EQ(list.owner, kNoOwner);
         return list;
     }
-    /// Of what is highest [m].
+    /// Returns the height of the highest item [m].
     static double HeightOf(const DrawList& list)
     {
         Rect bounds;

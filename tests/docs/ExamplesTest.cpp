@@ -17,7 +17,7 @@ namespace
 
 const std::filesystem::path kExamples = BOXREEL_DOCS "/examples";
 
-/// What the program prints; its exit code must be 0.
+/// Returns the output of the program; its exit code must be 0.
 std::string OutputIn(const TemporaryFolder& folder, const std::string& command)
 {
     const std::string line = "cd '" + (folder / "").string() + "' && " + command + " > output 2>&1";
@@ -38,7 +38,7 @@ std::vector<Frame> Decode(const std::filesystem::path& path)
     return frames;
 }
 
-/// Whether a page has a block of that language with just this text.
+/// True if a page has a block of that language with exactly this text.
 bool HasBlock(const std::string& page, const std::string& language, const std::string& text)
 {
     return !text.empty() &&

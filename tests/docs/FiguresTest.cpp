@@ -21,7 +21,8 @@ int Draw(const TemporaryFolder& folder, const std::string& names = "")
                            .c_str());
 }
 
-/// What the program has to keep up: drawings, but for the charts of accuracy.md, and their page.
+/// Returns the names of the drawings that the program must keep up to date, without the charts of
+/// accuracy.md and their page.
 std::set<std::string> DrawnNames(const std::filesystem::path& folder)
 {
     std::set<std::string> names;

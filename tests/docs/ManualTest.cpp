@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pages of docs/manual show nothing but what its listings compile and run, and lead nowhere
-// that does not exist. The listings test themselves.
+// The pages of docs/manual show only code that its listings compile and run, and all their links
+// exist. The listings test themselves.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -88,7 +88,7 @@ std::string Dedented(const std::vector<std::string>& lines)
     return text;
 }
 
-/// What stands between the lines `// [name]` and `// [/name]`, by name.
+/// Returns the text between the lines `// [name]` and `// [/name]`, by name.
 std::map<std::string, std::string> RegionsOf(const fs::path& listing)
 {
     const std::regex mark(R"( *// \[(/?)([a-z0-9-]+)\])");
@@ -196,7 +196,7 @@ std::set<std::string> AnchorsOf(const fs::path& page)
     return anchors;
 }
 
-/// Where the links and pictures of a page lead, addresses of the web left out.
+/// Returns the targets of the links and pictures of a page, without web addresses.
 std::vector<std::string> TargetsOf(const fs::path& page)
 {
     std::ifstream file(page);

@@ -13,7 +13,8 @@ inline std::string TextOf(const std::filesystem::path& path)
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// Whether a page has a program of docs/examples as it is, but for the licence in its first line.
+/// True if a page contains a program of docs/examples unchanged, except for the licence in its
+/// first line.
 inline bool IsShown(const std::string& program, const std::string& page)
 {
     const std::string text = TextOf(BOXREEL_DOCS "/examples/" + program);

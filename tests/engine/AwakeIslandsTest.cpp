@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-/// What a step of small ones looks at does not grow with what sleeps.
+/// The work of a step with sub-steps does not grow with the number of sleeping bodies.
 namespace
 {
 

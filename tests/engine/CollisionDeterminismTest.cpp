@@ -9,9 +9,8 @@
 
 #include <bit>
 
-/// One hash of many results for each part: another compiler, optimisation level or machine that
-/// computes anything else is found out. A change of the code that changes the results on purpose
-/// changes the numbers here.
+/// One hash of many results for each part. It detects another compiler, optimisation level or
+/// machine with different results. An intended change of the results changes the numbers here.
 namespace
 {
 class Hash

@@ -201,8 +201,8 @@ TEST(EdgeManifold, SomeEdgeAnswersWhereverTheSkinsOverlap)
     EXPECT_GT(compared, 25000);
 }
 
-// A corner of the box exactly on a blunt vertex has a face on either side of it, each beyond the
-// normal of the other edge: neither may leave the answer to the other.
+// A corner of the box exactly on a blunt vertex has a face on either side. Each is beyond the
+// normal of the other edge, so neither edge may rely on the other for the contact.
 TEST(EdgeManifold, CornerThatMeetsABluntVertexHeadOnIsHeld)
 {
     const b2Vec2 vs[3] = {{-5.0f, -0.5f}, {0.0f, 0.0f}, {5.0f, -0.5f}};
@@ -227,7 +227,7 @@ TEST(EdgeManifold, CornerThatMeetsABluntVertexHeadOnIsHeld)
 
 TEST(EdgeManifold, BoxAtTheCornerOfAPlatformIsPushedUpOnly)
 {
-    // A square platform as a loop; the box stands on its top, overhanging the right side.
+    // A square platform as a loop. The box is on its top and overhangs the right side.
     const b2Vec2 vs[4] = {{2.0f, -2.0f}, {2.0f, 0.0f}, {-2.0f, 0.0f}, {-2.0f, -2.0f}};
     b2ChainShape loop;
     loop.CreateLoop(vs, 4);
@@ -263,7 +263,7 @@ TEST(EdgeManifold, BoxInACornerIsPushedByTheFloorAndByTheWall)
     EXPECT_EQ(contacts[1].manifold.pointCount, 2);
 }
 
-TEST(EdgeManifold, OfALoneEdgeIsTheShortestWayOut)
+TEST(EdgeManifold, OfSingleEdgeHasMinimalTranslation)
 {
     b2EdgeShape edge;
     edge.Set(b2Vec2(-1.0f, 0.0f), b2Vec2(1.0f, 0.0f));

@@ -82,7 +82,7 @@ TEST(Hull, ContainsAllPointsAndHasOnlyPointsOfTheInput)
         {
             for (int32 i = 0; i < polygon.m_count; ++i)
             {
-                // What may stick out is what was welded or too flat.
+                // A point that sticks out was welded, or the hull is too flat there.
                 const double height =
                     Dot(ToVec(polygon.m_normals[i]), ToVec(p) - ToVec(polygon.m_vertices[i]));
                 ASSERT_LE(height, 1.01 * b2_linearSlop);

@@ -65,7 +65,7 @@ Best FindBest(const Polygon& a, const Polygon& b)
     return best;
 }
 
-// Keeps what is left of the segment below n.x = offset; false when nothing is.
+// Keeps the part of the segment below n.x = offset; false if there is none.
 bool CutBelow(Vec* p, Vec* q, Vec n, double offset)
 {
     const double hp = Dot(n, *p) - offset;

@@ -95,7 +95,7 @@ TEST(Mass, OfRandomPolygonsEqualsTheIntegral)
     }
 }
 
-TEST(Mass, OfEdgesAndChainsIsNone)
+TEST(Mass, OfEdgesAndChainsIsZero)
 {
     b2EdgeShape edge;
     edge.Set(b2Vec2(0.0f, 0.0f), b2Vec2(2.0f, 4.0f));

@@ -173,8 +173,8 @@ TEST(TimeOfImpact, OfAThinRodSpinningIntoAnEdgeIsFound)
     EXPECT_LT(output.t, 0.5f);
 }
 
-/// One bar on another, with 3 mm between their skins. Along an axis that stands still one end of a
-/// side comes near fast, and the search ran out of steps.
+/// One bar on another, with 3 mm between their skins. Along a fixed axis one end of a side
+/// approaches fast, and the search ran out of steps.
 TEST(TimeOfImpact, OfLongBarsTurningTogetherIsSearchedToTheEnd)
 {
     constexpr float32 kApart = 0.223f; // from centre to centre [m]

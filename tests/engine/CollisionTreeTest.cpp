@@ -193,8 +193,8 @@ TEST(Tree, RayAsksOnlyBoxesThatWhatIsLeftOfItMeets)
             return random->Integer(0, 3) == 0 ? 0.9f * input.maxFraction : -1.0f;
         }
         typedef double float64;
-        // Where between 0 and 1 the ray comes closest to the box, found by trisection, for the
-        // distance to a convex set is convex along a line.
+        // Returns the fraction between 0 and 1 at which the ray is closest to the box. Found by
+        // trisection, because the distance to a convex set is convex along a line.
         static float64 NearestFraction(const b2RayCastInput& input, const b2AABB& box)
         {
             float64 low = 0.0;
@@ -235,7 +235,7 @@ TEST(Tree, RayAsksOnlyBoxesThatWhatIsLeftOfItMeets)
     EXPECT_GT(cutter.calls, 1000);
 }
 
-TEST(Tree, BuildsTheSameTreeWhateverItWasBefore)
+TEST(Tree, RebuildIsIndependentOfPreviousTree)
 {
     Random random(45);
     std::vector<b2AABB> boxes;
@@ -373,7 +373,7 @@ TEST(Tree, MovesAProxyOnlyWhenItLeavesItsFatBox)
     EXPECT_EQ(tree.GetFatAABB(id).upperBound, b2Vec2(2.6f, 1.1f));
 }
 
-TEST(Tree, StaysLowWhateverTheOrderOfInsertion)
+TEST(Tree, StaysLowForAnyOrderOfInsertion)
 {
     constexpr int32 count = 4096;
     const int32 log2 = std::bit_width(static_cast<unsigned>(count));

@@ -220,7 +220,7 @@ TEST(StackAllocator, SurvivesTheWrongOrderOfFrees)
 }
 #endif
 
-TEST(StackAllocator, GivesTheSameMemoryAgainAndCountsItsMost)
+TEST(StackAllocator, ReusesMemoryAndTracksItsMaximum)
 {
     b2StackAllocator stack;
     void* a = stack.Allocate(100);

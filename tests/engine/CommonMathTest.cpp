@@ -140,7 +140,7 @@ TEST(Sweep, MovesTheCentreOnALineAndTurnsEvenly)
     ExpectNear(b2Mul(xf, sweep.localCenter), b2Vec2(2.0f, 1.0f));
 }
 
-TEST(Sweep, AdvanceTakesTheStartAlongTheWay)
+TEST(Sweep, AdvanceMovesStartAlongThePath)
 {
     b2Sweep sweep;
     sweep.c.Set(4.0f, 2.0f);

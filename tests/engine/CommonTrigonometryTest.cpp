@@ -8,7 +8,7 @@
 
 namespace
 {
-// How many units in the last place `actual` is away from the exact value.
+// Returns the distance of `actual` from the exact value in units in the last place.
 template <typename Real>
 long double Ulps(Real actual, long double exact)
 {
@@ -93,8 +93,7 @@ TEST(SinCos, StaysOnUnitCircleForHugeAnglesAndIsNanForInfinite)
     EXPECT_TRUE(std::isnan(s) && std::isnan(c));
 }
 
-// A hash of many results, so that another compiler or optimisation level that computes anything
-// else is found out.
+// A hash of many results, to detect another compiler or optimisation level with different results.
 TEST(SinCos, HasTheSameBitsEverywhere)
 {
     Random random(99);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What b2Draw::SetView leaves out, and what it must not.
+// The items that b2Draw::SetView omits, and those that it must not.
 #include "DynamicsScene.h"
 #include "MixedWorld.h"
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-/// What b2World::Dump writes is code that makes the world again: it is stored in DumpedWorld.inc
-/// and compiled into this test. When the text changes on purpose, the failing test says where the
-/// new one is.
+/// b2World::Dump writes code that makes the world again. The code is stored in DumpedWorld.inc and
+/// compiled into this test. After an intended change of the text, the failing test prints the path
+/// of the new one.
 namespace
 {
 

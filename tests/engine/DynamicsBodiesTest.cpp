@@ -390,7 +390,7 @@ TEST(DynamicsBodies, TellTheVelocityOfTheirPoints)
     EXPECT_NEAR(body->GetLocalVector(body->GetWorldVector(b2Vec2(0.3f, 0.4f))).y, 0.4f, 1e-6f);
 }
 
-TEST(DynamicsBodies, KinematicOnesCarryWhatStandsOnThem)
+TEST(DynamicsBodies, KinematicBodiesCarryBodiesOnTop)
 {
     Scene scene;
     b2Body* lift = scene.Body(b2_kinematicBody, 0.0f, -0.5f);
@@ -414,7 +414,7 @@ TEST(DynamicsBodies, MoveSlowlyTenKilometresFromTheOrigin)
     EXPECT_NEAR(box->GetPosition().y - 10000.0f, -0.2f, 0.002f);
 }
 
-/// How high the top of a stack of ten stands after each second, above the ground.
+/// Returns the height of the top of a stack of ten above the ground, after each second.
 std::vector<float32> HeightsOfStackAt(float32 place)
 {
     Scene scene;
@@ -448,7 +448,7 @@ TEST(DynamicsBodies, StacksTenKilometresAwayAsAtOrigin)
     }
 }
 
-TEST(DynamicsBodies, TellTheirDestructionListenerWhatGoesWithThem)
+TEST(DynamicsBodies, ReportFixturesAndJointsDestroyedWithThem)
 {
     struct Listener : b2DestructionListener
     {

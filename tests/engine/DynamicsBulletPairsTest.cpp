@@ -67,8 +67,8 @@ TEST(BulletPairs, HaveNoContactWhenPathsStayApart)
 
 TEST(BulletPairs, OneThatHasStoppedIsMetByOneThatComesSlowly)
 {
-    // From the last fast step on one is in the other's box, which does not leave that box on its
-    // slow way back: their pair has to be looked for although nothing says that a box has changed.
+    // After the last fast step one is in the other's box, and does not leave that box on its slow
+    // way back. Their pair has to be searched although no box has changed.
     for (const bool asleep : {false, true})
     {
         Scene scene(b2Vec2_zero);

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-/// What is pressed against a wall stays on its side, and an impact gives back no more than it took.
+/// A body pressed against a wall stays on its side, and an impact does not add energy.
 namespace
 {
 
@@ -175,8 +175,8 @@ TEST_P(Containment, KeepsOutTheOtherEndOfWhatTurnsOutOfAWall)
     }
 }
 
-/// What sits far out on something heavy that spins hits a wall: alone it would be thrown into a
-/// spin of hundreds of radians a second, and must not take the heavy body round with it.
+/// A light tip far out on a heavy, spinning body hits a wall. On its own it would spin at hundreds
+/// of radians a second. It must not rotate the heavy body with it.
 TEST_P(Containment, KeepsOutAHeavyBodyWhoseLightTipIsStopped)
 {
     constexpr float32 kWall = 4.0f;
@@ -216,7 +216,7 @@ TEST_P(Containment, KeepsOutAHeavyBodyWhoseLightTipIsStopped)
     EXPECT_LT(farthest, 0.4f);
 }
 
-/// Before a wall that stands upright at x = 0.
+/// An obstacle in front of an upright wall at x = 0.
 struct Obstacle
 {
     const char* name;
@@ -224,8 +224,8 @@ struct Obstacle
     b2Vec2 place, velocity;
 };
 
-/// A ball that the wall throws back behind the obstacle: the straight line from where the step
-/// begins to where it ends goes through that, the ball does not.
+/// A ball bounces off the wall and ends behind the obstacle. The straight line from its start to
+/// its end crosses the obstacle, but its path does not.
 void GoRound(int32 subSteps, const Obstacle& obstacle)
 {
     SCOPED_TRACE(obstacle.name);

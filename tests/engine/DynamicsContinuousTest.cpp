@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
-/// Nothing passes through what it should hit, however fast. A step moves a body by 2 m at most
-/// (b2_maxTranslation), so that 300 m/s are tried at 240 Hz as well.
+/// No body passes through an obstacle, however fast. A step moves a body by 2 m at most
+/// (b2_maxTranslation), so 300 m/s are also tested at 240 Hz.
 namespace
 {
 
@@ -166,7 +166,7 @@ TEST(DynamicsContinuous, AFastPlatformTakesASleepingBallAlong)
     }
 }
 
-// What lies on it takes it into an impact as a neighbour; that must leave no trace.
+// A body on the platform makes it part of an impact as a neighbour. That must have no effect.
 TEST(DynamicsContinuous, SleepingPlatformStopsBodiesAfterImpact)
 {
     for (int i = 0; i < 20; ++i)
@@ -403,7 +403,7 @@ TEST(DynamicsContinuous, BulletsInAStackEndTheStep)
     }
 }
 
-/// Sends what is hit on its way upwards.
+/// Accelerates hit bodies upwards.
 struct Launcher : public b2ContactListener
 {
     void PreSolve(b2Contact*, const b2Manifold*) override

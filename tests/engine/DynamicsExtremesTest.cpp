@@ -9,8 +9,8 @@
 #include <cmath>
 #include <random>
 
-/// Numbers at the ends of what floats hold: nothing may end in NaN, and what was too much for a
-/// while must be forgotten after it.
+/// Numbers near the limits of floats. No result may be NaN, and the world must recover after
+/// extreme values.
 namespace
 {
 

@@ -393,7 +393,7 @@ private:
         return true;
     }
 
-    // What is linked is awake or asleep together.
+    // Connected bodies are awake or asleep together.
     void CheckHangingTogether()
     {
         for (b2Contact* contact = m_world.contactList; contact; contact = contact->GetNext())

@@ -22,7 +22,8 @@ protected:
         scene.Step(120);
     }
 
-    /// Where on the box the left one of the points is, after a step with the box moved or turned.
+    /// Returns the position of the left point on the box, after a step with the box moved or
+    /// rotated.
     float32 PointAfter(float32 x, float32 angle = 0.0f)
     {
         box->SetTransform(box->GetPosition() + b2Vec2(x, 0.0f), box->GetAngle() + angle);

@@ -174,7 +174,7 @@ TEST_F(DynamicsMisuse, OfFixtureDefinitions)
     ExpectMisuse("of this body", [&] { box->DestroyFixture(nullptr); });
 }
 
-TEST_F(DynamicsMisuse, OfShapesThatAreNone)
+TEST_F(DynamicsMisuse, RefusesInvalidShapes)
 {
     const int32 proxies = scene.world.GetProxyCount();
     for (const float32 bad : {kNaN, kInfinity, -1.0f})

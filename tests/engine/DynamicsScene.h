@@ -93,10 +93,10 @@ public:
     b2World world;
 };
 
-/// What resting polygons keep between their corners: their two skins but for the slop.
+/// Distance of resting polygons at their corners: their two skins minus the slop.
 inline constexpr float32 kRestingGap = 2.0f * b2_polygonRadius - b2_linearSlop;
 
-/// A pile of unit boxes that stands on y = 0, lowest first.
+/// Adds a stack of unit boxes on y = 0 and returns them, lowest first.
 inline std::vector<b2Body*> Stack(Scene& scene, float32 x, int height)
 {
     std::vector<b2Body*> boxes;

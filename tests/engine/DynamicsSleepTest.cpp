@@ -110,7 +110,7 @@ TEST(DynamicsSleep, TwoStacksSleepAgainAfterABodyRolledOverThem)
     EXPECT_EQ(WhyBroken(scene.world, true), "");
 }
 
-TEST(DynamicsSleep, PartsThatHangTogetherNoLongerWakeApart)
+TEST(DynamicsSleep, SeparatedBodiesWakeIndependently)
 {
     Scene scene;
     scene.Ground();

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-/// What a few sweeps make of a pile that is too high for them, or of a chain that carries too much:
-/// it gives way, but not much, and not to a side.
+/// Stacks that are too high for a few iterations, and chains that carry too much. They give way a
+/// little, but not to one side.
 namespace
 {
 
@@ -47,7 +47,7 @@ float32 MeanOverlap(b2World& world)
     return sum / float32(std::max(count, 1));
 }
 
-/// How far the mean of all bodies is from the middle [m].
+/// Returns the distance of the mean of all bodies from the middle [m].
 float32 Drift(b2World& world)
 {
     float32 sum = 0.0f;

@@ -11,7 +11,7 @@
 #include <memory>
 #include <random>
 
-/// What the cheap questions about ways exclude has no time of impact.
+/// Pairs that the cheap sweep tests exclude have no time of impact.
 namespace
 {
 
@@ -90,7 +90,7 @@ BodyData& Make(Scene& scene, const b2Shape& shape)
     return Data(*body);
 }
 
-TEST(Sweeps, WhatTheyExcludeHasNoTimeOfImpact)
+TEST(Sweeps, ExcludedPairsHaveNoTimeOfImpact)
 {
     RandomWays random(71);
     int front = 0;
@@ -129,7 +129,7 @@ TEST(Sweeps, WhatTheyExcludeHasNoTimeOfImpact)
     EXPECT_GT(touching, 1000);
 }
 
-TEST(Sweeps, FindWhatOnlyJustPassesOrHits)
+TEST(Sweeps, HandleNearMissesAndGrazingHits)
 {
     // A small box beside a long wall that turns or not, ever closer: the answers change from apart
     // to not sure before there is a time of impact.
@@ -216,7 +216,7 @@ TEST(Sweeps, ImpactOfCirclesInClosedFormIsThatOfTheSearch)
         }
         else
         {
-            // What the search lets pass does not come nearer than it stops at.
+            // Pairs that the search lets pass do not come nearer than its target distance.
             ASSERT_TRUE(t == 1.0f || distanceAt(double(t)) > target - rounding) << i;
             missing += t == 1.0f;
         }
@@ -253,8 +253,8 @@ TEST(Sweeps, BoxOfACircleIsThatOfItsTransforms)
     }
 }
 
-/// A rod that lies level at the start and at the end has been upright between.
-TEST(SweptBox, HoldsWhatTurnsFarAtEveryTime)
+/// A rod that is level at the start and at the end has been upright between.
+TEST(SweptBox, ContainsWideRotationAtEveryTime)
 {
     b2PolygonShape rod;
     rod.SetAsBox(1.0f, 0.1f);

@@ -102,7 +102,7 @@ TEST(DynamicsThreads, GiveTheSameBitsInAnyNumberAndWidth)
     }
 }
 
-/// Of each colour so many contacts touch that eight threads have a part each.
+/// Each colour has enough touching contacts for a part per thread.
 TEST(DynamicsThreads, GiveTheSameBitsWhereEightShareAColour)
 {
     for (const int32 subSteps : {1, 2})
@@ -133,7 +133,7 @@ TEST(DynamicsThreads, GiveTheSameBitsInSubSteps)
     }
 }
 
-/// Of this process; the system lists each as a folder.
+/// Returns the threads of this process; the system lists each as a folder.
 int32 RunningThreads()
 {
     const std::filesystem::directory_iterator tasks("/proc/self/task");

@@ -9,7 +9,7 @@ namespace
 
 using namespace dynamics;
 
-/// Of posts, each with two others half as far apart below it.
+/// Hangs a tree of posts, each with two others half as far apart below it.
 b2Body* HangTree(b2World& world, const b2Vec2& top, int32 levels, float32 reach)
 {
     constexpr float32 kHalf = 0.5f; // [m]

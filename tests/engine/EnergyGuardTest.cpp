@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-/// The guard by itself: a step is begun, a bad solver is played, and what it has won is taken away.
-/// Worlds in which the real one wins are in tests/stability.
+/// The guard alone. A test begins a step, plays the role of a bad solver, and checks that the gain
+/// is removed. Worlds in which the real solver gains energy are in tests/stability.
 namespace
 {
 
@@ -140,7 +140,7 @@ TEST(EnergyGuard, SlowsDownAllOfWhatIsHeldAlike)
     EXPECT_NEAR(pair.At(pair.b).w, 2.0f, 1e-3f);
 }
 
-TEST(EnergyGuard, CountsTheWorkOfGravityAlongTheWay)
+TEST(EnergyGuard, CountsWorkOfGravityAlongThePath)
 {
     Pair fallen(b2Vec2(0.0f, -10.0f));
     Pair not_(b2Vec2(0.0f, -10.0f));
@@ -196,7 +196,7 @@ TEST(EnergyGuard, LeavesWhatAPlatformMovesAlone)
     EXPECT_EQ(pair.At(pair.b).v.y, 102.0f);
 }
 
-TEST(EnergyGuard, DoesNotLookAtWhatHasNoJoints)
+TEST(EnergyGuard, IgnoresBodiesWithoutJoints)
 {
     Pair pair;
     pair.scene.world.DestroyJoint(pair.hinge);
@@ -212,7 +212,7 @@ TEST(EnergyGuard, DoesNotLookAtWhatHasNoJoints)
     EXPECT_EQ(pair.At(other).v.y, 0.0f);
 }
 
-TEST(EnergyGuard, NoLongerLooksAtWhatHasLostItsJoint)
+TEST(EnergyGuard, IgnoresBodiesWhoseJointIsDestroyed)
 {
     Pair pair;
     pair.Begin();
@@ -229,7 +229,7 @@ TEST(EnergyGuard, NoLongerLooksAtWhatHasLostItsJoint)
     EXPECT_EQ(pair.At(other).v.x, 1.0f) << "pays for what is not its own";
 }
 
-/// Whether a gain is taken away.
+/// True if a gain is removed.
 bool IsGuarded(Pair& pair)
 {
     pair.Begin();
@@ -305,7 +305,7 @@ void ExpectGift(Pair& pair, const char* what, Function&& give)
     EXPECT_TRUE(IsGuarded(pair)) << what;
 }
 
-TEST(EnergyGuard, LeavesAloneWhatTheProgramMovesByHand)
+TEST(EnergyGuard, IgnoresBodiesMovedByTheUser)
 {
     Pair pair;
     b2Body* post = pair.scene.Body(b2_staticBody, 5.0f, 0.0f);
@@ -369,8 +369,8 @@ TEST(EnergyGuard, LeavesAloneWhatAChangedJointMoves)
     ExpectGift(pair, "a gear's ratio", [&] { gear->SetRatio(2.0f); });
 }
 
-/// What is given between steps is no gain of the step: velocities, impulses, masses, weight.
-TEST(EnergyGuard, LeavesWhatTheProgramGivesAsMotion)
+/// User changes between steps are not gains of the step: velocities, impulses, masses, weight.
+TEST(EnergyGuard, KeepsMotionGivenByTheUser)
 {
     Pair pair(b2Vec2(0.0f, -10.0f));
     const auto expectKept = [&](const char* what) {
@@ -394,7 +394,7 @@ TEST(EnergyGuard, LeavesWhatTheProgramGivesAsMotion)
     pair.b->SetGravityScale(-10.0f);
     expectKept("weight");
 
-    // Forces, and what they do on the way.
+    // Forces, and their work along the path.
     pair.b->ApplyForceToCenter(b2Vec2(6000.0f, 0.0f), true);
     pair.Begin();
     pair.At(pair.b).v.x += kStep * 6000.0f / pair.b->GetMass();
@@ -422,8 +422,8 @@ TEST(EnergyGuard, LeavesWhatAMouseGives)
     EXPECT_EQ(pair.Energy(), driven);
 }
 
-/// A ball on a link whose anchor is moved to and fro by hand, or as a platform. Its swing may not
-/// depend on whether its mass is a little below or above the ratio from which it is guarded.
+/// A ball on a link whose anchor is moved to and fro by user changes or as a platform. Its swing
+/// must not depend on a mass slightly below or above the ratio from which it is guarded.
 double WidestSwing(float32 ratio, b2BodyType type, int32 subSteps)
 {
     Scene scene;
@@ -505,7 +505,7 @@ TEST(EnergyGuard, UndoesMotionThatLoadsSpringTooMuch)
     EXPECT_LT(pair.Energy(), 1.02 * start);
 }
 
-TEST(EnergyGuard, LetsAFallThatIsTakenBackGiveNothing)
+TEST(EnergyGuard, GivesNoCreditForUndoneFall)
 {
     Pair pair(b2Vec2(0.0f, -10.0f));
     b2WeldJointDef def;
@@ -590,7 +590,7 @@ TEST(EnergyGuard, ChargesSpringEnergyOfImpactWithinStep)
 
 /// The stiffness of a spring depends on the pose. No body reached the end of a path that an impact
 /// shortened.
-TEST(EnergyGuard, GivesNoCreditForAWayThatAnImpactHasTakenBack)
+TEST(EnergyGuard, GivesNoCreditForPathUndoneByImpact)
 {
     Pair pair;
     b2DistanceJointDef def;

@@ -42,7 +42,7 @@ struct Pyramid : Scene
         return fastest;
     }
 
-    /// What the ground bears, as a share of the pyramid's weight.
+    /// Returns the load of the ground as a fraction of the pyramid's weight.
     float32 ShareOnTheGround() const
     {
         float32 impulse = 0.0f;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "JointScene.h"
 
-/// A body that an impact stops within a step stays joined to what was to go on.
+/// A body stopped by an impact within a step stays joined to bodies that continue.
 namespace
 {
 

@@ -5,13 +5,13 @@
 #include <Dynamics/Solver/SolverMemory.h>
 #include <Dynamics/State/World.h>
 
-/// What an island loses: first what moves within it, then the motion of the whole.
+/// The order in which an island loses energy: first its inner motion, then the motion of the whole.
 namespace
 {
 
 using namespace dynamics;
 
-/// Two boxes of 4 and 1 kg on a hinge that move in all ways.
+/// Two boxes of 4 and 1 kg on a hinge that move in all directions.
 struct Pair : JointScene
 {
     explicit Pair(bool isHeld) : JointScene(b2Vec2_zero)

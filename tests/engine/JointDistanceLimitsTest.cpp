@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-/// Distance joints between a minimum and a maximum length, with one step and with small ones.
+/// Distance joints between a minimum and a maximum length, with one step and with sub-steps.
 namespace
 {
 
@@ -14,7 +14,7 @@ using namespace dynamics;
 
 constexpr float32 kInfinity = std::numeric_limits<float32>::infinity();
 
-/// A load that hangs below a post, or stands above it.
+/// A load that hangs below a post, or is supported above it.
 struct Hanger : JointScene
 {
     Hanger(int32 subSteps, float32 y, const b2DistanceJointDef& numbers)
@@ -138,7 +138,7 @@ TEST_P(DistanceLimits, GainNoEnergy)
     }
 }
 
-// Small steps find a limit within a drift of up to 70 m/s, as ropes do: only Shake's own checks.
+// Sub-steps find a limit within a drift of up to 70 m/s, like ropes: only Shake's own checks.
 TEST_P(DistanceLimits, EndureRoughTreatment)
 {
     const float32 maximum = GetParam() == 1 ? 3.0f + 4.0f * b2_linearSlop : b2_maxFloat;

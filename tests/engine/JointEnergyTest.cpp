@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-/// What springs store, against the textbook.
+/// The energy of springs, compared with the textbook.
 namespace
 {
 

@@ -3,7 +3,7 @@
 
 #include <set>
 
-/// Gears: q1 + ratio * q2 stays what it was, q an angle or a translation.
+/// Gears: q1 + ratio * q2 is constant, where q is an angle or a translation.
 namespace
 {
 
@@ -130,7 +130,7 @@ TEST_P(GearJoint, EffortsInTheRatioBalanceEachOther)
     }
     EXPECT_NEAR(g.Coordinate(0), 0.0f, 1e-3f);
     EXPECT_NEAR(g.Coordinate(1), 0.0f, 1e-3f);
-    // What the gear does to body B is against what pushes it.
+    // The force of the gear on body B opposes the one that pushes it.
     const float32 effort = g.isSlider[1] ? g.gear->GetReactionForce(1.0f / kStep).x
                                          : g.gear->GetReactionTorque(1.0f / kStep);
     EXPECT_NEAR(effort, -3.0f * ratio, 0.01f);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-/// The table of joints: each type stands for its own class and definition.
+/// The table of joints: each type has its own class and definition.
 namespace
 {
 

@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 
-/// Limits and motors of hinges and sliders, which are solved as one block with the two rows that
-/// always hold: also on arms that are long compared with the bodies, where one row after the other
+/// Limits and motors of hinges and sliders, which are solved as one block with the two rigid rows.
+/// Also on arms that are long compared with the bodies, where solving one row after the other
 /// converges slowly.
 namespace
 {
@@ -296,7 +296,7 @@ TEST(HeldRow, IsTheBlockSolutionOfThreeRows)
         ExpectBlockSolution(
             hinge, BlockSolution(pair, {{-1.0, 0.0, rA[1]}, {0.0, -1.0, -rA[0]}, {0.0, 0.0, -1.0}},
                                  {{1.0, 0.0, -rB[1]}, {0.0, 1.0, rB[0]}, {0.0, 0.0, 1.0}}));
-        // An axis along x: what is across it has the levers r.x, what is along it -r.y.
+        // An axis along x: the levers are r.x across it and -r.y along it.
         const box2d::PrismaticLanes<One>::Levers levers = {
             {float32(-rA[1])}, {float32(-rB[1])}, {float32(rA[0])}, {float32(rB[0])}};
         ExpectBlockSolution(

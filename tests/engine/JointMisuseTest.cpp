@@ -2,8 +2,7 @@
 #include "DynamicsMisuse.h"
 #include "JointScene.h"
 
-/// What a caller can get wrong about a joint that is in use. The joint keeps what it had, and the
-/// world goes on.
+/// Invalid calls on a joint in use. The joint keeps its values, and the world continues.
 namespace
 {
 

@@ -8,8 +8,8 @@
 
 #include <cmath>
 
-/// What the tests of the joints share: a post that stands still, bodies that do not sleep, and a
-/// rough treatment that every joint has to survive.
+/// Fixtures for the tests of joints: a static post, bodies that do not sleep, and rough handling
+/// that every joint must survive.
 namespace dynamics
 {
 

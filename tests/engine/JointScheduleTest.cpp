@@ -398,7 +398,7 @@ TEST(JointSchedule, LeavesASingleHingeExact)
     }
 }
 
-/// What joints make of a scene: they can only take energy away [J/kg, above what it was].
+/// Watches the energy of a scene. Joints can only remove it [J/kg, above the start].
 class Watch
 {
 public:

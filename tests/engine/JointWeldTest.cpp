@@ -67,12 +67,12 @@ TEST(WeldJoint, TwoFreeBodiesFlyAsOne)
         a->GetMass() * a->GetLinearVelocity() + b->GetMass() * b->GetLinearVelocity();
     EXPECT_NEAR(b2Distance(now, momentum), 0.0f, 1e-4f);
     EXPECT_NEAR(a->GetAngularVelocity(), b->GetAngularVelocity(), 1e-4f);
-    // The centres leave their circle along the tangent and are drawn back to it, which takes a
-    // little of the spin each step: 3.4 % in these five seconds.
+    // The centres leave their circle along the tangent and are pulled back to it. That removes a
+    // little of the spin in each step: 3.4 % in these five seconds.
     EXPECT_NEAR(b2Abs(a->GetAngularVelocity()), 1.2f, 0.05f);
 }
 
-// Welded at its centre, so that nothing but the spring turns it.
+// Welded at its centre, so only the spring rotates it.
 TEST(WeldJoint, ASoftOneSwingsWithItsFrequency)
 {
     JointScene scene(b2Vec2(0.0f, 0.0f));

@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
-/// A world of everything that can be drawn, made by chance from a number: all shapes, bodies of
-/// many fixtures, long chains, static, kinematic, sleeping and inactive bodies, joints of all kinds
-/// between bodies wherever they are. It spans about 80 m.
+/// A random world, made from a number, with everything that can be drawn. It has all shapes, bodies
+/// with many fixtures, long chains, and static, kinematic, sleeping and inactive bodies. Joints of
+/// all kinds connect bodies at any distance. It spans about 80 m.
 class MixedWorld
 {
 public:
@@ -189,7 +189,7 @@ private:
         }
     }
 
-    /// What lists of bodies and boxes have to follow.
+    /// Makes changes that lists of bodies and boxes have to follow.
     void Disturb()
     {
         for (int i = 0; i < 10; ++i)

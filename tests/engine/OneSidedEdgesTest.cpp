@@ -37,7 +37,7 @@ enum class Flyer
     Bullet
 };
 
-/// Where something is after it has flown at a shape from y for as long as it takes to cross 4 m.
+/// Returns the position of a body thrown at a shape from y, after the time it takes to cross 4 m.
 float32 Thrown(const b2Shape& shape, Flyer flyer, float32 y, float32 speed)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));

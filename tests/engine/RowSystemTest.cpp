@@ -181,7 +181,7 @@ TEST(RowSystem, SolvesLoopsAndWhatIsHeldTwice)
     EXPECT_LT(frame.Fastest(system), 1e-6);
 }
 
-TEST(RowSystem, KeepsWhatDoesNotHangTogetherApart)
+TEST(RowSystem, SolvesConnectedComponentsSeparately)
 {
     Frame frame(9);
     for (const int32 i : {0, 3, 6})

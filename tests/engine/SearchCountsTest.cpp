@@ -6,7 +6,7 @@
 #include <array>
 #include <thread>
 
-// As programs of the 2.3 generation declare them, without a header of the engine's.
+// Declared as in programs of the 2.3 generation, without a header of the engine.
 extern int32 b2_gjkCalls, b2_gjkIters, b2_gjkMaxIters;
 extern int32 b2_toiCalls, b2_toiIters, b2_toiMaxIters;
 extern int32 b2_toiRootIters, b2_toiMaxRootIters;

@@ -44,7 +44,7 @@ TEST(SnapshotBytes, AreTheSameOnceRestored)
     }
 }
 
-/// The whole of a sentence, and a world that goes on as if nothing had been.
+/// Expects a complete sentence, and a world that continues unchanged.
 void ExpectRefused(std::span<const uint8> bytes, const char* culprit)
 {
     MixedWorld mixed(5);
@@ -105,8 +105,8 @@ TEST(SnapshotBytes, CutOffAnywhereAreRefused)
     }
 }
 
-/// What a checksum cannot tell is written by someone who made one: here the engine's own is put on
-/// bytes that are wrong. Whatever is read, nothing is touched that is not there.
+/// A valid checksum does not make the bytes valid, because anyone can compute it. Here the engine's
+/// own is put on wrong bytes. Restoring them must not access invalid memory.
 std::uint64_t ChecksumOf(std::span<const uint8> bytes)
 {
     std::uint64_t sum = bytes.size();
@@ -173,7 +173,7 @@ TEST(SnapshotBytes, ContradictoryBytesDoNotCrash)
     EXPECT_GT(refused, 500);
 }
 
-TEST(SnapshotBytes, AreNoneFromInsideACallback)
+TEST(SnapshotBytes, AreRefusedInsideACallback)
 {
     struct Caller : b2QueryCallback
     {

@@ -252,8 +252,8 @@ TEST(SnapshotMoments, WithAGearWhoseBodiesHaveChangedTheirKind)
     });
 }
 
-/// A light link between a post and a load of a thousand, of which an account of energy is kept:
-/// what the program has just given by hand is left to it.
+/// A light link between a post and a load of a thousand times its mass, with an energy account. A
+/// recent user change must not be removed.
 void BuildLoad(Scene& scene)
 {
     b2Body* const post = scene.Wall(0.0f);
@@ -324,7 +324,7 @@ TEST(SnapshotMoments, OfAnEmptyWorld)
     scene.Step();
 }
 
-/// By way of a world that holds something else already.
+/// Via a world with other content.
 TEST(SnapshotMoments, GoneBackToAgainAndAgain)
 {
     Scene scene;

@@ -9,13 +9,13 @@
 #include <random>
 #include <vector>
 
-/// What the tests of snapshots compare worlds by.
+/// Functions that compare worlds in the tests of snapshots.
 namespace snapshots
 {
 
 typedef std::vector<uint8> Bytes;
 
-/// Where all bodies are and how they move, in bits, newest first.
+/// Returns the poses and velocities of all bodies as bits, newest first.
 inline std::vector<std::uint32_t> StateOf(const b2World& world)
 {
     std::vector<std::uint32_t> state;

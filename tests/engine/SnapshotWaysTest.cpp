@@ -86,7 +86,7 @@ TEST_P(SnapshotWays, OfRandomWorldsAreTheSame)
     }
 }
 
-/// What a program does to its world from step to step, by chance; the same to the same world.
+/// Makes random user changes to a world from step to step; the same changes to the same world.
 class Meddler
 {
 public:
@@ -178,7 +178,7 @@ private:
     unsigned m_seed;
 };
 
-TEST_P(SnapshotWays, AreTheSameWhateverAProgramDoes)
+TEST_P(SnapshotWays, AreTheSameAfterAnyUserChange)
 {
     for (unsigned seed = 0; seed < 3; ++seed)
     {

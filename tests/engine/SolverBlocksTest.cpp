@@ -231,7 +231,7 @@ private:
         return b2Vec2(x, Real(-reach, reach));
     }
 
-    /// How an impulse at one lever changes the speed at the other.
+    /// Returns the change of speed at one lever per impulse at the other.
     static float32 Coupling(const ContactConstraint& c, float32 pA, float32 pB, float32 qA,
                             float32 qB)
     {
@@ -498,7 +498,7 @@ public:
     Scene scene;
 };
 
-/// What the plain solver makes of every contact, lane by lane.
+/// Compares every contact with the plain solver, lane by lane.
 void ExpectLanesAsPrepared(const ContactBlock& block, const OverlapBlock& overlap,
                            const SolverContext& context)
 {

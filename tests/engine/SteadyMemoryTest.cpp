@@ -51,7 +51,7 @@ namespace
 
 using namespace dynamics;
 
-/// Puts b2Alloc among what is counted for its lifetime.
+/// Counts the calls of b2Alloc during its lifetime.
 struct CountedMemory
 {
     CountedMemory() { b2SetAllocator(Count, std::free); }
@@ -82,7 +82,7 @@ void Piles(SmallScene& s)
     }
 }
 
-/// Its ball is a hundred times as heavy as a link; one hangs freely, the other lies on the ground.
+/// The balls are a hundred times as heavy as a link. One hangs freely, the other is on the ground.
 void ChainsWithBalls(SmallScene& s)
 {
     s.Ground();
@@ -311,7 +311,7 @@ TEST(SteadyMemory, IsEnoughForWhatSleepsAndIsWoken)
     }
 }
 
-TEST(SteadyMemory, IsCountedWhoeverAsks)
+TEST(SteadyMemory, CountsAllocationsOfAllKinds)
 {
     const CountedMemory counted;
     const int before = requests;

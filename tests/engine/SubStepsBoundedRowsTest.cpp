@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "SubStepsScene.h"
 
-/// Motors, limits, ropes and friction, in steps of four small ones.
+/// Motors, limits, ropes and friction, in steps of four sub-steps.
 namespace
 {
 
@@ -148,8 +148,8 @@ TEST(SubStepsMotor, LiftsASliderWithItsMaximumForce)
 
 TEST(SubStepsMotor, AcceleratesALoadOnAPlatformOfLevers)
 {
-    // A foot is drawn in, and two bars push up a platform 15 times as fast: much more than the
-    // motor has in a small step goes into their speed, and then contacts have to follow.
+    // A foot is pulled in, and two bars push up a platform 15 times as fast. Much more than the
+    // impulse of the motor in a sub-step goes into their speed, and then contacts have to follow.
     SmallScene s;
     b2Body* post = s.Post();
     b2Body* platform = s.Load(0.0f, 0.0f, 2.0f, 0.1f);
@@ -425,7 +425,7 @@ TEST(SubStepsMotorJoint, ReachesItsTarget)
     EXPECT_NEAR(joint->GetReactionForce().y, weight, 0.005f * weight);
 }
 
-/// Of two bodies that a motor joint drives apart, and a rigid one holds together.
+/// Returns the energy of two bodies that a motor joint drives apart and a rigid one holds together.
 double EnergyOfTornPair(b2JointType type, float32 speed, float32 lever)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));

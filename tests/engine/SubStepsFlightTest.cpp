@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-/// What moves freely, rests, slides or hits in steps that are made of small ones.
+/// Bodies that move freely, rest, slide or collide in steps with sub-steps.
 namespace
 {
 
@@ -145,7 +145,7 @@ TEST(SubSteps, SlideDownASlopeByCoulombFriction)
     }
 }
 
-/// How high a ball rises that falls from 10 m, after each of its first impacts.
+/// Returns the apexes of a ball dropped from 10 m, after each of its first impacts.
 std::vector<float32> Apexes(float32 restitution, int32 subSteps, int count)
 {
     Scene scene;

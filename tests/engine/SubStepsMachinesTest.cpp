@@ -3,8 +3,8 @@
 
 #include <cstring>
 
-/// Machines of many joints, in steps of four small ones: loads that reach the ground over many
-/// joints, twice the same joint, hubs, and meshes that are only swept over.
+/// Machines of many joints, in steps of four sub-steps: loads that reach the ground over many
+/// joints, duplicate joints, hubs, and meshes that are only iterated.
 namespace
 {
 

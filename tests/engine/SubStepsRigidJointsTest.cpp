@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "SubStepsScene.h"
 
-/// What joints hold rigidly, in steps of four small ones: it stays held, and nothing is lost.
+/// Rigid joints in steps of four sub-steps: they stay rigid and lose no energy.
 namespace
 {
 

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-/// A world whose steps are made of small ones, what it must keep, and machines to try it on.
+/// A world with sub-steps, its invariants, and machines to test it with.
 namespace dynamics
 {
 
-/// What a joint holds rigidly stays within this [m], [rad].
+/// Maximum residual of a rigid joint [m], [rad].
 inline constexpr float32 kHeld = 1e-5f;
 
 class SmallScene : public JointScene
@@ -108,13 +108,13 @@ public:
     std::vector<b2Body*> parts;
 };
 
-/// How far the anchors of a joint are apart.
+/// Returns the distance of a joint's anchors.
 inline float32 Gap(const b2Joint* joint)
 {
     return b2Distance(joint->GetAnchorA(), joint->GetAnchorB());
 }
 
-/// How far the anchors are apart across an axis of body A.
+/// Returns the distance of the anchors perpendicular to an axis of body A.
 inline float32 Across(const b2Joint* joint, const b2Vec2& localAxis)
 {
     const b2Vec2 axis = joint->GetBodyA()->GetWorldVector(localAxis);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "SubStepsScene.h"
 
-/// Springs, in steps of four small ones.
+/// Springs, in steps of four sub-steps.
 namespace
 {
 
 using namespace dynamics;
 
-/// What swings, as a distance from rest, and the frequency that it should have.
+/// An oscillation as a distance from rest, and its expected frequency.
 struct Swing
 {
     std::function<float32()> way;

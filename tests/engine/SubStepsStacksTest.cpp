@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-/// What lies on each other in steps that are made of small ones.
+/// Stacks in steps with sub-steps.
 namespace
 {
 
@@ -213,7 +213,7 @@ TEST(SubStepsStacks, StandOnAConveyorBeltAsOnTheGround)
 
 TEST(SubStepsStacks, RestTogetherWithSupportingJoints)
 {
-    // A box on a rope of two welded bars, which stands on a pile; all that is exact at once.
+    // A box on a rope of two welded bars, above a stack. All constraints are exact together.
     Scene scene;
     scene.world.SetSubStepCount(4);
     scene.Ground();

@@ -8,8 +8,8 @@
 #include <limits>
 #include <span>
 
-/// Turns bytes into choices, so that a fuzzer, a seed or a stored file can decide what is called.
-/// When the bytes are used up everything that is chosen is the first possibility, and Done says so.
+/// Turns bytes into choices, so a fuzzer, a seed or a stored file can select the calls. After the
+/// last byte every choice is the first possibility, and Done returns true.
 namespace fuzz
 {
 

@@ -121,7 +121,7 @@ bool CanBeGeared(b2Joint* joint)
     return fits && joint->GetBodyA()->GetType() == b2_staticBody;
 }
 
-/// Of the newest two joints to a static body that fit.
+/// Creates a gear of the newest two suitable joints to a static body.
 void CreateGear(b2World& world, Choices& choices)
 {
     b2Joint* first = nullptr;

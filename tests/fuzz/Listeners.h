@@ -8,8 +8,8 @@
 namespace fuzz
 {
 
-/// Every callback a world knows. Does what callbacks may do, and in a wild world also what they
-/// must not: create and destroy.
+/// All callbacks of a world. They make calls that are allowed in callbacks. In a wild world they
+/// also make forbidden ones: create and destroy.
 class Listeners final : public b2ContactListener,
                         public b2ContactFilter,
                         public b2DestructionListener,
@@ -32,7 +32,7 @@ public:
 
 private:
     void Touch(b2Contact* contact);
-    /// What is forbidden while the world is locked.
+    /// Performs calls that are forbidden while the world is locked.
     void Trespass(b2Body* body);
 
     b2World& m_world;

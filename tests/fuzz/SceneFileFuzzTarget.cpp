@@ -8,7 +8,7 @@
 #include <iterator>
 #include <random>
 
-/// What libFuzzer calls with every text it makes up, and how it makes them up.
+/// The function that libFuzzer calls with its inputs, and the mutator that makes them.
 namespace
 {
 

@@ -75,7 +75,7 @@ std::string Export(Scene& scene)
     return WriteRubeText(ExportScene(scene, steps, ContentOfFile(scene)->stepsPerSecond, leftOut));
 }
 
-/// As the file wants it, but not as often within a step: that only takes time.
+/// Steps as the file requests, but with fewer iterations, to save time.
 void Step(Scene& scene)
 {
     StepSettings steps = scene.PreferredSteps();
@@ -84,8 +84,8 @@ void Step(Scene& scene)
     scene.Step(steps);
 }
 
-/// Of a scene and what its export becomes, after no step and after some: only of a scene that has
-/// not been stepped before, for what contacts and joints have gathered is no part of a file.
+/// Compares a scene with the scene of its export, after no step and after some. The scene must not
+/// have been stepped before, because a file does not contain the state of contacts and joints.
 std::string WhyDifferent(Scene& scene, const std::string& exported, int steps)
 {
     RubeNotes leftOut;
@@ -150,7 +150,7 @@ std::string WhyWrong(const std::string& text)
     {
         return "its world has numbers that are not finite after some steps";
     }
-    // What has flown beyond the format's limits meanwhile may be refused, as `boxreel export` says.
+    // Bodies beyond the format's limits may be refused by now, as in `boxreel export`.
     const std::string later = Export(scene);
     return ParseRubeScene(later, kSource) ? WhyDifferent(scene, later, 0) : "";
 }

@@ -6,10 +6,10 @@
 namespace fuzz
 {
 
-/// Does with a text, which may be anything, what the program does with a scene file: reads it,
-/// notes its traps, builds its world, exports that, reads and builds the export, and steps both
-/// worlds. A sentence that says what is wrong with the loader, or empty: a text that is refused is
-/// refused in one clean sentence, and one that is taken comes back from its export as it was.
+/// Handles any text like a scene file: reads it, notes its traps, builds its world, exports that,
+/// reads and builds the export, and steps both worlds. A refused text must produce one clean
+/// sentence. An accepted text must come back unchanged from its export. Returns the error of the
+/// loader as a sentence; empty if there is none.
 std::string WhyWrong(const std::string& text);
 
 } // namespace fuzz

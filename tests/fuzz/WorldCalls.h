@@ -26,7 +26,7 @@ public:
     bool Done() const { return m_choices.Done(); }
     /// Makes one call and returns its name.
     const char* Call();
-    /// What is wrong with the world's books or numbers, as a sentence; empty when nothing is.
+    /// Returns the broken invariant of the world as a sentence; empty if there is none.
     std::string WhyBroken();
 
 private:

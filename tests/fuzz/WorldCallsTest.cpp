@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-/// Thousands of calls of the public interface in random order, after each of which the world's
-/// books must balance; and what the fuzzer once kept because it reached something new.
+/// Thousands of calls of the public interface in random order. The invariants of the world are
+/// checked after each. Also the inputs that the fuzzer kept because they reached new code.
 namespace
 {
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-/// What libFuzzer calls with every input it makes up: the input decides what is called, and the
-/// world's books and numbers are looked at after each call.
+/// libFuzzer calls this with its inputs. The input selects the calls. The invariants and numbers of
+/// the world are checked after each call.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     fuzz::WorldCalls calls({data, size});

@@ -282,7 +282,7 @@ TEST(CompareCrossMachine, PassesFillsOffByTwoAndFailsOffByFour)
     }
 }
 
-// As a renderer that rounds otherwise leaves them: anywhere, of any colour.
+// Differences as a renderer with other rounding leaves them: anywhere, in any colour.
 TEST(CompareCrossMachine, PassesScatteredAndFailsClusteredPixels)
 {
     const Frame expected = Filled(640, 360, kDark);

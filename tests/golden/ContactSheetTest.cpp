@@ -56,7 +56,7 @@ ContactSheet SheetOf(const std::filesystem::path& film, const ContactSheetSettin
     return sheet ? *std::move(sheet) : ContactSheet{};
 }
 
-/// Of the right end of each picture.
+/// Returns the grays at the right end of each picture.
 std::vector<int> Grays(const ContactSheet& sheet)
 {
     std::vector<int> grays;
@@ -105,13 +105,13 @@ TEST(ContactSheet, ShrinksToTheMeanOfWhatAPixelCovers)
         SheetOf(Film(folder, "film.mkv", 10, 1.0), {.every = 60, .width = 24});
     EXPECT_EQ(sheet.layout.width, 24);
     EXPECT_EQ(sheet.layout.height, 12);
-    // Column 10 of 64 lies from 3.75 to 4.125 of 24: a quarter and an eighth of a pixel.
+    // Column 10 of 64 covers 3.75 to 4.125 of 24: a quarter and an eighth of a pixel.
     EXPECT_THAT((std::vector<int>{sheet.frame.Pixel(2, 5)[0], sheet.frame.Pixel(3, 5)[0],
                                   sheet.frame.Pixel(4, 5)[0], sheet.frame.Pixel(5, 5)[0]}),
                 ElementsAre(0, 64, 32, 0));
 }
 
-TEST(ContactSheet, SaysWhyThereIsNone)
+TEST(ContactSheet, ReportsWhyItCannotBeMade)
 {
     const TemporaryFolder folder;
     const std::filesystem::path film = Film(folder, "film.mkv", 60, 5.0);

@@ -22,7 +22,7 @@ std::uint8_t Mix(std::uint8_t under, std::uint8_t over, double share)
     return static_cast<std::uint8_t>(std::lround(under + (over - under) * share));
 }
 
-// An upright line from `left`, `width` pixels wide, each pixel the mean of what lies in it.
+// Returns an upright line from `left`, `width` pixels wide. Each pixel is the mean of its area.
 Frame WithLine(double left, double width, Color color, Color ground)
 {
     Frame frame = Filled(kSide, kSide, ground);
@@ -161,8 +161,8 @@ TEST(EdgeRule, TakesNoNeighbourFromTheOtherEndOfARow)
     }
 }
 
-// What is excused depends on the expected picture alone: an edge that is only in the actual one
-// excuses nothing.
+// Only the expected picture decides about edges. An edge that exists only in the actual picture
+// allows no difference.
 TEST(EdgeRule, LooksAtTheExpectedPictureOnly)
 {
     Frame actual = Filled(20, 20, kDark);

@@ -32,8 +32,8 @@ private:
     std::optional<std::string> m_before;
 };
 
-/// What a golden test reads of the environment, all of it taken out: the tests themselves run under
-/// CTest, in shards or in CI.
+/// Clears the environment variables that a golden test reads. The tests themselves run under CTest,
+/// in shards or in CI.
 struct GoldenEnvironment
 {
     EnvironmentVariable references{"BOXREEL_GOLDEN_REFERENCES", nullptr};

@@ -31,7 +31,7 @@ struct GoldenWorld : testing::Test
     b2World world{b2Vec2(0.0f, -10.0f)};
 };
 
-/// Of the dynamic body's colour, or of what is drawn around it.
+/// Counts the pixels of the dynamic body's colour, including the drawing around it.
 int ReddishPixels(const Frame& frame)
 {
     int count = 0;

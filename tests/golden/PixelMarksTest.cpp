@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is decided four pixels at a time, by approximation, against the plain functions that define
-// it.
+// Compares the approximation of four pixels at a time with the plain functions that define it.
 #include "PixelMarks.h"
 #include "EdgeRule.h"
 #include "OkLab.h"
@@ -106,7 +105,7 @@ Frame Blocks(std::mt19937& random, int width, int height)
     return frame;
 }
 
-// As an edge that lies `share` of a pixel elsewhere, and with noise on some pixels.
+// Returns the frame with edges shifted by `share` of a pixel, and with noise on some pixels.
 Frame Altered(std::mt19937& random, const Frame& frame, double share, int noise)
 {
     Frame altered = frame;
@@ -225,7 +224,7 @@ TEST(PixelMarks, AreThoseOfThePlainFunctionsForEdgesThatMove)
 }
 
 // More pairs than the table has entries: the one that was there is judged again, and rightly.
-TEST(PixelMarks, AreThoseOfThePlainFunctionsWhenNoPairComesTwice)
+TEST(PixelMarks, EqualPlainFunctionsWithoutRepeatedPairs)
 {
     Frame expected(512, 300), actual(512, 300);
     std::mt19937 random(4);

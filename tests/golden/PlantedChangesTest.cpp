@@ -37,7 +37,7 @@ protected:
         return *std::move(verdict);
     }
 
-    // Of the pixels alone, as a project without draw lists compares them.
+    // Compares only the pixels, like a project without draw lists.
     Comparison Pixels(const DrawList& list, const Style& style)
     {
         return Compare(Painted(SmallScene(), m_style), Painted(list, style));
@@ -50,7 +50,7 @@ protected:
 
 } // namespace
 
-TEST_P(PlantedChange, NoneIsNoFalseAlarm)
+TEST_P(PlantedChange, UnchangedPictureIsNotAFalseAlarm)
 {
     for (int i = 0; i < 3; ++i)
     {

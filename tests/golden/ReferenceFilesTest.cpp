@@ -21,7 +21,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-// What the world outside does to a store: names, links, damaged files, folders without permission.
+// Effects of the environment on a store: names, links, damaged files, folders without permission.
 class ReferenceFiles : public testing::Test
 {
 protected:
@@ -31,7 +31,7 @@ protected:
         fs::create_directories(m_output);
     }
 
-    /// Of a reference that is damaged. What is approved stays as it is.
+    /// Returns the error for a damaged reference. The approved files stay unchanged.
     Error Damage(const GoldenCandidate& candidate)
     {
         const Result<GoldenVerdict> verdict = m_store.Verify(candidate);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each preset finds of changes planted into real scenes, as the renderer draws them.
+// Changes planted into real scenes, drawn by the renderer, and the presets that find them.
 #include <golden/Compare.h>
 #include <session/GoldenScenes.h>
 #include <session/SceneSession.h>
@@ -53,7 +53,7 @@ protected:
         return frame;
     }
 
-    // One that lies in the picture as a whole, the last such.
+    // Returns the last item that is completely inside the picture.
     std::size_t Find(DrawLayer layer, DrawKind kind) const
     {
         const DrawList& list = m_content.list;
@@ -96,7 +96,7 @@ protected:
 
 } // namespace
 
-TEST_P(RenderedChange, NoneIsNoFalseAlarm)
+TEST_P(RenderedChange, UnchangedPictureIsNotAFalseAlarm)
 {
     const Frame again = Draw(m_content.list);
     EXPECT_FALSE(Finds(CompareSettings::Exact(), again));
@@ -139,8 +139,8 @@ TEST_P(RenderedChange, MissingLineIsFoundByAll)
     ExpectFound(Draw(m_content.list));
 }
 
-// Off by four in each channel, as a theme changed by mistake draws it. Of fills at least three
-// pixels wide: a narrower one is all edge.
+// Off by four in each channel, like a theme changed by mistake. Only fills at least three pixels
+// wide, because a narrower one consists of edges.
 TEST_P(RenderedChange, FillOffByFourIsFoundByAll)
 {
     std::map<std::uint32_t, int> inFills; // pixels with eight neighbours of the same colour
@@ -230,7 +230,7 @@ TEST_P(RenderedChange, SwappedDrawOrderIsFoundByAll)
     ExpectFound(Draw(second));
 }
 
-// As another driver's vertices may lie: without labels, which snap to whole pixels.
+// Vertices shifted as another driver may do. Without labels, because they snap to whole pixels.
 TEST_P(RenderedChange, ShiftByTenthOfPixelPassesOnlyAcrossMachines)
 {
     DrawList list = m_content.list;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a reference store writes for `boxreel golden report`, which reads it (tests/golden/report).
+// The files that a reference store writes for `boxreel golden report` (tests/golden/report).
 #include "../base/TemporaryFolder.h"
 #include "TestPictures.h"
 

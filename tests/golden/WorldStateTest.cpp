@@ -194,7 +194,7 @@ TEST(StateTraceDifference, MayBeOfAStepBeforeTheFirstThatIsKept)
         << "there is no step before the first";
 }
 
-TEST(StateTraceDifference, KnowsTheStepWhereNoDigitTells)
+TEST(StateTraceDifference, FindsStepWithoutDigitsOfBodies)
 {
     for (const char* digits : {"00", "0/0"})
     {

@@ -284,7 +284,8 @@ TEST(FixedRotation, KeepsABodyUprightUnderLoad)
     EXPECT_EQ(body->GetInertia(), 0.0f);
 }
 
-/// Where something at 100 m/s ends after a tenth of a second with a thin obstacle on its way.
+/// Returns the position of a body at 100 m/s after a tenth of a second, with a thin obstacle on its
+/// path.
 float32 EndOfShot(b2BodyType obstacle, bool bullet)
 {
     Scene scene(b2Vec2_zero);

@@ -115,7 +115,7 @@ struct OneSided : public b2ContactListener
     int asked = 0;
 };
 
-/// Where a ball that is thrown at a fixed platform from y with this speed is after a second.
+/// Returns the position of a ball one second after it was thrown at a fixed platform from y.
 float32 ThrownAtAPlatform(float32 y, float32 speed)
 {
     Heard<OneSided> scene;
@@ -274,7 +274,7 @@ void DestroyTouchingBodies(b2World* m_world, ContactPoint* m_points, int32 m_poi
     b2Body* nuke[k_maxNuke];
     int32 nukeCount = 0;
 
-    // Of each contact the lighter body goes.
+    // The lighter body of each contact is destroyed.
     for (int32 i = 0; i < m_pointCount; ++i)
     {
         ContactPoint* point = m_points + i;

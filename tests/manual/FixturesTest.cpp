@@ -131,7 +131,7 @@ TEST(Friction, IsProportionalToTheNormalForce)
     EXPECT_NEAR(SlidingFriction(0.5f, 0.5f, 10.0f), SlidingFriction(0.5f, 0.5f, 1.0f), 1e-3f);
 }
 
-/// How high the lower side of a ball comes again that fell five metres.
+/// Returns the height of the lower side of a ball after the bounce from five metres.
 float32 Rebound(float32 ofGround, float32 ofBall, float32 height = 5.0f)
 {
     Scene scene;
@@ -226,7 +226,7 @@ TEST(Filtering, APositiveGroupAlwaysCollidesAndANegativeOneNever)
     // Groups come before categories.
     fixture1Def.filter.maskBits = 0;
     EXPECT_TRUE(Collide(fixture1Def, fixture2Def));
-    // Of different groups, categories and masks decide.
+    // Different groups: categories and masks decide.
     EXPECT_TRUE(Collide(fixture2Def, fixture3Def));
     EXPECT_FALSE(Collide(fixture1Def, fixture3Def));
 }

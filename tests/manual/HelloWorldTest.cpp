@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// The manual's first program, as it stands there: a ground box, a falling box, one second.
+/// The manual's first program, unchanged: a ground box, a falling box, one second.
 namespace
 {
 

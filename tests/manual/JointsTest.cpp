@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-/// The chapter about joints up to the hinge and the slider, section by section. What each joint
-/// promises in numbers is tested in tests/engine/Joint*Test.cpp.
+/// The chapter about joints up to the hinge and the slider, section by section. The numerical
+/// guarantees of each joint are tested in tests/engine/Joint*Test.cpp.
 namespace
 {
 
@@ -352,7 +352,7 @@ TEST_F(RevoluteJointSection, TheGameLoopsDriveTheMotor)
         myJoint->SetMotorSpeed(-gain * angleError);
         scene.Step();
     }
-    // What is left of the error after a minute; the sine-wave had come as far as 2 sin(1).
+    // The remaining error after a minute. The sine wave has reached 2 sin(1).
     const float32 start = 2.0f * std::sin(1.0f) - angleTarget;
     EXPECT_NEAR(myJoint->GetJointAngle() - angleTarget, start * std::exp(-6.0f), 1e-4f);
 }

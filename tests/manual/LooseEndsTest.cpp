@@ -82,7 +82,7 @@ TEST(ImplicitDestruction, DebugBuildsFillWhatIsDestroyed)
     allocator.Free(memory, 64);
 }
 
-/// How many bytes of what was here are filled. The memory is still the world's.
+/// Returns the number of filled bytes of destroyed memory. The memory still belongs to the world.
 int FilledBytes(const void* destroyed, std::size_t size)
 {
     const auto* bytes = static_cast<const volatile unsigned char*>(destroyed);
@@ -177,7 +177,7 @@ TEST(PixelsAndCoordinates, AFactorGoesToMetresAndBack)
     EXPECT_FLOAT_EQ(50.0f * xMeters, xPixels);
 }
 
-/// Writes down what it is asked to draw. The name is the manual's.
+/// Records the drawing calls. The name is the manual's.
 struct RecordingDraw : public b2DebugDraw
 {
     void DrawPolygon(const b2Vec2*, int32, const b2Color&) override { ++polygons; }
@@ -193,7 +193,7 @@ struct RecordingDraw : public b2DebugDraw
     int segments = 0, transforms = 0;
 };
 
-/// What is drawn of a box, a ball and a joint between them.
+/// Returns the drawing of a box, a ball and a joint between them.
 RecordingDraw DrawnWith(uint32 flags)
 {
     Scene scene;

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-/// The chapter about joints from the pulley to the motor joint, section by section. What each joint
-/// promises in numbers is tested in tests/engine/Joint*Test.cpp.
+/// The chapter about joints from the pulley to the motor joint, section by section. The numerical
+/// guarantees of each joint are tested in tests/engine/Joint*Test.cpp.
 namespace
 {
 
@@ -124,9 +124,9 @@ TEST(GearJointSection, TheRatioCanBeNegative)
     EXPECT_NEAR(gears.Coordinate(-1.5f), 0.0f, 0.01f);
 }
 
-TEST(GearJointSection, EndsWithTheJointsItHangsOnInsteadOfCrashing)
+TEST(GearJointSection, IsDestroyedWithItsJoints)
 {
-    // The specification asks for gears to be deleted first and warns of a crash.
+    // The specification requires gears to be deleted first and warns of a crash.
     Gears gears;
     gears.Gear(1.0f);
     gears.world.DestroyJoint(gears.myRevoluteJoint);

@@ -9,8 +9,8 @@ namespace
 
 using dynamics::Scene;
 
-/// The highest a box that slides along the x axis rises over two edges which meet at 0 and lie on
-/// the axis; each edge gets the ghost vertices when asked to.
+/// Returns the maximum rise of a box that slides along the x axis over two edges. They meet at 0
+/// and are on the axis. Each edge has ghost vertices if requested.
 float32 HighestOverTheSeam(bool withGhosts)
 {
     Scene scene;
@@ -268,7 +268,7 @@ TEST(ChainShapes, GhostVerticesConnectOneChainWithAnother)
     b2Vec2 vs[4];
     b2ChainShape chain;
     MakeListing(chain, vs);
-    // Where the chains before and after it go on.
+    // The continuations of the neighbouring chains.
     chain.SetPrevVertex(b2Vec2(3.0f, 1.0f));
     chain.SetNextVertex(b2Vec2(-2.0f, 0.0f));
 

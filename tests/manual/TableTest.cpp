@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-/// Holds README.md of this folder to what it says: the tests in its table exist, none of this
-/// folder is missing there, and neither is a section of the specification.
+/// Checks README.md of this folder: the tests in its table exist, and it contains all tests of this
+/// folder and all sections of the specification.
 namespace
 {
 

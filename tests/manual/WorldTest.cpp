@@ -61,7 +61,7 @@ TEST(Simulation, ABodyCreatedBeforeTheStepCollidesInIt)
     EXPECT_TRUE(box->GetContactList()->contact->IsTouching());
 }
 
-/// How far the hinges of a hanging chain are pulled apart in the worst moment of two seconds.
+/// Returns the maximum gap of a hanging chain's hinges in two seconds.
 float32 WorstGap(float32 hz, int32 iterations)
 {
     Scene scene;
@@ -222,7 +222,7 @@ TEST(ExploringTheWorld, TheLastListingStartsAgainWhenOthersWentToo)
     EXPECT_EQ(crowd.Alive(), 4);
 }
 
-/// The listing: wakes what it finds.
+/// The listing: wakes the bodies it finds.
 class MyQueryCallback : public b2QueryCallback
 {
 public:

@@ -13,7 +13,7 @@
 namespace testfilm
 {
 
-/// What a film of this rate shows in each of its periods.
+/// Returns the frames that a film of this rate shows, one per period.
 inline std::vector<boxreel::Frame> ReadShown(const std::filesystem::path& path,
                                              const boxreel::Rational& rate)
 {
@@ -43,7 +43,7 @@ inline std::vector<boxreel::Frame> ReadShown(const std::filesystem::path& path,
     return shown;
 }
 
-/// What a film has stored, frame by frame.
+/// Returns the stored frames of a film.
 inline std::vector<boxreel::StoredFrame> ReadStored(const std::filesystem::path& path)
 {
     const auto source = boxreel::OpenVideoSource(path);

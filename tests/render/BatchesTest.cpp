@@ -18,7 +18,7 @@ bool Touch(const PixelBounds& a, const PixelBounds& b)
 
 } // namespace
 
-TEST(Batches, GatherNeighboursOfAKindWhateverLiesBetweenInTheList)
+TEST(Batches, MergeNeighboursOfOneKindAcrossOthers)
 {
     Batches batches;
     batches.Clear(1280, 720);

@@ -117,7 +117,7 @@ protected:
         return CreateContext(backend, {.osMesa = "libNoSuchMesa.so.8", .egl = BOXREEL_FAKE_EGL});
     }
 
-    /// The device that draws, null when none does; what is said then is in `message`.
+    /// Returns the device that draws; null if none does, with the reason in `message`.
     const FakeDevice* Drawing(Backend backend)
     {
         const auto context = Create(backend);
@@ -317,7 +317,7 @@ TEST_F(FakeEglLibrary, DrawsOnTheGpuWhenAsked)
     EXPECT_EQ(Drawing(Backend::Auto), &gpu) << message;
 }
 
-TEST_F(FakeEglLibrary, NeverComesToAGpuByItself)
+TEST_F(FakeEglLibrary, UsesGpuOnlyOnRequest)
 {
     const Variable none(nullptr);
     const FakeDevice& gpu = Add(kGpu);
@@ -358,7 +358,7 @@ TEST_F(FakeEglLibrary, GoesOnToTheNextDeviceWhenOneFails)
                              "device 0.*0x3009.*device 1.*0x3009.*device 2.*0x3009.*llvmpipe"));
 }
 
-TEST_F(FakeEglLibrary, LooksAtWhoDrawsWhereDevicesCannotBeTold)
+TEST_F(FakeEglLibrary, ChecksRendererIfDevicesCannotBeListed)
 {
     fake->extensions = "EGL_MESA_platform_surfaceless";
     Add(kGpu); // without a way to select it

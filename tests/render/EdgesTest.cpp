@@ -4,9 +4,9 @@
 
 #include <random>
 
-// How far edges are from the mean of 16 x 16 points a pixel, of 255. The truth itself is off by
-// about 1, since its points fall on a grid: measured against 64 x 64 points, straight edges come
-// within the rounding of 8 bits.
+// The maximum difference of edges from the mean of 16 x 16 points per pixel, of 255. The reference
+// itself is off by about 1, because its points are on a grid. Compared with 64 x 64 points,
+// straight edges are within the rounding of 8 bits.
 using namespace boxreel;
 
 namespace
@@ -31,8 +31,8 @@ private:
     std::mt19937 m_generator{7};
 };
 
-/// Places of a grid, so that neighbours do not touch: where shapes overlap, no drawing of one after
-/// the other can know how their parts of a pixel lie to each other.
+/// Places on a grid, so neighbours do not touch. Where shapes overlap, a renderer that draws one
+/// after the other cannot know how their parts of a pixel overlap.
 template <class AddShape>
 DrawList OnGrid(float cell, const AddShape& addShape)
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// An EGL library that draws nothing, for tests of whom a context is asked of: it says that there
-/// are the devices that the test puts in, and counts what is done with each. FakeEgl.cpp is loaded
-/// as a library, like the real one.
+/// An EGL library that draws nothing, for tests of the selection of devices. It reports the devices
+/// of the test, and counts the calls on each. FakeEgl.cpp is loaded as a library, like the real
+/// one.
 namespace boxreel
 {
 

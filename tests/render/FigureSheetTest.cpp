@@ -123,7 +123,7 @@ TEST(FigureSheet, IsTheSameSvgEachTime)
 namespace
 {
 
-/// Of a letter below 0x10000.
+/// Returns the UTF-8 of a letter below 0x10000.
 std::string Utf8(char32_t code)
 {
     const auto next = [code](int shift) { return char(0x80 | (code >> shift & 0x3F)); };

@@ -62,7 +62,8 @@ DrawList OneOfEach()
     return list;
 }
 
-/// Whether every element is closed, in order, and every attribute quoted.
+/// Returns the reason why a text is not XML. Checks that every element is closed, in order, and
+/// every attribute quoted.
 std::string WhyNotXml(const std::string& text)
 {
     std::vector<std::string> open;
@@ -484,8 +485,8 @@ TEST(Figure, OfPdfHasTextAndNamedGroups)
     EXPECT_THAT(about, HasSubstr("240 x 180 pts")) << "pixels of 1/96 inch";
 }
 
-// Cairo's own coverage is off by 2.2 from 16 x 16 points, the renderer's by 1.1. Where an axis
-// meets its circle's rim, Cairo lays one soft edge over the other, and the renderer joins them
+// Cairo's own coverage differs by 2.2 from 16 x 16 points, the renderer's by 1.1. At the end of an
+// axis on its circle's rim, Cairo draws one soft edge over the other. The renderer joins them
 // first.
 TEST(Figure, ShowsWhatTheRendererShows)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which renderers are taken for equal.
+// The renderers that count as equal.
 #include "Probe.h"
 
 #include <gmock/gmock.h>
@@ -92,7 +92,7 @@ TEST(Fingerprint, LeavesTheRenderersPictureAsItIs)
     EXPECT_TRUE(interrupted == plain);
 }
 
-// What renderers blend differently are rare pairs of numbers: few would show none of them.
+// Renderers differ only in blending rare pairs of numbers, which a few colours would not contain.
 TEST(Probe, BlendsManyDifferentColours)
 {
     const Result<Frame> probe = DrawProbe(Backend::Auto);

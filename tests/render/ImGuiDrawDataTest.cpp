@@ -17,7 +17,7 @@ namespace
 constexpr ImU32 kInk = IM_COL32(10, 20, 30, 255);
 const ImVec2 kWhiteTexel{0.25f, 0.75f};
 
-/// What is copied of a list that `draw` fills.
+/// Returns the copy of a list filled by `draw`.
 Overlay Copied(const std::function<void(ImDrawList&)>& draw)
 {
     ImDrawListSharedData shared;

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <limits>
 
-// Whatever changes from one frame to the next, the renderer that draws only what has changed shows
-// the bits of one that draws it all.
+// After any change between frames, the incremental renderer shows the same bits as one that draws
+// everything.
 using namespace boxreel;
 
 namespace
@@ -124,7 +124,7 @@ private:
                 float(m_camera.centerY) + m_random.Between(-reach, reach)};
     }
 
-    /// Of a body [m], most of them of a few pixels.
+    /// Returns the extent of a body [m], in most cases a few pixels.
     float Extent()
     {
         const float pixels = m_random.OneIn(40)
@@ -292,7 +292,7 @@ RendererSettings SettingsOf(int width, int height, unsigned seed, Backend backen
     return settings;
 }
 
-/// Where two frames differ, in words; nothing when they do not.
+/// Returns the difference of two frames in words; empty if they are equal.
 std::string Difference(const Frame& a, const Frame& b)
 {
     if (a == b)
@@ -344,7 +344,7 @@ struct Size
     int height;
 };
 
-/// What a run of frames was like, to see that the test tests something.
+/// The statistics of a run, which show that the test is effective.
 RenderTotals Film(unsigned seed, Size size, int frames, Backend backend = Backend::Auto)
 {
     const RendererSettings settings = SettingsOf(size.width, size.height, seed, backend);
@@ -390,7 +390,7 @@ RenderTotals Film(unsigned seed, Size size, int frames, Backend backend = Backen
 
 } // namespace
 
-TEST(Incremental, FramesAreThoseDrawnAsAWholeWhateverChanges)
+TEST(Incremental, FramesEqualCompleteDrawingAfterAnyChange)
 {
     RenderTotals sum;
     unsigned seed = 1;

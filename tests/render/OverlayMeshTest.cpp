@@ -28,7 +28,7 @@ Overlay Triangle(std::array<OverlayVertex, 3> corners)
     return overlay;
 }
 
-/// What the shader computes, in the arithmetic of a register of 32 bits.
+/// The computation of the shader, in the arithmetic of a register of 32 bits.
 int Evaluate(std::int32_t at, std::int32_t alongX, std::int32_t alongY, int x, int y, int bits)
 {
     const std::uint32_t sum = std::uint32_t(at) + std::uint32_t(alongX) * std::uint32_t(x) +

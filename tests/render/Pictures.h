@@ -12,7 +12,7 @@
 #include <cmath>
 #include <random>
 
-/// What the tests of drawing share: a camera whose metres are pixels, pictures made in one call.
+/// Helpers for the tests of drawing: a camera with a scale of pixels, and pictures from one call.
 namespace boxreel
 {
 

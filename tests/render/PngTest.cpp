@@ -24,7 +24,7 @@ using testing::IsEmpty;
 namespace
 {
 
-// What a foreign program might write: any type, depth, interlacing and transparency.
+// A picture as another program might write it: any type, depth, interlacing and transparency.
 struct Picture
 {
     int width = 13;
@@ -421,7 +421,7 @@ TEST(ReadPng, NoticesEveryFlippedBit)
     }
 }
 
-TEST(ReadPng, SaysWhatIsWrongWithANameThatIsNoPng)
+TEST(ReadPng, ReportsNameThatIsNotPng)
 {
     const TemporaryFolder folder;
     WriteBytes(folder / "film.png", "\x1a\x45\xdf\xa3 this is a Matroska film, really it is");

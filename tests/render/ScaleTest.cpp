@@ -3,8 +3,8 @@
 
 #include <random>
 
-// A picture at scale 8, averaged down, is the truth for the one at scale 1: every length in pixels
-// is eight times as large, and each pixel becomes 64.
+// A picture at scale 8, averaged down, is the reference for scale 1. Every length in pixels is
+// eight times as large, and each pixel becomes 64.
 using namespace boxreel;
 
 namespace
@@ -133,8 +133,9 @@ TEST(Scale, OfEightAveragedDownIsTheTruthForOne)
     EXPECT_LE(axes.rms, 1.3) << "lines end squarely at scale 1, and round when they are thick";
 }
 
-// Where two outlines cover the same part of a pixel, one drawn over the other covers more of it, as
-// if their parts were independent (Porter and Duff, "Compositing Digital Images", 1984).
+// Where two outlines cover the same part of a pixel, drawing one over the other covers more of it
+// than it should. Their parts count as independent (Porter and Duff, "Compositing Digital Images",
+// 1984).
 TEST(Scale, SeesAbuttingOutlinesALittleHeavier)
 {
     DrawList list;

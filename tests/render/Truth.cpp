@@ -42,7 +42,7 @@ enum class Part
     Fill,
 };
 
-/// What a point is part of, and how far it can move before that may change [px].
+/// The shapes that contain a point, and the distance it can move before that may change [px].
 struct Place
 {
     Part part = Part::Outside;
@@ -199,8 +199,8 @@ Rgba ColorAt(P p, const std::vector<const Shape*>& shapes, const Theme& theme)
     return color;
 }
 
-/// The shapes that may touch each square of kTile pixels, in painter's order: a pixel looks at
-/// those of its square only, else ten thousand shapes would take hours.
+/// The shapes that may touch each square of kTile pixels, in painter's order. A pixel checks only
+/// those of its square. Otherwise ten thousand shapes would take hours.
 class Tiles
 {
 public:

@@ -8,10 +8,9 @@
 
 #include <vector>
 
-/// What a list should look like, computed the slow way: every pixel is the mean of 16 x 16 points,
-/// each tested against the definition of every shape near it, and blended in painter's order before
-/// the mean is taken. Shares no code with the renderer. For tests and the benchmark. Draws no
-/// text.
+/// The expected picture of a list, computed the slow way. Every pixel is the mean of 16 x 16
+/// points. Each point is tested against the definition of every shape near it and blended in
+/// painter's order. Shares no code with the renderer. For tests and the benchmark. Draws no text.
 namespace boxreel
 {
 

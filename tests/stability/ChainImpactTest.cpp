@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// Chains that swing against something: links are thrown and stopped within a step, pressed
-/// against what does not move by what hangs from them, and pushed out of it, while their joints
-/// have to stay closed.
+/// Chains that swing against obstacles. Links are thrown, stopped within a step, pressed against
+/// static bodies by the load below, and pushed out again. Their joints must stay closed.
 namespace
 {
 
@@ -11,10 +10,10 @@ using namespace stability;
 
 STABILITY_SUITE(ChainImpact);
 
-/// A link may be torn off for a frame, and by no more than one hardly sees.
+/// A link may open for a frame, by an amount that is hardly visible.
 constexpr double kHardlyOpen = 0.02; // [m]
 constexpr double kOpenAfterwards = 1e-3;
-/// Of a thousand links' weight, which tears at links as if they had none, and goes on to.
+/// Under the weight of a thousand links, which tears links open and keeps tearing.
 constexpr double kTornOpen = 0.3;
 constexpr double kTornOpenAfterwards = 0.03;
 
@@ -67,7 +66,7 @@ public:
     std::vector<b2Joint*> joints;
 };
 
-/// What a chain of each weight comes to that meets what `add` puts in its way.
+/// Tries chains of each weight against the obstacle of `add`.
 template <class Add>
 void TryChains(int32 n, const std::string& against, const Add& add)
 {
@@ -107,8 +106,8 @@ TEST_P(ChainImpact, KeepsItTogetherOnTheGround)
     TryChains(GetParam(), "the ground", [](Chain& chain) { chain.AddGround(-15.0f); });
 }
 
-/// The ball touches the last link but one, at whose end it would have to be nearer than its radius
-/// for the overlap of their skins to go: pushes that turn the links between round and round.
+/// The ball touches the last link but one. Its end would have to be nearer than the ball's radius
+/// to resolve the overlap of their skins, so pushes rotate the links between again and again.
 TEST_P(ChainImpact, StaysTogetherWherePushesHaveNoWayOut)
 {
     Chain chain(GetParam(), 10.0f);
@@ -119,7 +118,7 @@ TEST_P(ChainImpact, StaysTogetherWherePushesHaveNoWayOut)
 }
 
 /// In the frame in which the first of them is stopped by a thin wall the second flies on.
-TEST_P(ChainImpact, DrawsBackWhatHangsOnWhatIsStopped)
+TEST_P(ChainImpact, PullsBackBodyThatIsTiedToStoppedOne)
 {
     for (const float32 ratio : {1.0f, 10.0f, 100.0f})
     {

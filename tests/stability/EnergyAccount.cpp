@@ -26,7 +26,7 @@ double Inverse(double x)
     return x > 0.0 ? 1.0 / x : 0.0;
 }
 
-/// What moves when an impulse along a direction acts between two points of bodies.
+/// Returns the effective mass of an impulse along a direction between two points of bodies.
 double EffectiveMass(const b2Body& a, const b2Vec2& pointA, const b2Body& b, const b2Vec2& pointB,
                      const b2Vec2& direction)
 {
@@ -48,7 +48,7 @@ double Stiffness(double mass, float32 hz)
     return mass * Square(2.0 * double(b2_pi) * double(hz));
 }
 
-/// Of a spring k that pulls with at most F: k x^2 / 2, and beyond F / k a straight line.
+/// Returns the energy of a spring k that pulls with at most F: k x^2 / 2, and linear beyond F / k.
 double Bounded(double k, double x, double maximum)
 {
     return k * x < maximum ? 0.5 * k * x * x : maximum * x - 0.5 * maximum * maximum / k;

@@ -5,25 +5,22 @@
 
 #include <vector>
 
-/// What the energy of a random world may be at most. The world's own is
+/// The maximum energy of a random world. The world's own energy is
 ///   kinetic + potential, above the lowest corner of the container, so that no part is negative
-///   + what springs store, k x^2 / 2, with the k that the frequency means at the present pose
-///   + for mice, the same up to their greatest force F, and F times the way beyond: such a pull
-///     never does more work than this potential loses, for the clamp onto what it may do is
-///     monotone.
-/// What comes in is
-///   + of a motor its greatest force times its speed times the time: it pushes forward only what is
-///     slower than that
-///   + of a motor joint its greatest force times the speed of its points against each other, but
-///   not
-///     more than the speed with which it wants to take back its error: with that speed it would do
-///     no work at all. The same of its torque.
-///   + what changes at once: the potential of a mouse when its target moves
-///   + of a spring x^2 / 2 times the change of k, for its k follows the mass that it moves, and
-///   that
-///     changes with the pose.
-/// All else (contacts with restitution up to 1, friction, damping, limits, ropes, gears, the
-/// start of rigid joints, the ends of sleeping) can only take away.
+///   + the energy of springs, k x^2 / 2, with the k of the frequency at the present pose
+///   + for mouse joints, the same up to their maximum force F, and F times the distance beyond it:
+///     such a pull never does more work than this potential loses, because the clamp is monotone.
+/// Energy is added
+///   + by a motor: its maximum force times its speed times the time, because it only pushes bodies
+///     that are slower than that
+///   + by a motor joint: its maximum force times the relative speed of its points, but at most the
+///     speed at which it corrects its error, because at that speed it does no work. The same for
+///     its torque.
+///   + by instant changes: the potential of a mouse joint when its target moves
+///   + by a spring: x^2 / 2 times the change of k. Its k follows the moved mass, which changes with
+///     the pose.
+/// All other effects can only remove energy: contacts with restitution up to 1, friction, damping,
+/// limits, ropes, gears, the start of rigid joints, and the end of sleeping.
 namespace stability
 {
 
@@ -44,7 +41,7 @@ public:
     double Start() const { return m_start; }
     double PutIn() const { return m_putIn; } ///< since the start
     double Allowed() const { return m_start + m_putIn; }
-    /// Above what is allowed, as a share of it.
+    /// Energy above the allowed amount, as a fraction of it.
     double Excess() const { return (Total() - Allowed()) / b2Max(Allowed(), 1e-3); }
     double Excess(double total) const { return (total - Allowed()) / b2Max(Allowed(), 1e-3); }
 
@@ -57,7 +54,7 @@ private:
     Spring SpringOf(std::size_t joint) const;
     double StoredIn(std::size_t joint) const;
     double MotorPower(std::size_t joint) const;
-    /// What a motor joint may do in the step, as it looks at one of its ends [W].
+    /// Returns the maximum power of a motor joint in the step, seen at one of its ends [W].
     double PullPower(std::size_t joint, float32 step) const;
 
     RandomWorld& m_world;

@@ -11,7 +11,7 @@ STABILITY_SUITE(FarAway);
 
 constexpr float32 kPlaces[] = {0.0f, 1024.0f, 10240.0f, 102400.0f}; // [m]
 
-/// What a place is rounded to when it is read [m].
+/// Returns the rounding of a coordinate when it is read [m].
 double Grain(float32 place)
 {
     return double(std::nextafter(place, 2.0f * place + 1.0f) - place);

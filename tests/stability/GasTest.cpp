@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// What tumbles in a closed room, with restitution 1 and without friction or gravity: nothing may
-/// take of its energy or add to it, and nothing gets out through walls of 10 cm.
+/// Bodies tumble in a closed room, with restitution 1 and without friction or gravity. Their energy
+/// must not change, and none may leave through walls of 10 cm.
 namespace
 {
 
@@ -26,7 +26,7 @@ void AddRoom(Trial& trial)
     }
 }
 
-/// Of the shape, so many, turned and thrown any way.
+/// Adds copies of the shape, with random rotations and velocities.
 void AddGas(Trial& trial, const b2Shape& shape, int count, float32 speed)
 {
     for (int i = 0; i < count; ++i)
@@ -100,8 +100,8 @@ TEST_P(Gas, OfSmallBoxesKeepsItsEnergy)
     JudgeGas(GetParam(), "boxes of 0.3 m", box, 300.0f);
 }
 
-/// What flies farther in a step than obstacles are wide may end it behind one, without having been
-/// through.
+/// A body that moves farther in a step than an obstacle is wide may end the step behind it without
+/// having crossed it.
 TEST_P(Gas, AmongObstaclesKeepsItsEnergy)
 {
     Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));

@@ -56,7 +56,7 @@ public:
         hinges[0]->SetMaxMotorTorque(kTorque);
     }
 
-    /// How far the wheels are from where their gears hold them [rad].
+    /// Returns the distance of the wheels from the angle of their gears [rad].
     double Slip() const
     {
         double slip = 0.0;
@@ -78,7 +78,7 @@ public:
 
 /// A gear that slips by this [rad] is a millimetre off at a metre.
 constexpr double kSlip = 1e-3;
-/// By how much a motor may exceed what it has, for rounding.
+/// Tolerance of a motor's limit for rounding.
 constexpr double kRounding = 1e-4;
 
 void JudgeTrain(const Train& train, const std::string& name)
@@ -151,7 +151,7 @@ TEST_P(GearsAndMotors, TwoMotorsAgainstEachOtherStand)
           1.0);
 }
 
-/// What is judged of a motor that pushes something against a wall.
+/// The verdicts for a motor that pushes a body against a wall.
 struct Push
 {
     double force = 0.0;     ///< that the motor says it gives, as a share of what it has
@@ -218,8 +218,8 @@ TEST_P(GearsAndMotors, SliderPushesARowOfBoxesAgainstAWall)
             push.rest.Look(time, double(box->GetPosition().x));
             push.overlap = time > 10.0 ? Worst(trial.DeepestOverlap(), push.overlap) : 0.0;
             push.trembling = time > 10.0 ? Worst(trial.FastestSpeed(), push.trembling) : 0.0;
-            // How far the slider came; that the others push the first box back in the same step
-            // adds to it.
+            // The distance of the slider, plus the push back of the first box by the others in the
+            // same step.
             const double first = Worst(before, double(row[0]->GetPosition().x));
             into = Worst(1.0 - (first - double(box->GetPosition().x)), into);
             before = double(row[0]->GetPosition().x);
@@ -257,7 +257,7 @@ TEST_P(GearsAndMotors, ArmPressesOnTheGround)
     JudgePush("arm on the ground", GetParam(), push);
 }
 
-/// A car with a driven wheel stands with its nose at a wall; the wheel spins.
+/// A car with a driven wheel is in front of a wall; the wheel spins.
 TEST_P(GearsAndMotors, CarDrivesAgainstAWall)
 {
     Trial trial(GetParam());

@@ -10,12 +10,12 @@ using namespace stability;
 
 STABILITY_SUITE(Kinematic);
 
-/// What is squeezed out of a pile is slower than this [m/s]: it rises by two metres.
+/// A body squeezed out of a stack is slower than this [m/s]: it rises by two metres.
 constexpr double kSqueezedOut = 6.5;
-/// What cannot get out is slower than that [m/s].
+/// A body that cannot get out is slower than this [m/s].
 constexpr double kJammed = 1.0;
-/// The largest impulse of a step, for a kilogram of all that is pressed [m/s]: far above what
-/// weight and the pusher's speed ask for, far below what has no bound.
+/// Maximum impulse of a step per kilogram of all pressed bodies [m/s]. It is far above the
+/// requirement of weight and the pusher's speed, and far below an unbounded one.
 constexpr double kPressed = 100.0;
 /// Some seconds after the pusher has gone [m/s].
 constexpr double kAtRest = 0.02;
@@ -51,7 +51,7 @@ double FastestOf(const std::vector<b2Body*>& bodies)
     return fastest;
 }
 
-/// The pusher goes on for so long, and back for a second.
+/// The pusher moves forward for this time, and back for a second.
 void TryPress(Trial& trial, const std::string& name, b2Body* pusher,
               const std::vector<b2Body*>& bodies, double seconds, double mostSpeed)
 {

@@ -8,10 +8,10 @@
 namespace stability
 {
 
-/// Three times the same, side by side, fourteen joints of all eleven kinds each: a motor turns a
-/// crank, which moves a piston and, over a gear, a wheel with an arm; a weight hangs from the arm
-/// by a spring and is held by a rope; two weights share a pulley, one slowed down by friction; a
-/// cart hangs on its suspension, a platform is moved to and fro, and a hand pulls something about.
+/// Three equal machines side by side, with fourteen joints of all eleven kinds each. A motor turns
+/// a crank, which moves a piston and, over a gear, a wheel with an arm. A spring and a rope connect
+/// a weight to the arm. Two weights share a pulley, one slowed down by friction. A cart has a
+/// suspension, a platform is moved to and fro, and a mouse joint pulls a body.
 class FortyTwo
 {
 public:
@@ -27,7 +27,7 @@ public:
         }
     }
 
-    /// Tells what is led where to go at that time [s].
+    /// Sets the targets of driven bodies at that time [s].
     void Lead(double time)
     {
         const auto phase = float32(time);
@@ -39,7 +39,7 @@ public:
         }
     }
 
-    /// Of all that is rigid [m], [rad].
+    /// Returns the maximum residual of all rigid joints [m], [rad].
     double Error() const
     {
         double error = 0.0;
@@ -58,8 +58,8 @@ public:
         return error;
     }
 
-    /// How far weights have come beyond their ropes [m]: what falls into one is caught in the small
-    /// step after.
+    /// Returns the maximum distance of weights beyond their ropes [m]. A falling weight is stopped
+    /// in the sub-step after it reaches the end of its rope.
     double Beyond() const
     {
         double beyond = 0.0;
@@ -105,7 +105,7 @@ private:
         gear.bodyB = wheel;
         gear.ratio = 2.0f;
         trial.world.CreateJoint(&gear);
-        // After ten minutes an angle in single precision says no more than a tenth of a thousandth.
+        // After ten minutes an angle in single precision has an error of a tenth of a thousandth.
         others.push_back([motor = m_motor, hinge] {
             const float32 angle = b2Abs(motor->GetJointAngle());
             const double unknown = double(std::nextafter(angle, b2_maxFloat)) - double(angle);
@@ -199,7 +199,8 @@ inline void RunFortyTwo(int32 subSteps, double seconds)
     Judge(name + ", more later", subSteps, 100.0 * (later / first - 1.0), "%", 10.0);
     Judge(name + ", widest gap or angle", subSteps, 1000.0 * error, "mm",
           Bound(subSteps, subSteps >= kRecommended ? 0.1 : 1.0, 50.0));
-    // A rope that a drift makes taut is held from the next kick on, after the way of a small step.
+    // A rope that a drift makes taut is held from the next kick on, after the displacement of one
+    // sub-step.
     const double rope = subSteps >= kRecommended ? 1.0 : 2.0;
     Judge(name + ", beyond a rope", subSteps, 1000.0 * beyond, "mm", Bound(subSteps, rope, 50.0));
 }

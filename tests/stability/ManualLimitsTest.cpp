@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// What docs/accuracy.md says of the manual's limitations and no case of the benchmark measures:
-/// with one step as stated there, with sub-steps within bounds.
+/// The statements of docs/accuracy.md about the manual's limitations that no case of the benchmark
+/// measures. One step: as stated there; with sub-steps: within bounds.
 namespace
 {
 
@@ -52,8 +52,8 @@ TEST_P(ManualLimits, DampingDoesNotDependOnTheStep)
     }
 }
 
-/// Ten boxes of 1 m whose skins touch, and so many times the earth's gravity: how far the top one
-/// sinks in 20 s. With sub-steps it rises, by what is left of the slop.
+/// Ten boxes of 1 m whose skins touch, at a multiple of the earth's gravity. Measures how far the
+/// top one sinks in 20 s. With sub-steps it rises, by the rest of the slop.
 TEST_P(ManualLimits, AStackBearsTenTimesTheGravity)
 {
     for (const float32 gravity : {10.0f, 100.0f})
@@ -87,9 +87,9 @@ TEST_P(ManualLimits, ABoxRestsAboveAnEdge)
     Judge("a box rests above an edge, off by", GetParam(), std::abs(above - expected), "mm", 0.5);
 }
 
-/// Two rods of 1 m x 0.1 m, hinged end to end, fly into a wall as they stand, turned by twenty
-/// angles and from ten places of a step: by how far the hinge opens at most, and for how many steps
-/// by more than a slop.
+/// Two rods of 1 m x 0.1 m, hinged end to end, fly into a wall at twenty angles and from ten
+/// fractions of a step. Measures the maximum opening of the hinge, and the number of steps with
+/// more than a slop.
 TEST_P(ManualLimits, AHingeHoldsWhenAWallStopsOneOfItsBodies)
 {
     struct Hits
@@ -128,7 +128,7 @@ TEST_P(ManualLimits, AHingeHoldsWhenAWallStopsOneOfItsBodies)
         const std::string name =
             "two rods into a wall at " + std::to_string(int(hits.speed)) + " m/s, hinge opens";
         const bool areMore = GetParam() >= kRecommended;
-        // With one step at most by the way of one.
+        // With one step, at most by the displacement of one step.
         Judge(name, GetParam(), widest, "m",
               Bound(GetParam(), areMore ? hits.more : hits.two, double(hits.speed * kStep)));
         Judge(name + " for", GetParam(), longest, "steps",

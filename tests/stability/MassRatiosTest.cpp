@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// What is heavy on what is light, and what is heavy at the end of what is light.
+/// Heavy bodies on light ones, and heavy bodies at the end of light ones.
 namespace
 {
 
@@ -67,7 +67,7 @@ TEST_P(MassRatios, StackOfHeavyAndLightByTurnsStands)
     }
 }
 
-/// 20 links of 1 m x 0.25 m, let go in a direction, and a ball so many times as heavy as a link.
+/// 20 links of 1 m x 0.25 m, released in a direction, and a ball of a multiple of a link's mass.
 class Chain
 {
 public:
@@ -126,7 +126,7 @@ TEST_P(MassRatios, ChainHangs)
     }
 }
 
-/// What has happened to a chain so far.
+/// The history of a chain.
 struct Swing
 {
     double widest = 0.0, stretch = 0.0, won = 0.0, maximum = 0.0;
@@ -183,8 +183,9 @@ b2Joint* TieWithRod(Trial& trial, b2Body* a, b2Body* b)
     return trial.Rod(a, b, a->GetPosition() + arm, b->GetPosition() - arm);
 }
 
-/// So many blocks and a ball of a mass, tied each to the next over a metre and let go level: light
-/// blocks sway between ropes and rods faster than sub-steps resolve, and ropes snap taut.
+/// A number of blocks and a ball, each tied to the next over a metre and released level. Light
+/// blocks swing between ropes and rods faster than sub-steps resolve, and ropes become taut
+/// suddenly.
 template <class Tie>
 void TryTied(int32 subSteps, const std::string& name, int32 blocks, float32 ratio, const Tie& tie)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// What starts deep in something else comes out of it: in the end, without a jump, and with no
-/// speed left.
+/// Bodies that start deep inside another leave it: completely, without a jump, and with no speed
+/// left.
 namespace
 {
 
@@ -12,12 +12,12 @@ STABILITY_SUITE(Overlap);
 
 /// Slower than what falls a hand's breadth, so nothing is shot out [m/s].
 constexpr double kShotOut = 1.0;
-/// No jump [m a frame]: with sub-steps a contact pushes out by 3 m/s, 5 cm a frame. Where several
-/// lie in a row, or in one place, they add up to four times that and no more.
+/// Maximum push [m per frame]: with sub-steps a contact pushes out by 3 m/s, 5 cm per frame.
+/// Several contacts in a row, or in one place, add up to at most four times that.
 constexpr double kNoJump = 0.055;
 constexpr double kNoJumpInARow = 0.205;
-/// The same of what falls as well: beyond the way of the faster of its speeds before and after a
-/// step. Impacts within the step may push once more, and change the speed in between.
+/// The same for falling bodies: beyond the displacement of the larger of the speeds before and
+/// after a step. Impacts within the step may push once more, and change the speed in between.
 constexpr double kNoJumpInAFall = 0.25;
 /// One step, the manual's scheme, takes 20 cm with each of its iterations.
 constexpr double kJumpOfOneStep = 0.45;
@@ -116,7 +116,7 @@ TEST_P(Overlap, OfTwentyThingsInOnePlaceGoes)
     TryApart(trial, "twenty in one place", kNoJumpInARow);
 }
 
-/// Of things in a box of 2 `half` by 2 `half` that fall as well.
+/// Bodies in a box of 2 `half` by 2 `half` that also fall.
 struct Jam
 {
     Trial trial;
@@ -141,8 +141,8 @@ struct Jam
         bodies.push_back(box);
     }
 
-    /// The farthest way of a body in a step beyond that of its speed [m], and the most energy that
-    /// a step wins [J/kg]: by lifting; all else is an error.
+    /// Measures the maximum displacement of a body in a step beyond that of its speed [m], and the
+    /// maximum energy gain of a step [J/kg]. The gain may come only from lifting.
     void Watch(double seconds)
     {
         for (const b2Body* body : bodies)

@@ -60,7 +60,7 @@ constexpr int kSubSteps[] = {1, 2, 4, 8, 16};
 constexpr float32 kMasses[] = {1.0f,  2.0f,   5.0f,   10.0f,  20.0f,
                                50.0f, 100.0f, 200.0f, 500.0f, 1000.0f};
 constexpr int kMaxTries = 500; ///< to find two bodies for a joint
-/// What lies apart at the start: two skins and more.
+/// Initial distance of bodies: two skins and more.
 constexpr float32 kClearance = 0.05f; // [m]
 
 PlannedShape MakePolygon(const std::vector<b2Vec2>& points)
@@ -337,7 +337,7 @@ void Planner::Join(PlannedJoint& joint)
     GiveSpring(joint);
 }
 
-/// As strong as it takes to reach a speed of 1 in 0.002 to 0.1 s.
+/// Adds a motor strong enough to reach a speed of 1 in 0.002 to 0.1 s.
 void Planner::GiveMotor(PlannedJoint& joint)
 {
     const PlannedBody& b = m_plan.bodies[std::size_t(joint.bodyB)];

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-/// Worlds made by chance, each with a number that makes the same one everywhere: bodies of all
-/// shapes and of masses from 1 to 1000, fast and slow, joined by all kinds of joints, in a closed
-/// container. A plan is plain data, so that parts may be taken out of it; it starts without
-/// overlaps and with every joint in its place, so that nothing is stored but what is accounted for.
+/// Random worlds, each made from a number that gives the same world on every machine. They have
+/// bodies of all shapes with masses from 1 to 1000, fast and slow, and all kinds of joints, in a
+/// closed container. A plan is plain data, so parts can be removed. It starts without overlaps and
+/// with every joint closed, so all stored energy is accounted for.
 namespace stability
 {
 
@@ -42,7 +42,7 @@ struct PlannedBody
     bool bullet = false;
 };
 
-/// Of any kind; each reads what it needs.
+/// A joint of any kind. Each kind reads the members that it needs.
 struct PlannedJoint
 {
     b2JointType type = e_unknownJoint;
@@ -95,7 +95,7 @@ struct WorldPlan
     void RemoveJoint(int index);
 };
 
-/// `crowd`: times as many bodies and joints, in as many times the area.
+/// `crowd`: factor of the number of bodies and joints, and of the area.
 WorldPlan PlanWorld(int number, int crowd = 1);
 
 /// For people: a line for the world, each body and each joint.

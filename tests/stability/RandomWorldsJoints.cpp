@@ -11,7 +11,8 @@ namespace
 
 constexpr float32 kRopeAbove = 3.0f; // [m] from a pulley to its load
 
-// Shared pointers, for they delete what was made; joint definitions have no virtual destructor.
+// Shared pointers, because they delete the original type; joint definitions have no virtual
+// destructor.
 std::shared_ptr<b2JointDef> Define(const PlannedJoint& plan, b2Body* a, b2Body* b, const b2Vec2& up)
 {
     const auto point = [&](auto def) {

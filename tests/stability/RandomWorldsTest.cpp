@@ -24,7 +24,7 @@ namespace
 
 using namespace stability;
 
-/// How the worlds of a number of sub-steps do.
+/// The results of the worlds with a number of sub-steps.
 struct Tally
 {
     int worlds = 0, gain = 0, leave = 0;
@@ -101,11 +101,11 @@ TEST(RandomWorlds, GainNoEnergyAndStayInTheirContainers)
 }
 
 /// Kinds that once diverged, each for a reason that was found and fixed: impulses of an impact
-/// warm-started in the next kick, a rope near its end, a motor that had more torque than it was
-/// given where its frame turned, one that pulled at a long lever across the way it slipped, bodies
-/// that another island's joints were taken for, rough rods thrown back at walls, springs wound up
-/// by corrections that turn light bodies on long levers, bodies held back by impacts again and
-/// again that kept the speed of their whole fall.
+/// warm-started in the next kick; a rope near its end; a motor with more torque than its maximum
+/// while its frame rotated; a motor that pulled at a long lever across its slip; bodies mistaken
+/// for those of another island's joints; rough rods thrown back at walls; springs loaded by
+/// corrections that rotate light bodies on long levers; bodies that impacts held back repeatedly
+/// while they kept the speed of their whole fall.
 TEST(RandomWorlds, ThatOnceBurstAreWell)
 {
     for (const int number : {5,   44,  110, 224, 275, 324, 426, 448, 476,  567, 569,
@@ -115,16 +115,19 @@ TEST(RandomWorlds, ThatOnceBurstAreWell)
     }
 }
 
-/// The same with a number of sub-steps that is not the world's own: joints that gave way in turns
-/// and were left holding with fifty times their force (299), a spring that let what was carried
-/// over pass as its work (457), friction and two points of a bounce that were solved as one (596,
-/// 848), contacts and a weld that contradicted each other (235),
-/// springs in ways that an impact took back (314, 519, 789) or that velocities wound up that
-/// were then lost (383), circles on a rod whose pull turned them in a moment (973), light bodies
-/// thrown by an impact into spins that drew what is heavy round with them (392, 895), a light
-/// slider between its limit and a pulley that corrections threw far away (594), a light bullet that
-/// heavy bodies pressed through a wall, impact by impact (396), a body that impacts held back while
-/// a mouse sped it up, paid with the credit of its joints (172).
+/// The same with a number of sub-steps other than the world's own. The causes were:
+/// - joints with alternating active sets that ended with fifty times their force (299);
+/// - a spring that counted a warm start as its work (457);
+/// - friction and two points of a bounce that were solved as one (596, 848);
+/// - contacts and a weld that contradicted each other (235);
+/// - springs with displacements that an impact undid (314, 519, 789), or that velocities loaded and
+///   then lost (383);
+/// - circles on a rod whose pull rotated them at once (973);
+/// - light bodies that an impact gave a spin, which rotated heavy ones with them (392, 895);
+/// - a light slider between its limit and a pulley that corrections threw far away (594);
+/// - a light bullet that heavy bodies pressed through a wall, impact by impact (396);
+/// - a body that impacts held back while a mouse joint accelerated it, paid with the credit of its
+///   joints (172).
 TEST(RandomWorlds, ThatOnceBurstWithOtherSubStepsAreWell)
 {
     constexpr std::pair<int, int> kWorlds[] = {{55, 4},   {172, 16}, {235, 2}, {299, 2}, {299, 4},

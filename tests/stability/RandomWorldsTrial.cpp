@@ -23,7 +23,7 @@ double Beyond(const b2Vec2& point, const b2Vec2& half, double radius)
     return radius + double(b2Max(b2Abs(point.x) - half.x, b2Abs(point.y) - half.y));
 }
 
-/// How far shapes of a body are beyond the walls at most, without the skins around polygons.
+/// Returns the maximum distance of a body's shapes beyond the walls, without the skins of polygons.
 double Beyond(const PlannedBody& plan, const b2Body& body, const b2Vec2& half)
 {
     double maximum = -1e9;

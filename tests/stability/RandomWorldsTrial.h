@@ -10,14 +10,15 @@
 namespace stability
 {
 
-/// Energy above what was put in, as a share of it. Half a step of gravity's work, h m g.v / 2, is
-/// not yet where one step of symplectic integration says, and a limit or a contact may be a slop
-/// too deep; both are below a thousandth of what these worlds hold. What bursts gains more in a
-/// step.
+/// Energy above the input, as a fraction of it. Two errors are allowed for: half a step of
+/// gravity's work, h m g.v / 2, which symplectic integration is off by, and a limit or contact that
+/// is one slop too deep. Both are below a thousandth of the energy of these worlds. A world that
+/// diverges gains more in a step.
 inline constexpr double kMaxExcess = 0.01;
 
-/// What may stick out of the walls [m], though its centre never does: 0.44 at most in the worlds 0
-/// to 99, of long bodies that something heavy presses against a wall; 0.97 has been seen in others.
+/// Maximum distance of a shape outside the walls [m]; its centre never is outside. In the worlds 0
+/// to 99 it is at most 0.44, for long bodies that something heavy presses against a wall. Others
+/// have reached 0.97.
 inline constexpr double kMaxOut = 1.0;
 
 /// The worst of a run.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// Sleep never comes to what still moves, and soon to what has come to rest.
+/// Moving bodies never fall asleep, and bodies at rest soon do.
 namespace
 {
 
@@ -9,7 +9,7 @@ using namespace stability;
 
 STABILITY_SUITE(Sleep);
 
-/// How long anything sleeps in so many seconds [s].
+/// Returns the time that any body sleeps in this many seconds [s].
 double Asleep(Trial& trial, double seconds)
 {
     double asleep = 0.0;
@@ -31,7 +31,7 @@ void JudgeAwake(Trial& trial, const std::string& name, double seconds = 30.0)
     Judge("asleep: " + name, trial.world.GetSubStepCount(), Asleep(trial, seconds), "s", 0.0);
 }
 
-/// Sensible for what is small and set down gently [s].
+/// Reasonable for small bodies that are set down gently [s].
 constexpr double kSoon = 5.0;
 
 /// When the last one falls asleep [s]; none when it does not.
@@ -78,7 +78,7 @@ TEST_P(Sleep, NeverComesToASlowSpin)
     JudgeAwake(trial, "spins at 0.036 rad/s");
 }
 
-/// A pendulum of so many metres that swings so far: it is slow for long where it turns.
+/// A pendulum of this length and amplitude; it is slow for a long time where it reverses.
 TEST_P(Sleep, NeverComesToAPendulumThatTurns)
 {
     struct Swing

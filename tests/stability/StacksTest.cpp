@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
-/// Tall stacks and a card house. Nothing sleeps here: what stands does so by itself.
+/// Tall stacks and a card house. No body sleeps here, so they must be stable by themselves.
 namespace
 {
 
@@ -15,8 +15,8 @@ constexpr double kSeconds = 20.0;
 /// visible. Within half a box, the stack stands.
 constexpr double kUnmoved = 0.05;
 constexpr double kStands = 0.5;
-/// How far a stack may sway when it has had ten seconds to settle [m]: less than shows in a picture
-/// of the whole.
+/// Maximum sway of a stack after ten seconds to settle [m]: less than is visible in a picture of
+/// the whole.
 constexpr double kSway = 0.02;
 
 /// Eight sub-steps and more have a single iteration each.
@@ -81,9 +81,8 @@ TEST_P(Stacks, StandOneCentimetreOff)
     }
 }
 
-/// Five rows of tents of two cards of 1 m x 0.05 m that lean by 25 degrees; on the tents of a row
-/// lie cards that carry the next. `room`: between two cards that meet [m]; `x`: where its middle
-/// is.
+/// Five rows of tents of two cards of 1 m x 0.05 m that lean by 25 degrees. Cards on the tents of a
+/// row carry the next. `room`: between two cards that meet [m]; `x`: position of the middle.
 class CardHouse
 {
 public:

@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-/// What every test of the stability suite shares: a world that is watched while it runs, and the
-/// verdict, a number with its bound that is printed, recorded and checked. The tests below this
-/// folder use it, nothing else does. Never judges by a time.
+/// The common part of the stability suite: a world that is watched while it runs, and the verdict.
+/// A verdict is a number with its bound that is printed, recorded and checked. Used only by the
+/// tests in this folder. Never checks times.
 namespace stability
 {
 
@@ -56,8 +56,8 @@ inline double Worst(double a, double b)
     return a > b || std::isnan(a) ? a : b;
 }
 
-/// A world with so many sub-steps. Every trial checks that all numbers stay finite and the data
-/// structures valid.
+/// A world with this number of sub-steps. Every trial checks that all numbers stay finite and the
+/// data structures valid.
 class Trial : public SmallScene
 {
 public:
@@ -109,7 +109,7 @@ public:
         }
         return true;
     }
-    /// Of any body's centre [m/s].
+    /// Returns the maximum speed of any body's centre [m/s].
     double FastestSpeed() const
     {
         double fastest = 0.0;
@@ -119,7 +119,7 @@ public:
         }
         return fastest;
     }
-    /// Of all bodies [J].
+    /// Returns the kinetic energy of all bodies [J].
     double KineticOfAll() const
     {
         double sum = 0.0;
@@ -129,7 +129,7 @@ public:
         }
         return sum;
     }
-    /// Of all bodies, kinetic and of their heights [J].
+    /// Returns the kinetic and potential energy of all bodies [J].
     double EnergyOfAll() const
     {
         double sum = 0.0;
@@ -152,7 +152,7 @@ public:
         Scene::AddBox(ground, 1000.0f, 50.0f, friction);
         return ground;
     }
-    /// Of all contacts that touch, skins included [m].
+    /// Returns the maximum overlap of all touching contacts, skins included [m].
     double DeepestOverlap()
     {
         double deepest = 0.0;
@@ -187,7 +187,7 @@ private:
     }
 };
 
-/// Where bodies were put, to ask how far they have come from there.
+/// The start positions of bodies, for measuring their displacement.
 class Places
 {
 public:
@@ -199,7 +199,7 @@ public:
         }
     }
 
-    /// How far a body has come from its place [m].
+    /// Returns the displacement of a body [m].
     double WayOf(std::size_t body) const
     {
         return double(b2Distance(m_bodies[body]->GetPosition(), m_places[body]));
@@ -220,9 +220,9 @@ private:
     std::vector<b2Vec2> m_places;
 };
 
-/// Every test runs with the default scheme, the recommended number, and coarser and finer ones; or
-/// with the one count that the variable BOXREEL_SUB_STEPS holds: the finest, which takes the most
-/// time, is a run of its own.
+/// Every test runs with the default scheme, the recommended number of sub-steps, and coarser and
+/// finer ones. The variable BOXREEL_SUB_STEPS selects a single number. The finest takes the most
+/// time, so it is a separate run.
 class EverySubStepCount : public testing::TestWithParam<int32>
 {};
 

@@ -15,7 +15,7 @@
 namespace boxreel
 {
 
-/// How a file is created and how existing files are handled.
+/// Options for creating a file and for handling an existing one.
 struct AtomicFileSettings
 {
     bool overwrite = false;         ///< false: an existing file is an Error
@@ -31,7 +31,7 @@ public:
     /// or is not a regular file. Also when its folder is not writable, or another process is
     /// writing it.
     static Result<AtomicFile> Create(const std::filesystem::path& path, bool overwrite);
-    /// As above, with all settings and the same Errors.
+    /// Same as above, with all settings and the same Errors.
     static Result<AtomicFile> Create(const std::filesystem::path& path,
                                      const AtomicFileSettings& settings);
 
@@ -91,7 +91,7 @@ bool IsBeingWritten(const std::filesystem::path& part);
 /// Creates, writes and commits a file, with the Errors of these functions.
 Result<void> WriteWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                         bool overwrite);
-/// As above, for text.
+/// Same as above, for text.
 Result<void> WriteWhole(const std::filesystem::path& path, std::string_view text, bool overwrite);
 
 } // namespace boxreel

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// @file
-/// What a mistyped word was probably meant to be, for the error that refuses it.
+/// Finds the likely meaning of a mistyped word, for the error that refuses it.
 namespace boxreel
 {
 
@@ -20,7 +20,8 @@ int EditDistance(std::string_view a, std::string_view b);
 /// ignored. A candidate that starts with the word counts as near.
 int NearestWord(std::string_view word, const std::vector<std::string>& candidates);
 
-/// The remedy of an Error: "did you mean 'high'?" when a candidate is near, else `otherwise`.
+/// Returns the remedy of an Error: "did you mean 'high'?" if a candidate is near, otherwise
+/// `otherwise`.
 std::string DidYouMean(std::string_view word, const std::vector<std::string>& candidates,
                        const std::string& otherwise = "");
 

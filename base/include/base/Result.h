@@ -26,8 +26,8 @@ struct Error
 {
     ErrorKind kind = ErrorKind::Failed; ///< category of the cause
     std::string culprit;      ///< the option, file or name at fault, as the caller named it
-    std::string problem = {}; ///< what is wrong with it: lower case, no full stop
-    std::string remedy = {};  ///< how to fix it: lower case, no full stop; may be empty
+    std::string problem = {}; ///< the problem: lower case, no full stop
+    std::string remedy = {};  ///< the remedy: lower case, no full stop; may be empty
 
     /// Returns "film.mp4: already exists; use --force to replace it".
     std::string Text() const;

@@ -18,9 +18,9 @@ struct ArrowHead
     bool open = false;      ///< two strokes instead of a triangle; the shaft reaches the tip
 };
 
-/// A shaft from `tail` to `tip` [m] with a head, filled or open, whose point lies at `tip`; stamped
-/// with the list's layer and owner. A shaft shorter than its head gets a smaller head. Nothing is
-/// added when tail and tip are one point, or not finite.
+/// Adds a shaft from `tail` to `tip` [m] with a filled or open head that points to `tip`. It gets
+/// the list's layer and owner. A shaft shorter than its head gets a smaller head. Adds nothing if
+/// tail and tip are equal, or not finite.
 void AddArrow(DrawList& list, const Camera& camera, Vec2 tail, Vec2 tip, const Paint& paint,
               const ArrowHead& head = {});
 

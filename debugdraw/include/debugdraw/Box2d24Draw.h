@@ -18,7 +18,7 @@
 namespace boxreel::box2d24
 {
 
-/// Register it with b2World::SetDebugDraw, call DebugDraw, read the list. That library does not
+/// Register it with b2World::SetDebugDraw, call DebugDraw, read the list. Box2D 2.4 does not
 /// announce layers and bodies: items get the list's `layer` and `owner`.
 class DrawCollector : public b2Draw
 {

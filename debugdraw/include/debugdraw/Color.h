@@ -6,7 +6,7 @@
 #include <cstdint>
 
 /// @file
-/// Colours, and what they stand for. Themes (Theme.h) have a colour of their own for each role.
+/// Colours and their roles. A theme (Theme.h) has its own colour for each role.
 namespace boxreel
 {
 
@@ -17,11 +17,11 @@ struct Color
     std::uint8_t g = 0;   ///< green, 0 to 255
     std::uint8_t b = 0;   ///< blue, 0 to 255
     std::uint8_t a = 255; ///< opacity, 0 to 255
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// What the debug drawing has a colour of its own for.
+/// The roles that have their own colour in the debug drawing.
 enum class ColorRole : std::uint8_t
 {
     StaticBody,
@@ -40,14 +40,14 @@ enum class ColorRole : std::uint8_t
     JointForce,
     Velocity,
     Ink,  ///< labels, and marks with the highest contrast to the background
-    None, ///< a colour of the user's own, which themes keep
+    None, ///< a user-defined colour, which themes keep
 };
-/// How many roles there are, without None.
+/// Number of roles without None.
 inline constexpr std::size_t kColorRoles = std::size_t(ColorRole::None);
 /// A colour for each role, in the order of the roles.
 using Palette = std::array<Color, kColorRoles>;
 
-/// The colours every user of this debug drawing knows.
+/// The classic colours of the Box2D debug drawing.
 inline constexpr Palette kClassicPalette{{{128, 230, 128},
                                           {128, 128, 230},
                                           {230, 179, 179},
@@ -65,22 +65,22 @@ inline constexpr Palette kClassicPalette{{{128, 230, 128},
                                           {90, 170, 255},
                                           {255, 255, 255}}};
 
-/// What to draw with: a role, in its classic colour until a theme replaces that, or a colour of the
-/// user's own.
+/// The colour to draw with. It is either a role, whose classic colour a theme may replace, or a
+/// user-defined colour.
 struct Paint
 {
     Color color;                      ///< as the classic theme draws it
-    ColorRole role = ColorRole::None; ///< what it stands for
+    ColorRole role = ColorRole::None; ///< its meaning
 
     /// Black.
     constexpr Paint() = default;
-    /// A colour of the user's own.
+    /// A user-defined colour.
     constexpr Paint(Color own) : color(own) {}
-    /// A colour of the user's own, its channels and opacity from 0 to 255.
+    /// A user-defined colour; channels and opacity are 0 to 255.
     constexpr Paint(std::uint8_t r, std::uint8_t g, std::uint8_t b, std::uint8_t a = 255)
         : color{r, g, b, a}
     {}
-    /// Any colour that stands for something.
+    /// Any colour with a role.
     constexpr Paint(Color asked, ColorRole standsFor) : color(asked), role(standsFor) {}
     /// The classic colour of this role (not None) at this opacity.
     constexpr Paint(ColorRole standsFor, std::uint8_t opacity = 255)
@@ -88,7 +88,7 @@ struct Paint
     {
         color.a = opacity;
     }
-    /// Whether all members are equal.
+    /// True if all members are equal.
     friend bool operator==(const Paint&, const Paint&) = default;
 };
 

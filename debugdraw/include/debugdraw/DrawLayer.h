@@ -12,15 +12,15 @@
 namespace boxreel
 {
 
-/// What switched an item on; a layer that is off is never collected.
+/// The layer of an item. Items of a layer that is off are not collected.
 enum class DrawLayer : std::uint8_t
 {
-    // Those that `--draw` names, in the order of its help and of the check boxes.
+    // The layers of `--draw`, in the order of its help and of the check boxes.
     Shapes,
     Joints,         ///< lines from the bodies' origins to the anchors
     Aabbs,          ///< the broad phase's boxes
-    Pairs,          ///< of fixtures whose boxes overlap
-    Contacts,       ///< points; which are new is seen
+    Pairs,          ///< pairs of fixtures whose boxes overlap
+    Contacts,       ///< points; new ones have another colour
     ContactNormals, ///< lines of a fixed length in pixels
     ContactImpulses,
     ContactFriction,
@@ -29,22 +29,22 @@ enum class DrawLayer : std::uint8_t
     Velocities,
     JointForces,
     JointGlyphs, ///< the sign of each kind of joint
-    Labels,      ///< names of bodies, their numbers where they have none, and of joints
-                 // Those that other options or the scene itself switch on.
-    Trails,      ///< where bodies have been, as lines
-    Poses,       ///< how bodies stood earlier, faded
-    Scene,       ///< what a scene draws beside its bodies: rays, hulls, marks
-    Annotations, ///< axes, scale bars, dimensions, captions; solid shapes (heads of arrows) are
-                 ///< filled with all of their colour
+    Labels,      ///< names of bodies and joints; bodies without a name show their number
+                 // Layers that other options or the scene itself switch on.
+    Trails,      ///< past paths of bodies, as lines
+    Poses,       ///< earlier poses of bodies, faded
+    Scene,       ///< additional drawings of a scene: rays, hulls, marks
+    Annotations, ///< axes, scale bars, dimensions, captions; solid shapes such as arrow
+                 ///< heads are filled with their full colour
 };
 
-/// What there is to say of a layer.
+/// The properties of a layer.
 struct LayerInfo
 {
     DrawLayer layer;
-    const char* name;     ///< in the text of draw lists and in SVG groups
-    const char* option;   ///< for `--draw` and in the settings of the window; null: not there
-    const char* label;    ///< of its check box; null: none
+    const char* name;     ///< name in the text of draw lists and in SVG groups
+    const char* option;   ///< name in `--draw` and in the settings of the window; null: none
+    const char* label;    ///< label of its check box; null: none
     bool isUsual = false; ///< drawn unless options say otherwise
 };
 
@@ -74,7 +74,7 @@ inline constexpr std::array<LayerInfo, 18> kDrawLayers{{
 inline constexpr std::span<const LayerInfo> kOptionalLayers =
     std::span(kDrawLayers).first(std::size_t(DrawLayer::Trails));
 
-/// What there is to say of this layer.
+/// Returns the properties of this layer.
 constexpr const LayerInfo& InfoOf(DrawLayer layer)
 {
     return kDrawLayers[std::size_t(layer)];
@@ -96,7 +96,7 @@ static_assert(
     }(),
     "a row for each layer, in their order; options and labels for the first ones alone");
 
-/// Which layers are shown: the usual ones, unless changed.
+/// A set of visible layers. Initially contains the usual ones.
 class LayerSet
 {
 public:
@@ -107,7 +107,7 @@ public:
             (*this)[info.layer] = info.isUsual;
         }
     }
-    /// No layer at all.
+    /// Returns a set without layers.
     static constexpr LayerSet None()
     {
         LayerSet none;
@@ -119,7 +119,7 @@ public:
     {
         return m_isShown[std::size_t(layer)];
     }
-    /// Whether both show the same.
+    /// True if both contain the same layers.
     friend bool operator==(const LayerSet&, const LayerSet&) = default;
 
 private:

@@ -40,7 +40,7 @@ struct Rect
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 
-/// What an item is.
+/// The kind of an item.
 enum class DrawKind : std::uint8_t
 {
     Polygon,      ///< count points, outline only
@@ -54,7 +54,7 @@ enum class DrawKind : std::uint8_t
     Text,         ///< point: top left corner of the text; `text`: index into texts
 };
 
-/// Whom an item belongs to: the body's number in its world, in order of creation.
+/// The owner of an item without a body. Other owners are the body's number in order of creation.
 inline constexpr std::uint32_t kNoOwner = 0xffffffffu;
 
 /// One item; its points and text are in the list.
@@ -66,11 +66,11 @@ struct DrawItem
     std::uint32_t first = 0;             ///< index of the first in DrawList::points
     std::uint32_t owner = kNoOwner;      ///< the body it belongs to; kNoOwner: none
     std::uint32_t text = 0;              ///< Text only: index into DrawList::texts
-    float size = 0.0f; ///< radius or length of axes [m], or diameter of a point [px]
-    Color color;       ///< of lines, filling or letters, as the classic theme draws it
-    ColorRole role = ColorRole::None;             ///< what the colour stands for
-    Paint Asked() const { return {color, role}; } ///< what it is to be drawn with
-    /// Whether all members are equal.
+    float size = 0.0f;                ///< radius or length of axes [m], or diameter of a point [px]
+    Color color;                      ///< colour of lines, fill or letters in the classic theme
+    ColorRole role = ColorRole::None; ///< role of the colour
+    Paint Asked() const { return {color, role}; } ///< colour and role
+    /// True if all members are equal.
     friend bool operator==(const DrawItem&, const DrawItem&) = default;
 };
 
@@ -79,7 +79,7 @@ class DrawList
 {
 public:
     std::vector<DrawItem> items;    ///< painter's order
-    std::vector<Vec2> points;       ///< of all items, in order [m], world frame, y up
+    std::vector<Vec2> points;       ///< points of all items, in order [m], world frame, y up
     std::vector<std::string> texts; ///< UTF-8; Text items refer to them by index
 
     /// Layer of the items added next.
@@ -117,8 +117,8 @@ private:
     DrawItem& Add(DrawKind kind, const Vec2* vertices, std::size_t count, const Paint& paint);
 };
 
-/// What an engine of the Box2D family means by a colour in its own debug drawing of `layer`; None
-/// for a colour that it has no meaning for there.
+/// Returns the role of a colour in the debug drawing of `layer`, as engines of the Box2D family use
+/// it. None if the colour has no role there.
 ColorRole EngineRole(DrawLayer layer, Color color);
 
 } // namespace boxreel

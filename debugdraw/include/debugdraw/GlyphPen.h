@@ -26,8 +26,8 @@ public:
     };
     static constexpr int kFullTurn = 24; ///< steps
 
-    /// `origin` in metres; `xAxis` of any length, (1, 0) is meant when it has none. What is drawn
-    /// gets the layer and the owner that the list has at the time.
+    /// `origin` in metres. `xAxis` may have any length; zero stands for (1, 0). Items get the
+    /// current layer and owner of the list.
     GlyphPen(DrawList& list, const Camera& camera, Vec2 origin, Vec2 xAxis, const Paint& paint);
 
     /// Converts to the world [m].

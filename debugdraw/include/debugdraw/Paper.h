@@ -45,7 +45,7 @@ public:
     void Line(PixelPoint from, PixelPoint to, const Paint& paint) const;
     /// An outline, radius [px].
     void Circle(PixelPoint center, double radius, const Paint& paint) const;
-    /// The point of the arrow's head lies at `to`.
+    /// The point of the arrow's head is at `to`.
     void Arrow(PixelPoint from, PixelPoint to, const Paint& paint) const;
     /// One line, as wide as TextWidth says; nothing when it is empty.
     void Text(PixelPoint at, std::string_view line, TextAnchor anchor, const Paint& paint) const;

@@ -8,9 +8,8 @@
 #include <vector>
 
 /// @file
-/// Colours and line widths of a picture. A DrawList says what each colour stands for; a theme has a
-/// colour for each of these roles, on a screen and on paper alike. Colours without a role are the
-/// user's own and are kept.
+/// Colours and line widths of a picture. A DrawList stores the role of each colour, and a theme has
+/// a colour for each role. Colours without a role are user-defined and are kept.
 namespace boxreel
 {
 
@@ -18,23 +17,23 @@ namespace boxreel
 struct Theme
 {
     Color background{26, 26, 26, 255}; ///< colour of empty areas
-    Color text{230, 230, 230, 255};    ///< of captions; labels have their own colour, usually Ink
-    Color xAxis{255, 64, 64, 255};     ///< of a drawn frame of reference
-    Color yAxis{64, 220, 64, 255};     ///< of a drawn frame of reference
-    float outlineWidth = 1.25f;        ///< of shapes and segments [px]
-    float fillShade = 0.5f;            ///< factor of a solid shape's colour
-    float fillAlpha = 0.5f;            ///< and opacity of its fill
+    Color text{230, 230, 230, 255};    ///< colour of captions; labels have their own, usually Ink
+    Color xAxis{255, 64, 64, 255};     ///< x axis of a frame of reference
+    Color yAxis{64, 220, 64, 255};     ///< y axis of a frame of reference
+    float outlineWidth = 1.25f;        ///< width of shapes' outlines and segments [px]
+    float fillShade = 0.5f;            ///< brightness factor of a solid shape's fill
+    float fillAlpha = 0.5f;            ///< opacity of a solid shape's fill
 
     /// False: every colour is drawn unchanged, and `palette` is not used.
     bool recolors = false;
     Palette palette = kClassicPalette; ///< the colour of each ColorRole
 
-    /// What an outline, a line or a letter is drawn in when this is asked for; its opacity is kept.
-    /// A colour of the user's own that would hardly be seen on the ground (contrast below
-    /// about 3:1) is darkened, or on a dark ground lightened, until it is.
+    /// Returns the colour of outlines, lines and letters drawn with `asked`. Keeps the opacity. A
+    /// user-defined colour with little contrast to the background (below about 3:1) is darkened, or
+    /// on a dark background lightened, until it is visible.
     Color Outline(const Paint& asked) const;
 
-    /// What a shape is filled with, before shade and opacity. The user's own colours are kept.
+    /// Returns the fill colour of a shape, before shade and opacity. Keeps user-defined colours.
     Color Fill(const Paint& asked) const;
 
     /// Returns the default theme, with unchanged colours.

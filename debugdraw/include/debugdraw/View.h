@@ -19,9 +19,9 @@ struct View
 
     /// True if something inside the box [m], or up to `reachPixels` beside it, may be visible.
     bool Shows(const Rect& box, double reachPixels = 0.0) const;
-    /// As above, for a line from a to b [m].
+    /// Same as above, for a line from a to b [m].
     bool Shows(Vec2 a, Vec2 b, double reachPixels = 0.0) const;
-    /// As above, for a point [m].
+    /// Same as above, for a point [m].
     bool Shows(Vec2 point, double reachPixels = 0.0) const;
 };
 

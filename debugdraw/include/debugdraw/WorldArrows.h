@@ -21,7 +21,7 @@ void AddJointForces(const b2World& world, const View& view, double metersPerNewt
 /// Length of a mean weight in mean body sizes. Joints of a bridge transmit ten times the weight of
 /// its parts, a contact point in a stack about one.
 inline constexpr double kForceShare = 1.0 / 8.0;
-/// As above, for arrows of impulses.
+/// Same as above, for arrows of impulses.
 inline constexpr double kImpulseShare = 1.0 / 3.0;
 
 /// Returns a scale for force arrows, > 0. The mean weight of moving bodies is `share` times as long

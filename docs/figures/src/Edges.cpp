@@ -10,7 +10,7 @@ namespace figures
 namespace
 {
 
-// Where two edges without friction meet, on level ground.
+// The joint of two frictionless edges on level ground.
 const b2Vec2 kJoint(0.0f, 0.0f);
 
 /// A box that slides along them at 1 m/s.
@@ -48,7 +48,7 @@ const b2Contact* FindGhost(const b2World& world)
     return nullptr;
 }
 
-/// Of an edge that goes to the right from here, farther than any detail shows.
+/// Returns the skin of an edge that goes to the right from here, beyond the area of any detail.
 std::vector<b2Vec2> SkinOfEdge(const b2Vec2& from)
 {
     constexpr int kStretches = 16;
@@ -236,7 +236,7 @@ Figure DrawSelfIntersection()
     {
         sketch.Dot(vertex);
     }
-    // Where the fourth edge meets the second.
+    // The joint of the second and the fourth edge.
     b2Transform here;
     here.SetIdentity();
     b2RayCastOutput hit;

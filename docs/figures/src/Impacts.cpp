@@ -54,7 +54,7 @@ Figure DrawFastBall(bool continuous)
     return sketch.Finished();
 }
 
-/// What b2TimeOfImpact is asked, drawn as a world with A at rest and B at three moments.
+/// The input of b2TimeOfImpact, drawn as a world with A at rest and B at three moments.
 class SweepSketch
 {
 public:
@@ -121,7 +121,7 @@ Figure DrawImpactWithinStep()
     const b2Vec2 start(-1.0f, 0.78f);
     const b2Vec2 velocity(100.0f, -64.0f); // below b2_maxTranslation a step
 
-    // What the step asks: the sweep, and when on it the two first touch.
+    // The query of the step: the sweep, and the time at which the two first touch.
     b2TOIInput input;
     input.proxyA.Set(&floor, 0);
     input.proxyB.Set(&disc, 0);

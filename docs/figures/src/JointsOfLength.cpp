@@ -68,7 +68,7 @@ Figure DrawRopeJoint()
     way.push_back(ball->GetPosition());
     sketch.Trail(way);
     sketch.Draw(world);
-    // Where the rope is taut.
+    // The points where the rope is taut.
     constexpr int kStretches = 48;
     const auto at = [&](int i) {
         const b2Rot turn(b2_pi * float32(i) / kStretches);

@@ -32,7 +32,7 @@ void Furnish(b2World& world)
     world.CreateJoint(&def);
 }
 
-/// What says a line of the legend, to the right of its sign.
+/// Adds the text of a line of the legend, to the right of its sign.
 void AddRow(Sketch& sketch, double row, std::string_view name)
 {
     sketch.Caption(kLegendLeft + 34.0, kLegendTop + row * kRow, Side::Right, name);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// What the figures' worlds are made of, in as few words as a figure should need.
+/// Short helpers to build the worlds of the figures.
 namespace figures
 {
 

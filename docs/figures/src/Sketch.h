@@ -33,7 +33,7 @@ inline constexpr boxreel::Paint kBox = boxreel::ColorRole::Aabb;        ///< bou
 inline constexpr boxreel::Paint kPush = boxreel::ColorRole::Joint;
 inline constexpr boxreel::Paint kBad{213, 94, 0}; ///< wrong; seen on white and on black
 
-/// Where a label lies, seen from its point.
+/// The position of a label relative to its point.
 enum class Side
 {
     Right,

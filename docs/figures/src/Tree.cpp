@@ -137,7 +137,7 @@ void DrawBox(Sketch& sketch, const Node& node)
                  node.height == 0 ? kInk : ColorOf(node));
 }
 
-/// What the ray misses first, so that it is below what the ray meets.
+/// Draws the boxes that the ray misses first, below those that it hits.
 void DrawBoxes(Sketch& sketch, const Node& node, bool met)
 {
     if (node.isMet == met)

@@ -9,8 +9,8 @@
 #include <iterator>
 #include <string>
 
-/// What the listings of the manual stand on: a world, and short words for what is in it before a
-/// listing begins. Lengths in metres; boxes and balls have density 1.
+/// The stage of the manual's listings: a world, and short helpers for the objects that exist before
+/// a listing begins. Lengths in metres; boxes and balls have density 1.
 namespace manual
 {
 
@@ -76,7 +76,7 @@ inline std::string SectionText(const std::string& page, const std::string& headi
                                       : text.substr(start, text.find("\n#", start + 1) - start);
 }
 
-/// How a row of a table begins that says what a number of a definition is unless set.
+/// Returns the beginning of the table row with the default of a definition's number.
 inline std::string Row(const char* name, double value)
 {
     char text[64];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The tree built again, from the top: at each node the leaves are parted along an axis where the
-// perimeters of the two parts, each times its number of leaves, add up to the least (Wald 2007 for
-// the heuristic's use in full builds). They are sorted along both axes once; parting keeps the
-// order of either (Wald and Havran 2006), so that a level of the tree costs a pass and no sorting.
+// Builds the tree again, from the top. Each node splits its leaves along an axis. The split
+// minimizes the sum of the perimeters of both parts, each times its number of leaves (Wald 2007 for
+// full builds). The leaves are sorted along both axes once. A split keeps both orders (Wald and
+// Havran 2006), so a level of the tree costs one pass and no sorting.
 #include <Box2D/Collision/b2DynamicTree.h>
 
 #include <Box2D/Common/Array.h>

@@ -24,13 +24,13 @@ namespace boxreel
 /// of the expected picture, it must also differ by more than `edgeShift` explains.
 struct CompareSettings
 {
-    std::string preset = "same-machine"; ///< where the limits came from, printed with them
-    /// That replaced limits of the preset or leave something out; printed with it, such as
-    /// --tolerance.
+    std::string preset = "same-machine"; ///< source of the limits, printed with them
+    /// Options that replaced limits of the preset or leave something out, such as --tolerance;
+    /// printed with the preset.
     std::vector<std::string> options{};
-    /// Of one pixel: OKLab distance (black to white is 1). The default lies below the smallest
-    /// distance that a channel off by 4/255 makes anywhere in sRGB (0.00028, red in bright cyan),
-    /// so that no such change is overlooked. 0: any bit counts.
+    /// Tolerance of one pixel as an OKLab distance; black to white is 1. The default lies below the
+    /// smallest distance of a channel that is off by 4/255 anywhere in sRGB, so no such change is
+    /// missed. That is 0.00028, for red in bright cyan. 0: any difference counts.
     double tolerance = 0.00025;
     /// Allowed shift of an edge relative to the expected picture [px], 0 to 0.45. From 0.5 on, a
     /// missing line would pass as a shifted one.
@@ -99,9 +99,10 @@ struct Comparison
     std::array<int, 2> expectedSize{}; ///< width and height [px]
     std::array<int, 2> actualSize{};   ///< width and height [px]
     CompareSettings limits;            ///< those of the comparison
-    /// The expected picture faded to dark gray, pixels over the tolerance in red inside one thin
-    /// white box, pixels that differ within the tolerance, or as their edge explains, in dull blue,
-    /// ignored ones hatched. Opaque, of the larger size.
+    /// The expected picture faded to dark gray, with the differences on top. Pixels over the
+    /// tolerance are red, inside one thin white box. Differences within the tolerance, or explained
+    /// by an edge, are dull blue. Ignored pixels are hatched. Opaque, with the larger of the two
+    /// sizes.
     Frame difference;
 
     /// A comparison that compares nothing does not pass.

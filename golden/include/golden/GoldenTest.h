@@ -46,7 +46,7 @@ inline FrameCheck CheckAs(std::string name, CompareSettings compare = {})
 struct WorldCheck
 {
     std::string name;        ///< name of the reference
-    GoldenWorldLook look;    ///< how the world is drawn
+    GoldenWorldLook look;    ///< look of the world
     CompareSettings compare; ///< limits
 };
 
@@ -146,7 +146,7 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
 #define EXPECT_GOLDEN(frame, ...)                                                                  \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
                         ::boxreel::golden_test::CheckAs(__VA_ARGS__))
-/// As EXPECT_GOLDEN, but ends the test on failure.
+/// Same as EXPECT_GOLDEN, but ends the test on failure.
 #define ASSERT_GOLDEN(frame, ...)                                                                  \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGolden, frame,                                   \
                         ::boxreel::golden_test::CheckAs(__VA_ARGS__))
@@ -156,7 +156,7 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
 #define EXPECT_GOLDEN_WORLD(world, ...)                                                            \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
                         ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
-/// As EXPECT_GOLDEN_WORLD, but ends the test on failure.
+/// Same as EXPECT_GOLDEN_WORLD, but ends the test on failure.
 #define ASSERT_GOLDEN_WORLD(world, ...)                                                            \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenWorld, world,                              \
                         ::boxreel::golden_test::CheckWorldAs(__VA_ARGS__))
@@ -166,7 +166,7 @@ IsGoldenFilm(const char*, const char*, const std::filesystem::path& film, const 
 #define EXPECT_GOLDEN_FILM(film, ...)                                                              \
     EXPECT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
                         ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))
-/// As EXPECT_GOLDEN_FILM, but ends the test on failure.
+/// Same as EXPECT_GOLDEN_FILM, but ends the test on failure.
 #define ASSERT_GOLDEN_FILM(film, ...)                                                              \
     ASSERT_PRED_FORMAT2(::boxreel::golden_test::IsGoldenFilm, film,                                \
                         ::boxreel::golden_test::CheckFilmAs(__VA_ARGS__))

@@ -17,7 +17,7 @@ class b2World;
 namespace boxreel
 {
 
-/// How a world is drawn for a comparison, and its trace.
+/// The look of a world in a comparison, and its trace.
 struct GoldenWorldLook
 {
     int width = 480;                   ///< width of the picture [px], 1 to 8192

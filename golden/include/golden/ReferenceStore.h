@@ -76,8 +76,8 @@ enum class LimitsChoice
     OtherRenderer, ///< the fingerprints differ: limits of CompareSettings::CrossMachine
 };
 
-/// Where two texts part, line by line. Without either line, the texts differ by the newline at
-/// their end alone.
+/// The first difference of two texts, line by line. If neither line is set, the texts differ only
+/// in the newline at their end.
 struct LineDifference
 {
     std::size_t line = 0;                ///< counted from 1
@@ -87,7 +87,7 @@ struct LineDifference
     std::size_t actualLines = 0;
 };
 
-/// How the worlds of two moments differ.
+/// The difference of two worlds at one moment.
 struct WorldDifference
 {
     std::string expected;                   ///< hash of the state, 16 hex digits
@@ -96,7 +96,7 @@ struct WorldDifference
     std::optional<StateDifference> now;     ///< at the moment, where the bodies are kept
 };
 
-/// How two films are compared, by their contact sheets.
+/// A comparison of two films by their contact sheets.
 struct FilmComparison
 {
     std::string expectedMoments;           ///< first line of the sheet's text
@@ -105,17 +105,18 @@ struct FilmComparison
     SheetLayout actual;                    ///< of the candidate
     std::optional<std::int64_t> firstStep; ///< of the first picture that differs by itself
 
-    /// Whether the pictures show other moments, and are not compared one by one.
+    /// True if the two sheets show different moments. Their pictures are then not compared one by
+    /// one.
     bool HasOtherMoments() const { return expectedMoments != actualMoments; }
 };
 
-/// What is not there of GoldenStatus::Missing.
+/// The missing part of a reference, for GoldenStatus::Missing.
 enum class GoldenAbsence
 {
-    Nothing,    ///< all is there
-    All,        ///< there is no reference
-    Part,       ///< some of its files; the others are the same
-    OwnPicture, ///< a picture of this renderer alone
+    Nothing,    ///< nothing is missing
+    All,        ///< the whole reference
+    Part,       ///< some of its files; the others are equal
+    OwnPicture, ///< the picture of this renderer
 };
 
 /// The depths of a moment.
@@ -126,30 +127,30 @@ struct GoldenDepths
     bool frame = false; ///< the picture
 };
 
-/// What comparing one candidate has found.
+/// The result of comparing one candidate.
 struct GoldenVerdict
 {
     std::string name;                               ///< of the reference
-    GoldenStatus status = GoldenStatus::Missing;    ///< how it ended
-    GoldenDepths compared = {};                     ///< what there was to compare with
+    GoldenStatus status = GoldenStatus::Missing;    ///< result
+    GoldenDepths compared = {};                     ///< depths that were compared
     std::optional<WorldDifference> world = {};      ///< none: the worlds do not differ
     std::optional<LineDifference> list = {};        ///< none: the draw lists do not differ
     std::optional<FilmComparison> film = {};        ///< none: not of a film
     std::string references = {};                    ///< the approved folder
     std::vector<std::string> missing = {};          ///< files that are not there
-    GoldenAbsence absence = GoldenAbsence::Nothing; ///< what there is not
-    Error problem = {};                             ///< of GoldenStatus::NotCompared: why
-    std::vector<std::string> look = {};             ///< the files of a failure to look at first
-    std::string accept = {}; ///< what a person runs where there is nothing to compare with; empty:
-                             ///< there is, or accepting would not help
-    Comparison pixels;       ///< what comparing the pictures has found
-    LimitsChoice limits = LimitsChoice::AsGiven; ///< why those of the pictures hold
-    std::optional<Error> warning = {};           ///< of what passed: why no file says so
+    GoldenAbsence absence = GoldenAbsence::Nothing; ///< the missing part
+    Error problem = {};                             ///< reason of GoldenStatus::NotCompared
+    std::vector<std::string> look = {};             ///< files to look at first after a failure
+    std::string accept = {}; ///< command that accepts the candidate if there is no reference;
+                             ///< empty: there is one, or accepting would not help
+    Comparison pixels;                           ///< result of comparing the pictures
+    LimitsChoice limits = LimitsChoice::AsGiven; ///< origin of the limits for the pictures
+    std::optional<Error> warning = {}; ///< passed, but the result file was not written: reason
 
-    /// For a person: what differs, or was compared, the worst first.
+    /// Returns the differences, or what was compared, the largest first, for people.
     std::vector<std::string> Findings() const;
-    /// For a person: name, findings, files, and what to do if the change is right. `remedy`
-    /// replaces the command to accept; lower case, no full stop.
+    /// Returns name, findings, files, and the remedy if the change is intended, for people.
+    /// `remedy` replaces the command to accept; lower case, no full stop.
     std::string Text(const std::string& remedy = "") const;
 };
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 /// @file
-/// A world's state as plain numbers, how it went there step by step, and how two of them differ.
-/// Knows no engine: <golden/StateHash.h> reads them from a world.
+/// A world's state as plain numbers, its trace step by step, and the difference of two of them.
+/// Independent of an engine: <golden/StateHash.h> reads them from a world.
 namespace boxreel
 {
 
@@ -42,7 +42,7 @@ std::string ToText(const WorldState& state);
 /// Parses the result of ToText. An Error (Unusable) contains the invalid line.
 Result<WorldState> ParseWorldState(std::string_view text);
 
-/// How the bodies of two states differ.
+/// The difference of the bodies of two states.
 struct StateDifference
 {
     std::vector<int> missing;  ///< numbers of bodies that only the expected state has

@@ -23,11 +23,11 @@ struct FilmPart
                                  ///< part
 };
 
-/// Joins `parts`, in order and without gaps, made with the same settings and with groups that end
-/// with the part. Of `settings` it uses framesPerSecond and overwrite, for animations also
-/// groupFrames and plays. Returns false, and leaves no file, if `isStopped` returns true; it is
-/// called repeatedly. An Error (Unusable) when the format of `path` cannot be joined, or the parts
-/// have different encodings.
+/// Joins `parts`, in order and without gaps. They must be made with the same settings and with
+/// groups that end with the part. Of `settings` it uses framesPerSecond and overwrite, for
+/// animations also groupFrames and plays. Calls `isStopped` repeatedly. If that returns true,
+/// JoinFilms returns false and leaves no file. An Error (Unusable) when the format of `path` cannot
+/// be joined, or the parts have different encodings.
 Result<bool> JoinFilms(
     const std::vector<FilmPart>& parts, const std::filesystem::path& path,
     const VideoSettings& settings, const std::function<bool()>& isStopped = [] { return false; });

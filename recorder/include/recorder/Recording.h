@@ -22,7 +22,7 @@ namespace boxreel
 /// camera with its last value.
 struct FrameContent
 {
-    DrawList list;       ///< what is drawn
+    DrawList list;       ///< items to draw
     Camera camera;       ///< visible part
     Overlay overlay;     ///< drawn on top; may be empty
     bool isLast = false; ///< the film ends with this frame, before frameCount

@@ -94,8 +94,8 @@ struct VideoSettings
     int width = 1280;                    ///< 1 to 8192, even with Chroma::Half [px]
     int height = 720;                    ///< 1 to 8192, even with Chroma::Half [px]
     Rational framesPerSecond{60, 1};     ///< above 0, at most 1000
-    Quality quality = Quality::Standard; ///< how much survives
-    Chroma chroma = Chroma::Half;        ///< how much colour survives
+    Quality quality = Quality::Standard; ///< quality of the encoding
+    Chroma chroma = Chroma::Half;        ///< resolution of the colour planes
     std::string codec{};                 ///< one of CodecChoices; empty: the first of the format's
     std::string format{}; ///< of the standard output: y4m, nut, mkv or webm; empty for files
     /// Options of libav's encoder, by its names, over those that the quality sets.
@@ -118,19 +118,20 @@ struct VideoSettings
 /// Returns the extensions of films, without pictures and standard output: ".mp4" and so on.
 std::vector<std::string> VideoEnds();
 
-/// A codec that films can be asked to have.
+/// A codec that a film can have.
 struct CodecChoice
 {
     std::string name;              ///< "h264"
     std::vector<std::string> ends; ///< of the names of films that can have it: ".mp4", ".mkv"
 };
 
-/// Of formats that can have more than one.
+/// Returns the codecs of the formats that have more than one.
 std::vector<CodecChoice> CodecChoices();
 
-/// Whether `path` names a format that can be written with these settings, without opening anything.
-/// An Error (Unusable) says why not: unknown extension, a size the format cannot hold (with the
-/// nearest that it can), a codec or a quality that it does not have.
+/// Checks that `path` names a format that can be written with these settings, without opening
+/// anything. Otherwise returns an Error (Unusable) with the reason. Examples are an unknown
+/// extension, a codec or quality that the format does not have, and a size that it cannot hold. For
+/// a size, the Error contains the nearest valid one.
 Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettings& settings);
 
 /// Length of the groups of films that are made in parts, if no other is asked for [stored frames].

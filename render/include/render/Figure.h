@@ -73,7 +73,7 @@ Result<std::vector<std::string>> LettersWithoutPdf(const Figure& figure);
 /// missing package.
 Result<void> PreparePdf();
 
-/// How existing files are handled.
+/// Handling of existing files.
 struct FigureFileSettings
 {
     bool overwrite = false; ///< false: an existing file is an Error

@@ -49,7 +49,7 @@ struct Frame
     {
         return rgba.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;
     }
-    /// As above, read-only.
+    /// Same as above, read-only.
     const std::uint8_t* Pixel(int x, int y) const
     {
         return rgba.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;

@@ -21,7 +21,7 @@ struct PngText
     std::string text;    ///< Latin-1, without line breaks
 };
 
-/// How a PNG is written.
+/// Options for writing a PNG.
 struct PngSettings
 {
     int compressionLevel = 3; ///< zlib level, 1 (fast) to 9 (small), asserted; does not change the

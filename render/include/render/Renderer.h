@@ -23,7 +23,7 @@ namespace boxreel
 
 class Window;
 
-/// How a renderer draws.
+/// Options of a renderer.
 struct RendererSettings
 {
     int width = 1280;                ///< width of the picture, 1 to 8192 [px]

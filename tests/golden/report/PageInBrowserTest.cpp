@@ -48,7 +48,7 @@ protected:
         }
     }
 
-    /// What the page has become at its end, with a script behind it.
+    /// Returns the state of the page at its end, with a script behind it.
     Outcome Load(const std::string& page, const std::string& script) const
     {
         const std::string end = "</body>";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page holds; what it does in a browser: PageInBrowserTest.cpp.
+// The content of the page. PageInBrowserTest.cpp tests its behaviour in a browser.
 #include "../../base/Errors.h"
 #include "../../testbed/cli/Subprocess.h"
 

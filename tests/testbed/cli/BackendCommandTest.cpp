@@ -73,7 +73,7 @@ protected:
         variables.Set("LD_LIBRARY_PATH", broken.Path().string());
     }
 
-    /// The bytes of a small picture; empty when there is none.
+    /// Returns the bytes of a small picture; empty if there is none.
     std::string Shot(const std::vector<std::string>& options = {}) const
     {
         std::vector<std::string> arguments{"shot",   "bridge",  "--step",   "9",

@@ -220,7 +220,7 @@ TEST(CommandLine, RefusesValuesOutOfRange)
     EXPECT_EQ(Refusal("diff a.png b.png --preset sloppy"), "--preset sloppy");
 }
 
-/// A line that is refused, what is at fault, and a word that the remedy must name if any.
+/// A command line that is refused, its culprit, and a word that the remedy must contain, if any.
 struct BadLine
 {
     const char* line;
@@ -365,7 +365,7 @@ TEST(CommandLine, ShowsHelpWithoutArguments)
     EXPECT_THAT(Parsed<TextRequest>("").text, HasSubstr("record"));
 }
 
-// docs/golden.md is run by a test, so a build lies where it says.
+// A test runs docs/golden.md, so its build path exists.
 TEST(CommandLine, HelpNamesOtherBuildAsInDocumentation)
 {
     std::ifstream page(BOXREEL_GOLDEN_PAGE);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The real program: exit codes, messages, and what lies in the folder afterwards.
+// The real program: exit codes, messages, and the files in the folder afterwards.
 #include "Refusals.h"
 
 #include <render/Png.h>

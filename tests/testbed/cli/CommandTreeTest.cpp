@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program says of itself: it is whole, and it is true.
+// The program's description of itself is complete and correct.
 #include "../../base/Errors.h"
 
 #include <base/Quoting.h>

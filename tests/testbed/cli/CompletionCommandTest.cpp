@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What real shells complete, and what groff says of the manual page.
+// Completions in real shells, and the warnings of groff about the manual page.
 #include "Subprocess.h"
 
 #include <cli/CommandTree.h>
@@ -40,7 +40,8 @@ protected:
         std::ofstream(folder / name, std::ios::binary) << text;
     }
 
-    /// What bash offers at the end of each line; the words of a line stand as readline parts them.
+    /// Returns the completions of bash at the end of each line, with the words as readline splits
+    /// them.
     std::vector<std::vector<std::string>> BashOffers(const std::vector<std::string>& lines) const
     {
         Write("ask.bash", R"sh(
@@ -124,7 +125,7 @@ protected:
         return completed;
     }
 
-    /// What a checkout's script does once all is built.
+    /// The call of a checkout's script after everything is built.
     void CallThroughAScript()
     {
         program = (folder / "boxreel").string();

@@ -33,7 +33,7 @@ protected:
         return RunBoxreel(arguments, folder.Path());
     }
 
-    /// What was written, after a run without a word.
+    /// Returns the file of a run that printed nothing.
     std::string Written(const std::string& output, const std::vector<std::string>& extra = {}) const
     {
         const Outcome outcome = Shot(output, extra);
@@ -143,7 +143,8 @@ TEST_F(FigureCommand, FailsWithoutFileWhenSizeLimitIsReached)
 {
     for (const char* const output : {"a.png", "a.svg", "a.pdf"})
     {
-        // Of 512 bytes each. A shell, for this process may have the signal switched off.
+        // The limit is in blocks of 512 bytes. Uses a shell, because this process may ignore the
+        // signal.
         const std::string line = "cd '" + folder.Path().string() +
                                  "' && ulimit -f 2 && exec '" BOXREEL_PROGRAM
                                  "' shot pyramid --at 0s -o " +
@@ -227,7 +228,7 @@ TEST_F(FigureCommand, ThemeBothWritesLightAndDarkPicture)
     EXPECT_EQ(ReadFile(folder / "twin-dark.svg"), Written("dark.svg", {"--theme", "dark"}));
     EXPECT_EQ(ReadFile(folder / "twin-dark.png"), Written("dark.png", {"--theme", "dark"}));
 
-    // One of them is in the way: neither is written.
+    // If one of them already exists, neither is written.
     std::filesystem::remove(folder / "twin-light.svg");
     std::ofstream(folder / "twin-dark.svg") << "mine";
     EXPECT_EQ(Shot("twin.svg", {"--theme", "both"}).code, 1);

@@ -246,7 +246,8 @@ TEST_F(FilmFailures, FailsInReadOnlyFolderForEveryFormat)
     EXPECT_THAT(folder.Files(), IsEmpty());
 }
 
-/// The exit code of a film that is piped to something that reads a little; `errors`: what it said.
+/// Returns the exit code of a film that is piped to a program that reads a little; `errors`: its
+/// messages.
 int PipeToHead(const std::string& format, const TemporaryFolder& folder, std::string& errors)
 {
     const std::string command = "cd '" + folder.Path().string() +

@@ -43,8 +43,8 @@ protected:
         return frames;
     }
 
-    /// Ends a recording by a signal once whole groups of 100 frames are in the file: its manifest
-    /// name `frame`, the beginning of the second one that comes after them.
+    /// Stops a recording by a signal once the file contains whole groups of 100 frames. Its
+    /// manifest then names `frame`, the beginning of the second group after them.
     void StopAfterGroups(int process, int signal, int frame = 200) const
     {
         const std::string named = "\"" + std::to_string(frame) + "\"";

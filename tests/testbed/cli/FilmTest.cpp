@@ -267,7 +267,8 @@ TEST_F(Film, SecondSignalEndsAtOnceAndLeavesPart)
     const Outcome outcome = RunBoxreel(
         {"record", "pyramid", "--frames", "10000000", "-o", "film.mp4", "--size", "160x90"},
         folder.Path(), [&](int process) {
-            // Both are waiting when it goes on: no time between them for the orderly stop.
+            // Both signals are pending when it continues, so there is no time between them for the
+            // orderly stop.
             StopWhenBegun(process, SIGSTOP, folder.Path());
             kill(process, SIGINT);
             kill(process, SIGTERM);
@@ -361,7 +362,7 @@ TEST_F(Film, ResumedAndJoinedAnimationsEqualWholeOnes)
         const Outcome merged = Run({"merge", "a" + kind, "b" + kind, "-o", "film" + kind});
         ASSERT_EQ(merged.code, 0) << merged.errors;
         EXPECT_EQ(Decode("film" + kind), Decode("whole" + kind));
-        // What a run leaves that was stopped after 40 frames.
+        // The file of a run that was stopped after 40 frames.
         ASSERT_EQ(make("c", {"--frame-range", "0-39"}).code, 0);
         std::filesystem::rename(folder / ("c" + kind), folder / ("left.part" + kind));
         std::filesystem::rename(folder / ("c" + kind + ".json"),

@@ -57,8 +57,7 @@ protected:
         ASSERT_TRUE(WritePng(folder / picture, frame, {.overwrite = true}));
     }
 
-    /// A program that does as ours does but for body 17 of what it is asked, 3 cm lower from step
-    /// 43 on.
+    /// A program like ours, except that body 17 is 3 cm lower from step 43 on.
     fs::path OtherProgram() const
     {
         const fs::path script = folder / "other";

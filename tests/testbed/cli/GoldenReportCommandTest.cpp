@@ -27,7 +27,8 @@ protected:
         return RunBoxreel(arguments, folder.Path());
     }
 
-    /// A step of its reference is another, and the moment's state, draw list and picture are.
+    /// Plants a difference in a step of the reference, and in the moment's state, draw list and
+    /// picture.
     void PlantADifference() const
     {
         ASSERT_EQ(Run({"accept", "bridge/0.5s", "--references", "r"}).code, 0);

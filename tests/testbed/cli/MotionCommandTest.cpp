@@ -51,7 +51,7 @@ protected:
     TemporaryFolder folder;
 };
 
-/// Where `part` lies in `whole`, pixel for pixel; (-1, -1) if nowhere.
+/// Returns the position of `part` in `whole`, pixel for pixel; (-1, -1) if it is not found.
 std::pair<int, int> Find(const Frame& part, const Frame& whole, int fromX, int fromY)
 {
     for (int y = fromY; y + part.height <= whole.height; ++y)

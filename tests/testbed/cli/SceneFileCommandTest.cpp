@@ -130,12 +130,12 @@ std::string Repeated(const std::string& part, std::size_t times)
     return text;
 }
 
-/// Bodies, fixtures, joints, vertices: as many of each as a file may have.
+/// The maximum number of bodies, fixtures, joints and vertices of a file.
 class LargestSceneFile : public SceneFile, public testing::WithParamInterface<int>
 {
 protected:
-    /// Ends the program when it takes the square of their number in time: a second or two are
-    /// enough else.
+    /// Ends the program if its time is quadratic in their number. Otherwise a second or two are
+    /// enough.
     Outcome RunBriefly(const std::vector<std::string>& arguments) const
     {
         rlimit before{};

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// As if our own step 12 of bridge were the first to differ, by body 17.
+/// Returns a moment as if step 12 of bridge were the first to differ, by body 17.
 ReportedMoment Parted(const std::string& name, std::int64_t first = 12, std::int64_t last = 30)
 {
     ReportedMoment moment;

@@ -16,7 +16,7 @@ namespace boxreel
 namespace
 {
 
-// What runs longer than any test means to is ended [s].
+// A process that runs longer than any test needs is ended [s].
 #ifdef BOXREEL_LONGEST_RUN
 constexpr unsigned kLongestRun = BOXREEL_LONGEST_RUN;
 #else

@@ -101,7 +101,7 @@ std::string At(Vec2 place)
 class UiCommand : public testing::Test
 {
 protected:
-    /// What the window shows, without one: to know where things are in it.
+    /// Returns the content of the window without a window, to find the positions of controls.
     Workbench Twin(const std::string& scene) const
     {
         WorkbenchSettings settings;

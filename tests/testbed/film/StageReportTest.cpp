@@ -16,7 +16,7 @@ using testing::HasSubstr;
 /// A film of ten frames that took 100 ms of CPU time after a start of 20.
 constexpr FilmTimes kTen{.frames = 10, .before = {0.02, 0.05}, .end = {0.12, 0.35}, .raster = 0.01};
 
-TEST(StageReport, SaysWhereTheTimeOfAFrameWentAndWhatIsLeftOver)
+TEST(StageReport, ShowsTimePerStageAndTheRemainder)
 {
     StageTimes stages;
     stages.Add(Stage::Simulate, 20'000'000, 21'000'000);
@@ -47,13 +47,13 @@ TEST(StageReport, TellsProgramsTheSameInOneLine)
     EXPECT_EQ(text.find('\n'), std::string::npos);
 }
 
-TEST(StageReport, OfNoFrameIsNoNumberThatIsNone)
+TEST(StageReport, ContainsNoNanWithoutFrames)
 {
     EXPECT_THAT(DescribeStages(StageTimes(), {}), testing::Not(HasSubstr("nan")));
     EXPECT_THAT(DescribeStages(StageTimes(), {}), testing::Not(HasSubstr("inf")));
 }
 
-TEST(StageReport, KnowsHowLongThisProcessHasBeenThere)
+TEST(StageReport, MeasuresAgeOfThisProcess)
 {
     const ProcessTime before = ProcessSoFar();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -30,7 +30,7 @@ TEST(BodyRef, ANameOfSeveralIsRefusedWithTheirNumbers)
     EXPECT_EQ(Refusal(BodyRef("ball"), kNames), "--trail ball");
 }
 
-TEST(BodyRef, ANameOfNoneIsRefusedWithTheNearest)
+TEST(BodyRef, RefusesUnknownNameWithTheNearest)
 {
     EXPECT_EQ(Refusal(BodyRef("left wheal"), kNames), "--trail 'left wheal'");
     EXPECT_EQ(Refusal(BodyRef("ball"), {}), "--trail ball");

@@ -115,7 +115,7 @@ TEST(SceneLayers, ContactsAreNewInTheSameStepsHoweverOneComesThere)
     EXPECT_TRUE(hasNew && hasOld);
 }
 
-/// What a box weighs is a third as long as it is large when it rests, and an eighth when it hangs.
+/// The weight of a box at rest is drawn a third of its size long, of a hanging one an eighth.
 TEST(SceneLayers, ImpulsesHaveLongerDefaultScaleThanForces)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
@@ -157,7 +157,7 @@ TEST(SceneLayers, ImpulsesHaveLongerDefaultScaleThanForces)
     EXPECT_NEAR(longest("forces", given), 0.314f, 0.02f);
 }
 
-/// Where they were found moves with the bodies, and long ones take it far out of both boxes.
+/// Contact points move with the bodies, which takes them far out of both boxes for long bodies.
 TEST(SceneLayers, DrawsContactPointsOutsideTheirBodies)
 {
     b2World world(b2Vec2(0.0f, 0.0f));
@@ -184,7 +184,7 @@ TEST(SceneLayers, DrawsContactPointsOutsideTheirBodies)
     }
 }
 
-/// Whatever is seen: the pixels, the items that are drawn, the figure are those of the whole list.
+/// For any view, pixels, drawn items and figure equal those of the whole list.
 TEST(SceneLayers, OfAViewGiveThePictureThatAllOfTheWorldGives)
 {
     std::size_t seen = 0;

@@ -30,7 +30,7 @@ TEST(Values, TimesAreReadExactly)
     EXPECT_EQ(Nanoseconds("1000000"), 1'000'000'000'000'000);
 }
 
-TEST(Values, TimesThatAreNoneAreRefused)
+TEST(Values, RefusesInvalidTimes)
 {
     for (const char* text : {"",
                              "s",

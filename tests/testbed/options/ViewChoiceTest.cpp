@@ -44,7 +44,7 @@ TEST(ViewChoice, EachFormIsRead)
                   {{0.0, 0.0, 20.0, 50.0}, {1.5, 10.0, 5.0, 12.0}, {6.0, 0.0, -20.0, 50.0}}}));
 }
 
-TEST(ViewChoice, WhatIsNoneIsRefusedWithTheFormsThatThereAre)
+TEST(ViewChoice, RefusesUnknownViews)
 {
     for (const char* text : {"", "fot", "1,2", "1,2,nan", "inf,2,5", "1,2,3,4", "world", "fit,3"})
     {

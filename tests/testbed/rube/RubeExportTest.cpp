@@ -34,7 +34,7 @@ RubeScene Said(Scene& scene)
     return ExportScene(scene, StepSettings(), 60.0f, leftOut);
 }
 
-/// Of all polygons the corners, and the normals of the edges, in their order.
+/// Returns the corners of all polygons and the normals of all edges, in their order.
 std::vector<float> CornersOf(const b2World& world)
 {
     std::vector<float> numbers;

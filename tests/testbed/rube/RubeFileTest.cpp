@@ -48,7 +48,7 @@ std::string Vertices(const std::string& kind, const std::string& x, const std::s
     return "\"" + kind + R"(":{"vertices":{"x":[)" + x + R"(],"y":[)" + y + "]}}";
 }
 
-// ---- What is built
+// ---- Built parts
 
 TEST(RubeBuilder, GivesFixturesTheirShapeAndSurface)
 {
@@ -152,7 +152,7 @@ TEST(RubeBuilder, BuildsOpenChainsAndLoopsInBothSpellings)
     EXPECT_EQ(edges("chain", "0,0.001,1,1,2", "0,0,0,0,1"), 2) << "repeated vertices add nothing";
 }
 
-// ---- What is left out
+// ---- Omitted parts
 
 TEST(RubeBuilder, NamesPolygonsThatHaveTooManyOrTooFewVertices)
 {
@@ -271,7 +271,7 @@ TEST_F(RubeFile, ThatCannotBeReadIsNamed)
     EXPECT_THAT(Load(empty), Refuses(empty.string()));
 }
 
-TEST_F(RubeFile, OfAGigabyteIsRefusedUnread)
+TEST_F(RubeFile, RefusesGigabyteFileUnread)
 {
     const std::filesystem::path file = Write("{");
     std::filesystem::resize_file(file, 1u << 30); // sparse, takes no room on the disk

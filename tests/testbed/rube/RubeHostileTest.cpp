@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scene files that are wrong on purpose: every field of every wrong kind, shapes and joints that
-// the engine's asserts would end, numbers and names made to confuse. Those of the fuzzer are in
-// tests/fuzz.
+// Invalid scene files: every field of every wrong type, shapes and joints that would fail the
+// engine's asserts, confusing numbers and names. Those of the fuzzer are in tests/fuzz.
 #include "RubeBuilt.h"
 
 #include "../../base/Errors.h"
@@ -461,7 +460,7 @@ TEST(HostileSceneFile, ThatPointsAtWhatIsNotThereIsRefused)
                 Refuses("scene.json: joint[0].bodyA"));
 }
 
-// ---- What is asleep
+// ---- Sleeping bodies
 
 TEST(HostileSceneFile, ThatSleepsInFullSpinRests)
 {
@@ -503,7 +502,7 @@ TEST(HostileSceneFile, OfAnotherEncodingIsRefused)
     EXPECT_EQ(withMark.world.GetBodyCount(), 1);
 }
 
-TEST(HostileSceneFile, ThatSaysAThingTwiceMeansTheLast)
+TEST(HostileSceneFile, UsesTheLastOfDuplicateMembers)
 {
     Built built(R"({"body":[{},{}],"body":[{"angle":1,"angle":2}]})");
     ASSERT_EQ(built.world.GetBodyCount(), 1);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-// What slides, spins and is thrown at thin things.
+// Scenes with bodies that slide, spin or are thrown at thin shapes.
 namespace boxreel
 {
 namespace

@@ -146,8 +146,8 @@ TEST(BallAndChainScene, AHeavyBallDoesNotStretchItsLightChain)
 TEST(RopeBendingScene, RopesBendTheLessTheStifferTheirJointsAre)
 {
     const auto scene = Make("Rope Bending");
-    // How much lower the ends are than at the start, the mean of a few seconds: springs go on
-    // swinging for a while.
+    // The distance that the ends have sunk since the start, as the mean of a few seconds, because
+    // springs oscillate for a while.
     const auto sagOf = [&](const char* name, float32 start) {
         return start - Named(*scene, name).GetPosition().y;
     };

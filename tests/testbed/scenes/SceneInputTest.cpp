@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-// What every scene does with the mouse, bombs and a shifted origin.
+// The response of every scene to the mouse, bombs and a shifted origin.
 namespace boxreel
 {
 namespace

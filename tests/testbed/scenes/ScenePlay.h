@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-/// What tests of single scenes have in common: to make one by its name and to play it.
+/// Helpers for tests of single scenes: make one by its name and play it.
 namespace boxreel
 {
 

@@ -10,8 +10,8 @@
 
 #include <vector>
 
-/// Every scene goes on from a snapshot as it would have done. One that forgets something in
-/// VisitState does not.
+/// Every scene continues from a snapshot as without one. A scene that omits a member in VisitState
+/// does not.
 namespace boxreel
 {
 namespace

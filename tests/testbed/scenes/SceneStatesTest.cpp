@@ -14,9 +14,9 @@
 #include <map>
 #include <string>
 
-/// The state of every scene after 600 steps, as a hash, against the one that is stored in
-/// scene-states.txt: the same from every compiler, at every optimisation level, on every run. After
-/// an intended change, `cmake --build build --target accept_scene_states` writes the file again.
+/// The state of every scene after 600 steps as a hash, compared with scene-states.txt. It is the
+/// same from every compiler, at every optimisation level, on every run. After an intended change,
+/// `cmake --build build --target accept_scene_states` writes the file again.
 namespace boxreel
 {
 namespace
@@ -44,7 +44,7 @@ std::map<std::string, std::string> StoredStates()
     return states;
 }
 
-/// Nothing when there is none.
+/// Returns the stored state; empty if there is none.
 std::string StoredState(const SceneEntry& entry)
 {
     const std::map<std::string, std::string> stored = StoredStates();
@@ -52,7 +52,7 @@ std::string StoredState(const SceneEntry& entry)
     return found != stored.end() ? found->second : "";
 }
 
-/// Writes the file, before any test reads it, when the target accept_scene_states asks for it.
+/// Writes the file before any test reads it, for the target accept_scene_states.
 class Acceptance : public testing::Environment
 {
 public:
@@ -93,8 +93,8 @@ TEST_P(StateOfScene, IsTheStoredOneAfter600Steps)
         << state << " " << GetParam()->name;
 }
 
-// How threads share the work does not depend on the lanes: each number of them once, and one and
-// several without wide instructions.
+// The division of work among threads is independent of the lanes. So each number of threads is
+// tested once, and one and several without wide instructions.
 TEST_P(StateOfScene, IsIndependentOfThreadsAndLanes)
 {
     const std::string stored = StoredState(*GetParam());

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// What each scene is known for is asserted here, with the default steps.
+// The main property of each scene, with the default steps.
 namespace boxreel
 {
 namespace
@@ -252,7 +252,7 @@ TEST(TumblerScene, KeepsAllItsBoxesInside)
     }
 }
 
-TEST(TumblerScene, PoursAtTheSamePaceWhateverTheStep)
+TEST(TumblerScene, PoursAtTheSamePaceForAnyTimeStep)
 {
     const auto coarse = Make("Tumbler");
     const auto fine = Make("Tumbler");

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-// What stands, falls and is thrown about.
+// Scenes with stacks, and with falling and thrown bodies.
 namespace boxreel
 {
 namespace
@@ -11,7 +11,7 @@ namespace
 
 constexpr float32 kFiveCentimetres = 0.05f;
 
-/// How far the dynamic bodies of a scene have gone at most after some time [m].
+/// Returns the maximum displacement of a scene's dynamic bodies after some time [m].
 float32 FarthestWay(const std::string& name, float32 seconds)
 {
     const std::unique_ptr<Scene> scene = Make(name);

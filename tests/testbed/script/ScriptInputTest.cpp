@@ -12,7 +12,7 @@ namespace boxreel
 namespace
 {
 
-/// Notes what is done to it.
+/// Logs the actions on it.
 class Listening : public Scene
 {
 public:
@@ -47,7 +47,7 @@ Result<ScriptInput> InputOf(const std::string& lines, const Scene& scene)
     return ScriptInput::Create(*script, Rational{10, 1}, scene);
 }
 
-/// What is done before each of so many steps, with a bar between them.
+/// Returns the actions before each of the steps, with a bar between them.
 std::string Played(const std::string& lines, std::int64_t steps, std::int64_t from = 0)
 {
     Listening scene;

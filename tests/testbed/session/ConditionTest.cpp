@@ -121,7 +121,7 @@ TEST_F(ConditionOf, AnyAndAllSpeakOfWhatCanMove)
     EXPECT_TRUE(Holds("all.x > 1")) << "that is not the static one";
 }
 
-TEST_F(ConditionOf, AllOfNothingDoesNotHold)
+TEST_F(ConditionOf, AllDoesNotHoldWithoutBodies)
 {
     b2World empty(b2Vec2(0.0f, 0.0f));
     const Condition condition = *Condition::Parse("--until", "all.speed < 1");
@@ -136,7 +136,7 @@ TEST_F(ConditionOf, ABodyGoesByItsNumberOrName)
     EXPECT_TRUE(Holds("v 1.5.y == 0")) << "a name may have a dot";
 }
 
-TEST_F(ConditionOf, ABodyThatIsNotThereMeetsNone)
+TEST_F(ConditionOf, MissingBodyMeetsNoCondition)
 {
     for (const char* text : {"99.y < 3", "99.y >= 3", "99.y != 3", "bell.y != 3"})
     {
@@ -144,7 +144,7 @@ TEST_F(ConditionOf, ABodyThatIsNotThereMeetsNone)
     }
 }
 
-TEST_F(ConditionOf, WhatIsNotANumberMeetsNone)
+TEST_F(ConditionOf, NanMeetsNoCondition)
 {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     for (const char* sign : {"<", "<=", ">", ">=", "==", "!="})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every scene against what was approved; `boxreel golden accept` approves.
+// Compares every scene with its references; `boxreel golden accept` updates them.
 #include "../scenes/EveryScene.h"
 
 #include <session/GoldenScenes.h>
@@ -31,7 +31,7 @@ TEST_P(GoldenScenes, LookAndMoveAsApproved)
     }
 }
 
-/// Of the files below a folder [bytes].
+/// Returns the size of the files below a folder [bytes].
 std::uintmax_t SizeOf(const std::filesystem::path& folder)
 {
     std::uintmax_t size = 0;

@@ -191,7 +191,7 @@ TEST_F(SceneCameraTest, APathIsTakenBySimulatedTime)
     EXPECT_EQ(camera.View().centerX, 10.0);
 }
 
-TEST_F(SceneCameraTest, ABodyThatTheWorldHasNotIsRefused)
+TEST_F(SceneCameraTest, RefusesUnknownBody)
 {
     EXPECT_EQ(Refusal(FollowView{{0}, 5.0}), "--camera 0");
     Add(0.0f, 0.0f, 1.0f);

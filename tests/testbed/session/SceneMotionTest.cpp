@@ -30,7 +30,7 @@ DrawList SceneAt(SceneSession& session, std::int64_t step)
     return content.list;
 }
 
-/// What `look` makes of the scene at `step`, without the scene itself.
+/// Returns the items that `look` adds to the scene at `step`, without the scene itself.
 DrawList Added(const std::string& name, const MotionLook& look, std::int64_t step)
 {
     SceneSession session = Open(name);
@@ -218,7 +218,7 @@ TEST(SceneMotion, PlacesDimensionTextClearOfTrailAndPoses)
     SceneSession session = Open("newtons-cradle");
     const b2Vec2 start = FindBodies(session.World(), {1}).front()->GetWorldCenter();
     const float pixel = 1.0f / float(session.CurrentCamera().pixelsPerMeter);
-    // The text of a line that lies stands 42 pixels above what is measured, half a text included.
+    // The text of a horizontal line is 42 pixels above the measured points, half a text included.
     const auto measured = [&](float y) {
         const float below = y - 42.0f * pixel;
         return std::vector<DimensionChoice>{{Vec2{start.x - 4, below}, Vec2{start.x + 4, below}}};

@@ -16,7 +16,7 @@ namespace
 
 using testing::HasSubstr;
 
-TEST(SceneSearch, FindsANameWhateverItsCaseSpacesAndPunctuation)
+TEST(SceneSearch, IgnoresCaseSpacesAndPunctuation)
 {
     for (const char* name :
          {"Newton's Cradle", "newtons-cradle", "NEWTONSCRADLE", "newtons_cradle", "Newtons Cradle"})
@@ -71,7 +71,7 @@ TEST(SceneSearch, ANameLikeNoOtherSuggestsTheListOnly)
     }
 }
 
-TEST(SceneSearch, AMissingFileIsSaidToBeMissing)
+TEST(SceneSearch, ReportsMissingFile)
 {
     const Result<SceneSource> source = OpenScene("no-such-file.json");
     EXPECT_THAT(source, Refuses("no-such-file.json"));

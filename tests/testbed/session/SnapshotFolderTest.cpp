@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a session leaves to the next one, and when. Whole films: SnapshotFilmTest.cpp.
+// The states that a session leaves to the next one. Whole films: SnapshotFilmTest.cpp.
 #include "../../base/TemporaryFolder.h"
 #include "../scenes/EveryScene.h"
 

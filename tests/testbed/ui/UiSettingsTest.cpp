@@ -58,7 +58,7 @@ TEST_F(UiSettingsTest, ComeBackAsTheyWere)
     EXPECT_EQ(*read, settings);
 }
 
-TEST_F(UiSettingsTest, TakeWhatIsSoundOfAFileThatIsNot)
+TEST_F(UiSettingsTest, KeepValidEntriesOfInvalidFile)
 {
     Write(R"({"width": -5, "height": 1e9, "scene": 7, "sub-steps": 1000, "theme": "pink",
               "sleep": "no", "hertz": 30, "unknown": [1]})");
@@ -73,7 +73,7 @@ TEST_F(UiSettingsTest, TakeWhatIsSoundOfAFileThatIsNot)
     EXPECT_EQ(settings->choices.theme, "classic");
 }
 
-TEST_F(UiSettingsTest, AreRefusedFromWhatIsNoJson)
+TEST_F(UiSettingsTest, AreRefusedWithoutValidJson)
 {
     for (const std::string& text :
          {std::string("{"), std::string("[1, 2]"), std::string(2'000'000, ' ')})

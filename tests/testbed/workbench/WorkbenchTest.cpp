@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person does at a workbench, as events, without a window.
+// User actions on a workbench as events, without a window.
 #include "../cli/Subprocess.h"
 
 #include <golden/StateHash.h>
@@ -107,7 +107,7 @@ protected:
         const Camera view = bench->Session().CurrentCamera();
         return view.height / view.pixelsPerMeter;
     }
-    /// Of the world in the end, when the script is played from its beginning.
+    /// Returns the final state of the world when the script is played from its beginning.
     static std::string StateAfter(const std::filesystem::path& file, std::int64_t step)
     {
         const Result<Script> script = ReadScript(file);
@@ -266,7 +266,7 @@ TEST_F(WorkbenchTest, ThrowsAndSlingsBombs)
     const Vec2 from = view.ToWorld({200.0f, 100.0f});
     EXPECT_NEAR(bomb->GetPosition().x, from.x, 1e-3f);
     EXPECT_NEAR(bomb->GetPosition().y, from.y, 1e-3f);
-    // The way that it was pulled back, the other way, and faster the farther.
+    // Opposite to the direction it was pulled, and faster with the distance.
     const b2Vec2 velocity = bomb->GetLinearVelocity();
     EXPECT_NEAR(velocity.y / velocity.x, 20.0f / 50.0f, 1e-3f);
     EXPECT_NEAR(velocity.x, 6.0 * 50.0 / view.pixelsPerMeter, 1e-2);

@@ -71,10 +71,10 @@ public:
     template <typename T>
     void UpdatePairs(T* callback);
 
-    /// As in b2DynamicTree.
+    /// Same as b2DynamicTree::Query.
     template <typename T>
     void Query(T* callback, const b2AABB& aabb) const;
-    /// As in b2DynamicTree.
+    /// Same as b2DynamicTree::RayCast.
     template <typename T>
     void RayCast(T* callback, const b2RayCastInput& input) const;
 

@@ -22,7 +22,7 @@ inline constexpr uint8 b2_nullFeature = UCHAR_MAX;
 /// features touch, so that a point keeps its impulses from step to step.
 struct b2ContactFeature
 {
-    /// What an index refers to.
+    /// The kind of feature an index refers to.
     enum Type
     {
         e_vertex = 0,
@@ -57,7 +57,7 @@ struct b2ManifoldPoint
 /// the shapes overlap.
 struct b2Manifold
 {
-    /// How the members are interpreted.
+    /// Defines the meaning of the members.
     enum Type
     {
         e_circles, ///< localPoint: centre of A; points[0].localPoint: centre of B; no localNormal
@@ -170,17 +170,17 @@ struct b2AABB
 /// is one function per pair of shape types. Pointers are not null, transforms are finite.
 void b2CollideCircles(b2Manifold* manifold, const b2CircleShape* circleA, const b2Transform& xfA,
                       const b2CircleShape* circleB, const b2Transform& xfB);
-/// As b2CollideCircles; the normal points from the polygon to the circle.
+/// Same as b2CollideCircles; the normal points from the polygon to the circle.
 void b2CollidePolygonAndCircle(b2Manifold* manifold, const b2PolygonShape* polygonA,
                                const b2Transform& xfA, const b2CircleShape* circleB,
                                const b2Transform& xfB);
-/// As b2CollideCircles, with up to two points.
+/// Same as b2CollideCircles, with up to two points.
 void b2CollidePolygons(b2Manifold* manifold, const b2PolygonShape* polygonA, const b2Transform& xfA,
                        const b2PolygonShape* polygonB, const b2Transform& xfB);
-/// As b2CollideCircles; uses the edge's ghost vertices.
+/// Same as b2CollideCircles; uses the edge's ghost vertices.
 void b2CollideEdgeAndCircle(b2Manifold* manifold, const b2EdgeShape* edgeA, const b2Transform& xfA,
                             const b2CircleShape* circleB, const b2Transform& xfB);
-/// As b2CollideCircles, with up to two points; uses the edge's ghost vertices.
+/// Same as b2CollideCircles, with up to two points; uses the edge's ghost vertices.
 void b2CollideEdgeAndPolygon(b2Manifold* manifold, const b2EdgeShape* edgeA, const b2Transform& xfA,
                              const b2PolygonShape* polygonB, const b2Transform& xfB);
 

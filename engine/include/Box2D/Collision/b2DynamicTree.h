@@ -42,10 +42,10 @@ public:
     /// true and stores a new box, enlarged and extended along the displacement [m].
     bool MoveProxy(int32 proxyId, const b2AABB& aabb, const b2Vec2& displacement);
 
-    /// As CreateProxy, for callers with their own margin: stores the box unchanged. User data is a
-    /// pointer or a number, at the caller's choice.
+    /// Same as CreateProxy, but stores the box unchanged, for callers with their own margin. User
+    /// data is a pointer or a number, at the caller's choice.
     int32 CreateProxyExact(const b2AABB& fatAABB, void* userData);
-    /// As above, with a number.
+    /// Same as above, with a number.
     int32 CreateProxyExact(const b2AABB& fatAABB, int32 userIndex);
     /// Stores the box unchanged and moves the proxy to its best place in the tree.
     void SetProxyAABB(int32 proxyId, const b2AABB& fatAABB);
@@ -75,7 +75,7 @@ public:
     template <typename T>
     void Query(T* callback, const b2AABB& aabb) const;
 
-    /// As above, with any callable: `bool visit(int32 proxyId)`.
+    /// Same as above, with any callable: `bool visit(int32 proxyId)`.
     template <typename Visit>
     void ForEachOverlap(const b2AABB& aabb, Visit&& visit) const;
 
@@ -110,10 +110,10 @@ public:
     /// log^2 n).
     void RebuildBottomUp();
 
-    /// As RebuildBottomUp, but much faster, for a tree whose leaves move all the time. Every node
-    /// splits its leaves into two equal halves, along the axis in which their centres spread more.
-    /// A query visits more nodes than after RebuildBottomUp. Takes O(n log n), and allocates memory
-    /// the first time only.
+    /// Same as RebuildBottomUp, but much faster, for a tree whose leaves move all the time. Every
+    /// node splits its leaves into two equal halves, along the axis in which their centres spread
+    /// more. A query visits more nodes than after RebuildBottomUp. Takes O(n log n), and allocates
+    /// memory the first time only.
     void RebuildEvenly();
     /// Recomputes the boxes above all leaves without changing the structure of the tree.
     void RefitAll();

@@ -10,9 +10,9 @@ inline constexpr int32 b2_stackSize = 100 * 1024; ///< size of the buffer; large
                                                   ///< [bytes]
 inline constexpr int32 b2_maxStackEntries = 32;   ///< maximum number of blocks at the same time
 
-/// Memory for the duration of one step, freed in reverse order. What does not fit into the buffer
-/// comes from b2Alloc. The buffer is allocated with the first block, so an idle allocator needs no
-/// memory. With asserts on, freed memory is filled with 0xFD. Not thread-safe.
+/// Memory for the duration of one step, freed in reverse order. Blocks that do not fit into the
+/// buffer come from b2Alloc. The buffer is allocated with the first block, so an idle allocator
+/// needs no memory. With asserts on, freed memory is filled with 0xFD. Not thread-safe.
 class b2StackAllocator
 {
 public:

@@ -22,7 +22,7 @@ BodyData& Data(b2Body& body);
 const BodyData& Data(const b2Body& body);
 } // namespace box2d
 
-/// How a body moves.
+/// The motion type of a body.
 enum b2BodyType
 {
     b2_staticBody = 0, ///< zero mass and velocity, moved only by the program
@@ -34,7 +34,7 @@ enum b2BodyType
 /// b2World::CreateBody states how it handles others.
 struct b2BodyDef
 {
-    b2BodyType type = b2_staticBody;      ///< how the body moves
+    b2BodyType type = b2_staticBody;      ///< motion type of the body
     b2Vec2 position = b2Vec2(0.0f, 0.0f); ///< of the body's origin [m], each within 1e15 of zero
     /// Counter-clockwise from the x axis [rad], within 1e15 of zero.
     float32 angle = 0.0f;
@@ -65,7 +65,7 @@ public:
     /// that has no vertices or no size, or reaches further than 1e15 m. A density, friction or
     /// restitution that is negative or not finite becomes 0.
     b2Fixture* CreateFixture(const b2FixtureDef* def);
-    /// As above, from a shape and a density [kg/m^2], >= 0, with the other defaults of
+    /// Same as above, from a shape and a density [kg/m^2], >= 0, with the other defaults of
     /// b2FixtureDef.
     b2Fixture* CreateFixture(const b2Shape* shape, float32 density);
     /// Destroys a fixture and its contacts, and updates the mass. While the world is locked, or if
@@ -89,7 +89,7 @@ public:
         return m_data.worldCenter;
     } ///< position of the centre
       ///< of mass [m]
-    /// As GetWorldCenter [m].
+    /// Same as GetWorldCenter [m].
     const b2Vec2& GetCenterPosition() const { return m_data.worldCenter; }
     /// Returns the centre of mass in the body's frame [m].
     const b2Vec2& GetLocalCenter() const { return m_data.localCenter; }
@@ -212,7 +212,7 @@ public:
     const b2JointEdge* GetJointList() const { return m_data.jointList; }
     /// Returns the contacts. The list changes during a step; prefer b2ContactListener.
     b2ContactEdge* GetContactList() { return m_data.contactList; }
-    /// As above, read-only.
+    /// Same as above, read-only.
     const b2ContactEdge* GetContactList() const { return m_data.contactList; }
     b2Body* GetNext() { return m_data.next; } ///< next in the world's list; nullptr at the end
     /// Returns the next in the world's list; nullptr at the end.

@@ -10,9 +10,9 @@ class b2Contact;
 class b2ContactFilter;
 class b2ContactListener;
 
-/// What a world says of its contacts in one place, as b2World::GetContactManager found it. To be
-/// read: the broad phase is the world's, as it is now, and the rest a copy. Cannot be copied: take
-/// a reference.
+/// A read-only summary of the contacts of a world, returned by b2World::GetContactManager. The
+/// broad phase is the world's own and is always current. The other members are copies from the time
+/// of the call. Cannot be copied; take a reference.
 struct b2ContactManager
 {
     b2BroadPhase m_broadPhase;                      ///< the boxes of all fixtures

@@ -41,7 +41,7 @@ public:
     /// Sets the listener for objects destroyed with a body; nullptr removes it. A listener must
     /// outlive the world or be removed.
     void SetDestructionListener(b2DestructionListener* listener);
-    /// As SetDestructionListener.
+    /// Same as SetDestructionListener.
     void SetListener(b2DestructionListener* listener) { SetDestructionListener(listener); }
     /// Sets the filter that decides which fixtures collide; nullptr restores the default of
     /// b2ContactFilter.
@@ -59,9 +59,14 @@ public:
     /// body is not of this world, it asserts and changes nothing.
     void DestroyBody(b2Body* body);
     /// Creates a joint from a definition, which is copied. Asserts and returns nullptr in these
-    /// cases: the world is locked; there is no definition; the type is invalid; the bodies are not
-    /// two different bodies of this world; a number is not finite or out of range; the joints of a
-    /// gear are not revolute or prismatic, or do not move two different bodies of this world.
+    /// cases:
+    /// - the world is locked,
+    /// - there is no definition,
+    /// - the type is invalid,
+    /// - the bodies are not two different bodies of this world,
+    /// - a number is not finite or out of range,
+    /// - the joints of a gear are not revolute or prismatic, or do not move two different bodies of
+    /// this world.
     b2Joint* CreateJoint(const b2JointDef* def);
     /// Destroys a joint and wakes its bodies. While the world is locked, or if the joint is not of
     /// this world, it asserts and changes nothing.
@@ -81,7 +86,7 @@ public:
     /// bounds must be finite and sorted; otherwise the result is undefined. A null callback asserts
     /// and does nothing.
     void QueryAABB(b2QueryCallback* callback, const b2AABB& aabb) const;
-    /// As QueryAABB.
+    /// Same as QueryAABB.
     void Query(b2QueryCallback* callback, const b2AABB& aabb) const { QueryAABB(callback, aabb); }
     /// Reports every fixture that the ray from point1 to point2 [m] hits, in no particular order.
     /// Both points are finite. A null callback asserts and does nothing.

@@ -16,8 +16,9 @@ namespace box2d
 namespace
 {
 
-/// How far a box may move before the tree has to change [m]: the manual's margin for what is a few
-/// metres large, less for smaller shapes, whose margins would else touch all their neighbours'.
+/// Returns the distance that a box may move before the tree has to change [m]. Large shapes have
+/// the manual's margin. Smaller ones have less, because that margin would touch all of their
+/// neighbours'.
 float32 Margin(const b2AABB& box)
 {
     const b2Vec2 half = box.GetExtents();
@@ -34,7 +35,7 @@ b2AABB Fatten(const b2AABB& box, const b2Vec2& displacement)
     return fat;
 }
 
-/// The box of a bullet's path: what it hits after the present step does not matter.
+/// The box of a bullet's path. Hits after the present step do not matter.
 b2AABB Widen(const b2AABB& box, float32 minExtent)
 {
     const float32 margin = b2Min(b2_aabbExtension, 0.25f * minExtent);
@@ -44,7 +45,7 @@ b2AABB Widen(const b2AABB& box, float32 minExtent)
     return wide;
 }
 
-/// A circle about the centre of mass and nothing else looks the same however it is turned.
+/// True if the only shape is a circle about the centre of mass, which is the same at any angle.
 bool IsRound(const BodyData& body)
 {
     const b2Fixture* f = body.fixtureList;
@@ -87,7 +88,7 @@ b2AABB BoxOnPath(const b2Shape& shape, int32 child, const BodyData& body, const 
     return box;
 }
 
-/// How far the inner box may move in any direction without leaving the outer one [m].
+/// Returns the distance the inner box may move in any direction without leaving the outer one [m].
 float32 RoomIn(const b2AABB& outer, const b2AABB& inner)
 {
     const b2Vec2 below = inner.lowerBound - outer.lowerBound;
@@ -105,7 +106,7 @@ float32 BoxRounding(const BodyData& body)
     return operations * b2_epsilon * farthest;
 }
 
-/// After an impact: the boxes also hold what is left of the path.
+/// Call after an impact. The boxes then also contain the rest of the path.
 void GrowBoxes(Proxies& proxies, BodyData& body)
 {
     const b2Transform before = TransformBefore(body);

@@ -67,10 +67,10 @@ void CopyImpulses(b2Manifold& manifold, const b2Manifold& old)
     }
 }
 
-/// A manifold is computed again when a body has moved so far relative to the other since it was
-/// computed [m]. What it holds is kept in the bodies' own frames: its points stay where they are on
-/// their face, and overlap and normal are those of the present pose at any age. Far below the
-/// slop, and not more than a small share of a small body.
+/// A manifold is computed again when a body has moved this far relative to the other since the last
+/// computation [m]. Its data is in the bodies' own frames. The points therefore stay in place on
+/// their face, and overlap and normal always belong to the present pose. Far below the slop, and at
+/// most a small share of a small body.
 constexpr float32 kStill = 0.1f * b2_linearSlop;
 constexpr float32 kStillShare = 0.005f;
 
@@ -164,7 +164,7 @@ void FindNewContacts(World& world)
                           Data(*b->fixture->GetBody()), *b->fixture->GetShape(), b->childIndex) ||
                world.pairs.Contains(a->proxyId, b->proxyId);
     };
-    // What the default filter would refuse every time is not looked for.
+    // Pairs that the default filter would always refuse are not searched for.
     const bool filtersByCategory = world.filter == &world.defaultFilter;
     const auto isWanted = [&world, filtersByCategory](const b2FixtureProxy* moved,
                                                       Mobility mobility) {
@@ -217,14 +217,14 @@ void ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& 
     c.flags |= (touching ? kContactMeets : 0u) | (kept ? kContactKept : 0u);
 }
 
-/// What concerns this contact alone, with the manifold as it was left in `old`.
+/// Updates the contact without effects on others. `old` receives the previous manifold.
 void ComputeContact(b2Contact& contact, b2Manifold& old)
 {
     ContactData& c = Data(contact);
     c.flags = (c.flags | kContactComputed) & ~std::uint32_t(kContactApart);
     const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
     old = c.manifold;
-    // What touched and has hardly moved still touches: fixtures and boxes are not even read.
+    // A touching contact that has hardly moved still touches, so fixtures and boxes are not read.
     if (IsKept(c, bInA))
     {
         return;
@@ -237,7 +237,7 @@ void ComputeContact(b2Contact& contact, b2Manifold& old)
     ComputeManifold(c, bInA, old);
 }
 
-/// What follows from the new manifold.
+/// Handles the consequences of the new manifold.
 void FinishContact(World& world, b2Contact& contact, const b2Manifold& old)
 {
     ContactData& c = Data(contact);
@@ -275,8 +275,8 @@ void FinishContact(World& world, b2Contact& contact, const b2Manifold& old)
     }
 }
 
-/// Whether more follows from the first part of an update than that the contact takes part in the
-/// step, when there is no listener.
+/// True if the update needs its second part. Without a listener it is not needed for a contact that
+/// only takes part in the step.
 bool NeedsAttention(World& world, b2Contact& contact)
 {
     ContactData& c = Data(contact);
@@ -292,9 +292,9 @@ bool NeedsAttention(World& world, b2Contact& contact)
     return false;
 }
 
-/// The first part of all updates, on all threads. With one thread and no listener that
-/// could see the difference each contact is done in its turn instead, and this returns false: the
-/// results are the same, for poses do not change meanwhile.
+/// Performs the first part of all updates, on all threads. With one thread and no listener that
+/// could see the difference, it does nothing and returns false. Each contact is then updated in its
+/// turn. The results are the same, because poses do not change meanwhile.
 bool ComputeContacts(World& world)
 {
     const bool keepOld = world.listener != nullptr;
@@ -320,8 +320,8 @@ bool ComputeContacts(World& world)
     return true;
 }
 
-// In both of these the list changes under the loop: a contact that goes is replaced by the last
-// one, those that wake are appended and updated as well.
+// In both of these the list changes during the loop. A removed contact is replaced by the last one.
+// Contacts that wake are appended and updated as well.
 
 void FinishContacts(World& world)
 {
@@ -402,7 +402,7 @@ void UpdateContacts(World& world)
             contact = next;
         }
     }
-    // Without a listener most contacts need no more than the first part.
+    // Without a listener most contacts need only the first part.
     ComputeContacts(world) && world.listener == nullptr ? FinishContactsInNeed(world)
                                                         : FinishContacts(world);
 }

@@ -12,7 +12,7 @@ class World;
 
 /// Between the proxies that have moved and all others.
 void FindNewContacts(World& world);
-/// Of all contacts that are awake.
+/// Updates all awake contacts.
 void UpdateContacts(World& world);
 void UpdateContact(World& world, b2Contact& contact);
 /// The newest of the world and its bodies, between children of fixtures.

@@ -64,8 +64,8 @@ inline b2AABB BoxOfPath(const b2Vec2& from, const b2Vec2& to, float32 radius)
     return box;
 }
 
-/// Whether a turn [rad] takes a shape far out of the boxes of its start and of its end: more than a
-/// quarter, which only sub-steps allow.
+/// True if a rotation [rad] moves a shape far out of the boxes of its start and its end. That is
+/// more than a quarter turn, which only sub-steps allow.
 inline bool IsWide(double turn)
 {
     return std::abs(turn) > 1.01 * double(b2_maxRotation);
@@ -237,9 +237,9 @@ inline bool StaysInFront(const BodyData& body, const Pose& from, const b2Shape& 
     return InFront(shape, child, center) > reach;
 }
 
-/// Whether two children that might have a contact could touch during the step or at its end. Only a
-/// bullet that is asked about again in the next step may be refused, and only against what stands
-/// still or is such a bullet too: otherwise no query would follow when the other moves.
+/// Returns true if two children without a contact could touch during the step or at its end. False
+/// is only allowed for a bullet that is queried again in the next step, against a static body or
+/// another such bullet. Otherwise no query would follow when the other body moves.
 inline bool PathsMeet(const BodyData& a, const b2Shape& shapeA, int32 childA, const BodyData& b,
                       const b2Shape& shapeB, int32 childB)
 {

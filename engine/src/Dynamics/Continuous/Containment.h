@@ -6,13 +6,13 @@
 
 class b2Shape;
 
-/// Keeps what moves on its side of what does not. A light body that something heavy presses against
-/// a wall is driven deeper from step to step, for iterations spread what they cannot finish; once
-/// its centre is beyond the wall it would be pushed out on the other side. No centre of a convex
-/// shape has any business within a wall that the shape touches, so the step ends where it would get
-/// there. What impacts have turned is asked piece by piece of its path: one that was thrown round a
-/// corner has a wall between its start and its end, and has not been through it. Called by
-/// continuous collision, after it.
+/// Keeps dynamic bodies on their side of static ones. A light body that something heavy presses
+/// against a wall is driven deeper from step to step, because iterations do not converge. Once its
+/// centre is beyond the wall, position correction would push it out on the other side. The centre
+/// of a convex shape may never be inside a wall that the shape touches, so the step ends where it
+/// would get there. If impacts have changed the path, each piece of it is checked. A body thrown
+/// round a corner has a wall between its start and its end, but has not crossed it. Called after
+/// continuous collision.
 namespace box2d
 {
 

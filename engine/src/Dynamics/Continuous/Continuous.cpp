@@ -259,7 +259,7 @@ bool ContinuousCollision::Sinks(const ContactData& c) const
     return false;
 }
 
-/// Of a candidate, as a fraction of the step; 1 without an impact.
+/// Returns the time of impact of a candidate as a fraction of the step; 1 without an impact.
 float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& counts) const
 {
     const BodyData& a = Data(*c.bodyA);
@@ -308,10 +308,10 @@ float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& co
                                                    : 1.0f;
 }
 
-/// Whether bodies that overlap already go so much deeper on their paths that they could come out on
-/// the other side: iterations have not held a light body off that something heavy drives, or what
-/// turns comes out with one end while the other goes in. What comes out of an overlap, or sinks
-/// slowly, is for the next step.
+/// True if overlapping bodies go so much deeper on their paths that they could come out on the
+/// other side. One case is a light body pressed by a heavy one, if iterations did not converge.
+/// Another is a rotating body of which one end comes out while the other goes in. Bodies that
+/// separate, or sink slowly, are left to the next step.
 bool ContinuousCollision::GoesDeeper(const ContactData& c, const b2Sweep& sweepA,
                                      const b2Sweep& sweepB)
 {

@@ -13,9 +13,9 @@ namespace
 {
 
 constexpr int32 kMaxRounds = 8;
-/// A solution with a speed above so many times the largest before it is dropped. Where constraints
-/// contradict each other speeds have no bound: one body got 134 km/s. Levers need some: with 3 a
-/// chain of 1000:1 gains energy at a post, with 1000 rows between walls move on
+/// A solution with a speed above this multiple of the previous maximum is discarded. If constraints
+/// contradict each other, speeds have no bound: one body got 134 km/s. Levers need some increase.
+/// With 3, a chain of 1000:1 gains energy at a post. With 1000, rows between walls keep moving
 /// (docs/notes/tuned-constants.md).
 constexpr double kBurst = 30.0;
 /// Slower speeds before count as this one [m/s]: from rest any speed would be a burst. From 0.01 to

@@ -3,15 +3,14 @@
 
 #include "RowSystem.h"
 
-/// Constraints that can give only so much: contacts do not pull, friction drags no more than it
-/// can. The impulses that hold where they may and are at a bound where they may not make an energy
-/// least (Moreau, 1966; Lotstedt, "Mechanical Systems of Rigid Bodies Subject to Unilateral
-/// Constraints", 1982). From a start that iterations have found, the rows that are inside their
-/// bounds are solved as if they had none; what then meets a bound stays there, and the rest is
-/// solved again (subspace minimisation after projected Gauss-Seidel: Silcowitz, Niebe, Erleben, "A
-/// Nonsmooth Newton Method and Subspace Minimization for Interactive Rigid Body Dynamics", 2010).
-/// The energy never rises, so that however soon it is broken off, the result is better than the
-/// start.
+/// Constraints with bounded impulses: contacts do not pull, and friction is limited. The impulses
+/// minimize an energy, and each impulse is either free or at a bound (Moreau, 1966; Lotstedt,
+/// "Mechanical Systems of Rigid Bodies Subject to Unilateral Constraints", 1982). The start comes
+/// from iterations. The rows inside their bounds are solved as if they had none. Rows that then
+/// reach a bound stay there, and the rest is solved again. This is subspace minimisation after
+/// projected Gauss-Seidel (Silcowitz, Niebe, Erleben, "A Nonsmooth Newton Method and Subspace
+/// Minimization for Interactive Rigid Body Dynamics", 2010). The energy never rises, so a result
+/// that is broken off early is still better than the start.
 namespace box2d
 {
 

@@ -73,7 +73,7 @@ public:
             function(*m_pattern.columns[std::size_t(i)].body, std::size_t(i));
         }
     }
-    /// Which rows of an item are to hold, a bit each [all, after Build].
+    /// Sets the active rows of an item, one bit per row. Default: all, after Build.
     void SetActive(std::size_t item, uint8 rows) { m_active[item] = rows; }
 
     /// Returns the maximum squared frequency [1/s] times the duration of the impulses. Considered

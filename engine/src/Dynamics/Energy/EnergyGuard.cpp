@@ -112,9 +112,9 @@ float32 ScaleOf(float32 past, const BodyData& body, const SolverBody& s)
     return kinetic > past ? b2Min(kinetic, kMaxScale) : past;
 }
 
-/// What impacts have won. A body's credit, what joints took from it, does not pay for that: nothing
-/// gives it back. A body that impacts hold back again and again, while a spring speeds it up, would
-/// win without end.
+/// Charges the energy gained by impacts. A body's credit, which joints took from it, does not pay
+/// for that, because nothing returns it. Otherwise a body that a spring accelerates and impacts
+/// stop again and again would gain energy without bound.
 void Charge(BodyData& body, float32 won)
 {
     const bool counts = won > float32(kTolerance) * body.energyScale; // or it is truncation
@@ -298,9 +298,9 @@ void EnergyGuard::AddJoints(const World& world, const SolverMemory& solver)
     }
 }
 
-/// Removes at once what was gained in this step. Of the energy that the island had before, it
-/// removes the fraction that the debt is of the maximum debt. A small debt slows the motion down
-/// over many steps and does not stop it.
+/// Removes a gain of this step at once. The removed fraction of the island's previous energy is the
+/// debt divided by the maximum debt. A small debt slows the motion down over many steps and does
+/// not stop it.
 void EnergyGuard::Collect(const World& world, SolverMemory& solver, Account& account)
 {
     const b2Body& first = *world.islands.At(account.island).first;

@@ -17,7 +17,7 @@ namespace box2d
 namespace
 {
 
-/// Whether something immovable holds the body.
+/// True if something immovable holds the body.
 bool IsHeld(const b2Body& body)
 {
     for (const b2ContactEdge* edge = body.GetContactList(); edge; edge = edge->next)

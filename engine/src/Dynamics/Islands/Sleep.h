@@ -28,7 +28,7 @@ void UpdateActivity(World& world, b2Contact& contact);
 void UpdateActivity(World& world, b2Joint& joint);
 /// Undoes the first part of an update, where a callback has left no place for the second.
 void ForgetUpdate(World& world, ContactData& c);
-/// Wakes what is held by a contact or joint with something that moves.
+/// Wakes bodies in contact with, or joined to, a moving body.
 void WakeNeighbours(World& world, b2Body& bodyA, b2Body& bodyB);
 /// False when WakeNeighbours would do nothing.
 bool WakesNeighbours(const BodyData& a, const BodyData& b);

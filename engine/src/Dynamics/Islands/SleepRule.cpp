@@ -55,9 +55,9 @@ bool IsSlow(const b2Vec2& linearVelocity, float32 angularVelocity)
            b2Abs(angularVelocity) <= b2_angularSleepTolerance;
 }
 
-// Slow means slow in both velocity and what position correction did: something that is still being
-// pushed out of an overlap does not sleep, unless the overlap is only one of skins. A platform is
-// moved by the user: it stays awake at any speed but zero.
+// Slow: velocity and position correction are below the tolerances. A body that is still pushed out
+// of an overlap does not sleep, unless only the skins overlap. A platform is moved by the user, so
+// it stays awake at any speed but zero.
 float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved, const SleepStep& step)
 {
     const float32 h = step.timeStep;
@@ -82,7 +82,7 @@ float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved, const Slee
 
 float32 MaxRestOverlap(float32 radius)
 {
-    // Of two polygons' skins and a slop [m]: such an overlap is not visible.
+    // The skins of two polygons and a slop [m]. Such an overlap is not visible.
     constexpr float32 kUnseenOverlap = 2.0f * b2_polygonRadius + b2_linearSlop;
     const bool skins = radius <= 1.01f * 2.0f * b2_polygonRadius;
     return skins ? kUnseenOverlap : kMinRestOverlap;

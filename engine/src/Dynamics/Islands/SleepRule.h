@@ -3,14 +3,14 @@
 
 #include "../State/Solver.h"
 
-/// When a body rests. StepSolver asks for each awake body at the end of a step. A body rests while
-/// its sleep time grows; an island whose bodies have all rested for b2_timeToSleep falls asleep
-/// (State/Islands.h). Two rules are elsewhere: KeepDrivenAwake (Joints/JointKinds.h) for bodies
-/// that a motor moves, and WakeNeighbours (Sleep.h) for bodies that touch something that moves.
+/// Decides if a body rests. StepSolver calls it for each awake body at the end of a step. A body
+/// rests while its sleep time grows. An island whose bodies have all rested for b2_timeToSleep
+/// falls asleep (State/Islands.h). Two rules are elsewhere: KeepDrivenAwake (Joints/JointKinds.h)
+/// for bodies that a motor moves, and WakeNeighbours (Sleep.h) for bodies that touch a moving body.
 namespace box2d
 {
 
-/// What the rule reads of a step, other than the body.
+/// The inputs of the rule in a step, other than the body.
 struct SleepStep
 {
     float32 timeStep; ///< [s]
@@ -25,8 +25,7 @@ bool IsSlow(const b2Vec2& linearVelocity, float32 angularVelocity);
 /// rest.
 float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved, const SleepStep& step);
 
-/// What MaxRestOverlap returns at least [m]: position correction may leave this much of any
-/// overlap.
+/// The minimum of MaxRestOverlap [m]. Position correction may leave this much of any overlap.
 inline constexpr float32 kMinRestOverlap = 3.0f * b2_linearSlop;
 
 /// Returns the overlap that bodies at rest may have [m]; `radius` is the sum of the two skins.

@@ -10,10 +10,11 @@ class b2Body;
 namespace box2d
 {
 
-/// The two different bodies a gear connects, one of each of its joints: those of the definition.
-/// Other ones only where these are none of the joints', or would leave bodies that the gear moves
-/// in two islands: a post on which a gear wheel turns does not connect the wheel to anything. Null
-/// if the joints have no two different bodies.
+/// The two different bodies a gear connects, one of each of its joints. They are the bodies of the
+/// definition, with two exceptions. Other bodies are used if these belong to none of the joints, or
+/// if they would leave bodies that the gear moves in two islands. For example, a post on which a
+/// gear wheel turns does not connect the wheel to anything. Null if the joints have no two
+/// different bodies.
 struct GearBodies
 {
     b2Body* a = nullptr;

@@ -9,10 +9,10 @@
 #include <cstring>
 #include <iterator>
 
-/// Joints of one kind that share no moving body, eight at a time or alone. What the solver reads of
-/// them are numbers, one row of lanes after the other: first the inverse masses and inertias of A
-/// and of B, then those of the kind's lanes (Joints/*Lanes.h). A kind is solved by one source at
-/// every width, so the bits do not depend on how many are solved together.
+/// Joints of one kind without common dynamic bodies, solved eight at a time or alone. The solver
+/// reads rows of lanes. The first rows are the inverse masses and inertias of A and of B, the
+/// others those of the kind's lanes (Joints/*Lanes.h). One source solves a kind at every width, so
+/// the bits do not depend on the number solved together.
 namespace box2d
 {
 

@@ -55,7 +55,7 @@ bool IsAtRisk(const b2Joint& joint)
 
 bool HasLeverOnA(const b2Joint& joint, float32 radii)
 {
-    // Where B is held is where the forces on A act; they may be far apart.
+    // Forces on A act at the anchor of B, which may be far away.
     return HoldOf(joint) != JointHold::kTarget &&
            IsFarOut(*joint.GetBodyA(),
                     HasChangingLevers(joint) ? joint.GetAnchorB() : joint.GetAnchorA(), radii);

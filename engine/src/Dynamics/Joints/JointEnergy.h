@@ -14,7 +14,7 @@
 namespace box2d
 {
 
-/// Of what pulls back with k x, but never with more than `maximum`.
+/// A spring that pulls back with k x, limited to `maximum`.
 struct SpringState
 {
     double stiffness = 0.0; ///< k [N/m] or [N m], of the present pose
@@ -26,7 +26,7 @@ struct SpringState
     double EnergyAt(double x) const;
 };
 
-/// A joint's two bodies after what has moved in the step.
+/// The two bodies of a joint after their motion in the step.
 class JointPair
 {
 public:
@@ -47,7 +47,7 @@ public:
     {
         return dataB.pose.angle - dataA.pose.angle + double(b.angle) - double(a.angle);
     }
-    /// How an impulse along a direction changes the speed along it.
+    /// Returns the change of speed along a direction per impulse along it.
     double InverseMass(const b2Vec2& armA, const b2Vec2& armB, const b2Vec2& direction) const
     {
         const auto turn = [&](const BodyData& body, const b2Vec2& arm) {
@@ -73,21 +73,21 @@ private:
     }
 };
 
-/// Of the oscillator with that frequency.
+/// Returns the stiffness of an oscillator with that frequency.
 inline double StiffnessOf(double inverseMass, float32 hz)
 {
     const double omega = 2.0 * double(b2_pi) * double(hz);
     return inverseMass > 0.0 ? omega * omega / inverseMass : 0.0;
 }
 
-/// What has been put into a spring from one state to another, beyond what changes of k explain: k
-/// is that of an oscillator with a given frequency, so it follows the mass that moves, which
-/// changes with the pose. Counted at most, at whichever end it counts less [J].
+/// Returns the energy stored in a spring from one state to another, without the part explained by a
+/// changed k [J]. k belongs to an oscillator with a given frequency, so it follows the moved mass,
+/// which changes with the pose. Uses the k of the state in which the result is smaller.
 double StoredBetween(const SpringState& before, const SpringState& after);
 
-/// Whether iterations may add energy over the joint without bound: beyond what the manual advises,
-/// masses of 10:1 and bodies on levers much longer than they are, half as long where a rod or a
-/// rope pulls.
+/// True if iterations may add energy over the joint without bound. That is so beyond the limits the
+/// manual advises: masses of 10:1, and bodies on levers much longer than they are. For a rod or a
+/// rope, half of that length counts.
 bool IsAtRisk(const b2Joint& joint);
 /// True if that also depends on the pose.
 bool HasChangingLevers(const b2Joint& joint);

@@ -112,8 +112,8 @@ inline float32 WarmStartFactor(const SolverContext& context)
     return context.warmStarting ? context.stepRatio : 0.0f;
 }
 
-/// As above, for a joint with anchors. 0 if a body with a lever rotates so far in a step that the
-/// impulses have the wrong direction. A few iterations do not correct that, so that bodies gain
+/// Same as above, for a joint with anchors. 0 if a body with a lever rotates so far in a step that
+/// the impulses have the wrong direction. A few iterations do not correct that, so that bodies gain
 /// energy and impulses grow from step to step.
 inline float32 WarmStartFactor(const SolverContext& context, const b2Joint& joint)
 {

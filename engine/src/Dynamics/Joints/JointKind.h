@@ -5,16 +5,16 @@
 #include "JointChecks.h"
 #include "JointEnergy.h"
 
-/// The parts that kinds of joints are described with. JointAccess::Kind<Joint> (*Kind.h) has
+/// The parts that describe a kind of joint. JointAccess::Kind<Joint> (*Kind.h) has
 ///   Definition     the class of its definition
 ///   kHold          where it holds its bodies
-///   kHoldsToWorld  whether it holds bodies to the world even where both are dynamic
+///   kHoldsToWorld  true if it holds bodies to the world even if both are dynamic
 ///   kLines         how b2World::DrawDebugData shows it
-///   IsSound        whether a definition can be made into a joint; asserts say what it lacks
+///   IsSound        true if a definition can be made into a joint; asserts report the error
 ///   HasSpring, SpringOf, HasMotor, IsDriven, MaxPower   see JointEnergy.h
 ///   Visit          saves and restores it; see Snapshot/Archive.h
-/// and that of hinges IsFree (RevoluteKind.h).
-/// None of them has a default: a kind without a motor or a spring says so by NoMotor and NoSpring.
+/// and that of hinges IsFree (RevoluteKind.h). None of them has a default: a kind without a motor
+/// or a spring uses NoMotor and NoSpring.
 namespace box2d
 {
 
@@ -45,7 +45,7 @@ template <class Joint, auto maxForce>
 struct SpeedMotor
 {
     static bool HasMotor(const Joint& joint) { return joint.IsMotorEnabled(); }
-    /// One that cannot move what it should may rest.
+    /// A joint whose motor cannot move its bodies may rest.
     static bool IsDriven(const Joint& joint)
     {
         const float32 wanted = joint.IsMotorEnabled() ? joint.GetMotorSpeed() : 0.0f;

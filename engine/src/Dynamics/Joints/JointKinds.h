@@ -17,8 +17,8 @@
 
 class b2BlockAllocator;
 
-/// The table of joints. A new kind is one case here. The compiler then asks for its
-/// JointAccess::Kind and for its lanes (JointKernels.h).
+/// The table of joints. A new kind is one case here. The compiler then requires its
+/// JointAccess::Kind and its lanes (JointKernels.h).
 namespace box2d
 {
 
@@ -28,7 +28,7 @@ using JointTag = std::type_identity<Joint>;
 #pragma GCC diagnostic push
 #pragma GCC diagnostic error "-Wswitch" // a word of b2JointType without a case does not compile
 
-/// Returns what `function` returns for the tag of a kind, or a default value where `type` is none.
+/// Returns the result of `function` for the tag of a kind, or a default value for an unknown type.
 template <class Function>
 constexpr auto WithType(b2JointType type, Function&& function)
 {
@@ -73,14 +73,14 @@ auto WithJoint(const b2Joint& joint, Function&& function)
     });
 }
 
-/// Whether a number is a kind of joint at all.
+/// True if a number is a kind of joint.
 constexpr bool IsJointType(b2JointType type)
 {
     return WithType(type, [](auto) { return true; });
 }
 
-/// Whether a definition has two different bodies, and numbers that a solver can work with. With
-/// asserts on, what is missing is reported.
+/// True if a definition has two different bodies, and numbers that a solver can work with. With
+/// asserts on, the error is reported.
 bool IsSound(const b2JointDef& def);
 /// From a sound definition; in no list yet.
 b2Joint& ConstructJoint(const b2JointDef& def, b2BlockAllocator& allocator);

@@ -3,9 +3,9 @@
 
 #include "JointFrame.h"
 
-/// What a joint does to its bodies in sub-steps, as rows of a linear system: for each row its
-/// derivative J by the velocities of the bodies. What holds rigidly comes first, with an error C at
-/// the present pose whose rate is J v. Motors, limits, springs and friction follow as bounded rows,
+/// The effect of a joint on its bodies in sub-steps, as rows of a linear system. Each row has its
+/// derivative J by the velocities of the bodies. Rigid rows come first, with an error C at the
+/// present pose whose rate is J v. Motors, limits, springs and friction follow as bounded rows,
 /// each with its own law. The impulses change the velocities by M^-1 J^T lambda.
 namespace box2d
 {
@@ -256,8 +256,8 @@ struct RowFiller
         return of(a, f.a) + of(b, f.b);
     }
 
-    /// Share of what is beyond a limit that a sub-step takes back: more would throw it off the
-    /// limit, less leaves it there for long.
+    /// Fraction of a limit violation that a sub-step corrects. A larger one would throw the body
+    /// off the limit, a smaller one corrects too slowly.
     static constexpr float32 kReturn = 0.2f;
     static constexpr float32 kFastestReturn = 2.0f; ///< [m/s], [rad/s]
 

@@ -3,13 +3,13 @@
 
 #include "JointBlocks.h"
 
-/// The order in which joints are solved, and what of it can be done at once. Joints are solved in
-/// the order of their creation, each with what those before it have left of its bodies: in a chain
-/// an impulse then runs along all links in one iteration. Two joints that share no body
-/// that moves do not notice each other's turn, so they are sorted into levels: a joint is one level
-/// above the last of its bodies' earlier joints (level scheduling of triangular solves; Anderson
-/// and Saad, 1989). Within a level all can be solved at the same time; the result is that of one
-/// after the other, to the last bit.
+/// The order in which joints are solved, and the joints that can be solved at once. Joints are
+/// solved in the order of their creation, each with the velocities that those before it have left.
+/// In a chain an impulse then runs along all links in one iteration. Two joints without a common
+/// dynamic body are independent, so joints are sorted into levels. A joint is one level above the
+/// last of its bodies' earlier joints (level scheduling of triangular solves; Anderson and Saad,
+/// 1989). All joints of a level can be solved at the same time, with the same bits as one after the
+/// other.
 namespace box2d
 {
 

@@ -29,8 +29,8 @@ struct PrismaticLanes
         F axisA, axisB;     ///< (d + rA) x a, rB x a
         F acrossA, acrossB; ///< (d + rA) x t, rB x t
 
-        /// Of the two rows perpendicular to the axis and about it; 1 for two bodies that cannot
-        /// rotate.
+        /// Returns the matrix of the two rows perpendicular to the axis and about it; 1 for two
+        /// bodies that cannot rotate.
         typename PairMasses<F>::Matrix MatrixOf(const PairMasses<F>& pair) const
         {
             const F inertia = pair.iA + pair.iB;

@@ -37,7 +37,8 @@ struct WeldLanes
         pair.ApplyAngular(angularImpulse);
     }
 
-    /// Of the three rows together, by Cramer's rule with the columns' cross products as cofactors:
+    /// The matrix of the three rows together, solved by Cramer's rule with the columns' cross
+    /// products as cofactors:
     ///   K = [ PointMatrix   k ; k^T   iA + iB ].
     struct Full
     {
@@ -53,7 +54,7 @@ struct WeldLanes
             yw = pair.iA * rA.x + pair.iB * rB.x;
             ww = pair.iA + pair.iB;
         }
-        /// Of (x, y, w); zero where it is singular.
+        /// Solves for (x, y, w); the result is zero if the matrix is singular.
         void Solve(Vector<F>& b, F& w) const
         {
             const F cofactorX = yy * ww - yw * yw;

@@ -16,10 +16,10 @@ class b2Body;
 class b2Contact;
 class b2Joint;
 
-/// Saving and restoring. What is saved of a structure stands in one function
-/// Visit(archive, structure); with a SnapshotWriter it saves and with a SnapshotReader it restores,
-/// so that the two cannot differ. Numbers are written one by one, little end first, never as images
-/// of memory: those hold padding and pointers, and change with every member.
+/// Saving and restoring. One function, Visit(archive, structure), lists the saved members of a
+/// structure. With a SnapshotWriter it saves and with a SnapshotReader it restores, so the two
+/// cannot differ. Numbers are written one by one, little end first. Memory images are not used,
+/// because they contain padding and pointers and change with every member.
 namespace box2d
 {
 

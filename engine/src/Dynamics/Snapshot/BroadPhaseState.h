@@ -11,7 +11,7 @@
 namespace box2d
 {
 
-/// A tree does not know what belongs to a leaf. The fixture does.
+/// A tree does not know the owners of its leaves. The fixtures do.
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, b2DynamicTree& tree)
 {

@@ -11,7 +11,8 @@ namespace box2d
 
 struct JointAccess::Snapshot
 {
-    /// What all joints have. The lists that it is in are saved as lists.
+    /// Visits the members that all joints have. The lists that contain the joint are saved
+    /// separately.
     template <class Archive>
     static void VisitBase(Archive& archive, b2Joint& j)
     {

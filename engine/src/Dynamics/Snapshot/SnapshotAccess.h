@@ -21,9 +21,9 @@ class Proxies;
 class RowSystem;
 class World;
 
-/// The snapshot's door to what the parts of the engine keep private. Each visitor is in the header
-/// of its part, beside this one; all of them name every member of their part, so that one more does
-/// not compile until it is decided what becomes of it.
+/// Gives the snapshot access to private members of the engine. Each visitor is in the header of its
+/// part, beside this one. All of them name every member of their part, so a new member does not
+/// compile until its visitor handles it.
 struct SnapshotAccess
 {
     static std::unique_ptr<World>& Of(b2World& world) { return world.m_world; }

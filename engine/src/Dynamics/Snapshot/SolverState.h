@@ -9,12 +9,14 @@
 #include "../State/World.h"
 #include "../SubSteps/SubStepMemory.h"
 
-/// What the solver's memory leaves to the next step. Most of it is filled again in each step; what
-/// is made when joints or contacts come or go follows from the lists, but not all of it:
-///  - contacts stay in their blocks in an order that places of bodies had in the past;
-///  - joints keep the states of their bounded rows, and how stiff the last step's forces made them;
-///  - which joints win energy was found when the list was made, with the settings of that time;
-///  - between the parts of a step of b2World::SetSubStepping the step is still under way.
+/// The solver's memory that affects the next step. Most of it is filled again in each step. The
+/// parts made when joints or contacts are added or removed follow from the lists, except:
+/// - contacts stay in their blocks in an order that places of bodies had in the past;
+/// - joints keep the states of their bounded rows, and the stiffness that the last step's forces
+///   caused;
+/// - the joints at risk of gaining energy were found when the list was made, with the settings of
+///   that time;
+/// - between the parts of a step of b2World::SetSubStepping the step is not complete.
 namespace box2d
 {
 
@@ -82,8 +84,8 @@ void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& wo
     }
 }
 
-/// Of the rows of the last step only what RowSystem::SquaredFrequency reads, in the form that new
-/// joints at the same indices use as well.
+/// Visits the part of the last step's rows that RowSystem::SquaredFrequency reads. It has the form
+/// that new joints at the same indices use as well.
 template <class Archive>
 void Visit(Archive& archive, JointRows& rows)
 {
@@ -97,7 +99,7 @@ void Visit(Archive& archive, JointRows& rows)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 {
-    // All else is made again with the pattern, or filled before it is read.
+    // The rest is made again with the pattern, or filled before it is read.
     auto& [pattern, rows, active, weights, residuals, found, sides, stiffness, x, diagonal, entries,
            addedMass] = system;
     constexpr std::size_t leastBytes = 69;
@@ -113,7 +115,7 @@ void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& world)
 {
-    // What is iterated over is chosen in each step.
+    // The joints that are iterated are chosen again in each step.
     auto& [joints, sides, rowSystem, parts, trees, treeOf, solutions, rowed, iteratedJoints,
            iterated, threads, hasBounded, states, totals, kicks, poses, opened, left, speeds, now,
            elimination, partJoints, version, restored, restoredVersion] = system;

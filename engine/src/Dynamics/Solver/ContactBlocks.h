@@ -60,8 +60,8 @@ struct alignas(kCacheLine) OverlapBlock
     uint8 movesA, movesB; ///< as in ContactBlock
 };
 
-/// What only sub-steps keep of a block: the impulses of the whole step, and those that the last
-/// kick began with.
+/// Data of a block for sub-steps only: the impulses of the whole step, and those at the start of
+/// the last kick.
 struct BlockTotals
 {
     float32 normal[2][kBlockLanes], tangent[2][kBlockLanes];
@@ -92,7 +92,7 @@ public:
     /// solves neighbours in memory. Contacts that may share bodies keep their order, which is that
     /// of solving.
     void Sort(const Array<b2Contact*>& contacts, bool sharesBodies, std::size_t bodyCount);
-    /// Reserves memory for as many contacts.
+    /// Reserves memory for this number of contacts.
     void Reserve(std::size_t contactCount, bool sharesBodies);
     /// Assigns each sorted contact that must be solved to a lane in a block of its form; one block
     /// each if they may share bodies. Blocks must be prepared afterwards. Allocates no memory.

@@ -3,9 +3,9 @@
 
 #include "../State/BodyLanes.h"
 
-/// Which contacts bounce, and how fast. For one contact (simd::Float1) and for numbers F of 4 or 8
-/// lanes, with the same bits: all solvers of contacts ask here. No external linkage, like
-/// BodyLanes.h.
+/// Selects the contacts that bounce, and their speeds. For one contact (simd::Float1) and for
+/// numbers F of 4 or 8 lanes, with the same bits. All contact solvers use it. No external linkage,
+/// like BodyLanes.h.
 namespace box2d
 {
 namespace

@@ -251,9 +251,9 @@ void StepSolver::SolvePositions(int32 iterations)
     }
 }
 
-/// A correction of poses turns to first order: by the arc tangent of the angle that is counted. Far
-/// out on a lever such angles are large, and a body that ends elsewhere than where the iterations
-/// saw it is turned again in the next step, and on and on.
+/// A correction of poses rotates to first order: by the arc tangent of the computed angle. Far out
+/// on a lever such angles are large. A body that ends elsewhere than the iterations expected would
+/// be rotated again in every following step.
 void StepSolver::TurnAsSeen()
 {
     constexpr float32 kSmallTurn = 0.25f; // [rad], at an error of 0.005

@@ -14,8 +14,8 @@ namespace box2d
 struct JointLane;
 struct JointRows;
 
-// The members of a class with a base cannot be named all at once. Where pointers have 8 bytes its
-// size tells when one has been added.
+// The members of a class with a base cannot be named all at once. With pointers of 8 bytes, its
+// size shows that a member has been added.
 template <class Object, std::size_t size>
 constexpr bool kHasSize = sizeof(void*) != 8 || sizeof(Object) == size;
 

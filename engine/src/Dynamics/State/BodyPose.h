@@ -9,7 +9,7 @@ namespace box2d
 
 /// Computes sine, cosine, transform and single-precision centre from the pose.
 void SynchronizePose(BodyData& body);
-/// As above, if the angle is unchanged.
+/// Same as above, if the angle is unchanged.
 void SynchronizePlace(BodyData& body);
 /// Returns the vector from centre of mass A to B [m], exact at any distance from the origin.
 b2Vec2 CenterOffset(const BodyData& a, const BodyData& b);

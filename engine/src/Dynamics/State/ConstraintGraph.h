@@ -54,9 +54,10 @@ public:
         }
     }
 
-    /// Joints are solved as if one by one, in the order of their creation, which for a chain is the
-    /// order of its links: an impulse runs the length of the chain in one iteration, where colours
-    /// would carry it two links. Adding and removing may change the order until SortJoints.
+    /// Joints are solved as if one by one, in the order of their creation. For a chain that is
+    /// usually the order of its links, so an impulse runs the length of the chain in one iteration.
+    /// With colours it would travel two links. Adding and removing may change the order until
+    /// SortJoints.
     const Array<b2Joint*>& Joints() const { return m_joints; }
     void SortJoints();
     /// Changes with the list, and with the masses of jointed bodies.

@@ -6,10 +6,10 @@
 
 class b2Body;
 
-/// Which dynamic bodies are connected through touching contacts and joints, so that they fall
-/// asleep and wake together. Islands live from step to step: a new link merges two of them at once,
-/// a lost link is only counted, and the island is taken apart when one of its bodies is ready to
-/// sleep. Static and kinematic bodies belong to none.
+/// Dynamic bodies that are connected through touching contacts and joints, and so fall asleep and
+/// wake together. Islands persist from step to step. A new link merges two of them at once. A
+/// removed link is only counted. The island is split when one of its bodies is ready to sleep.
+/// Static and kinematic bodies belong to no island.
 namespace box2d
 {
 

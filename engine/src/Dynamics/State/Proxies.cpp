@@ -10,8 +10,8 @@ namespace
 /// Smaller trees are good enough without a rebuild.
 constexpr int32 kMinAdded = 1000;
 
-/// A move costs more than a leaf's part of a tree that is built again when there are so many, and
-/// they are at least this share of all.
+/// From this number of moves on, and this share of all proxies, a new tree is cheaper than moving
+/// each leaf.
 constexpr int32 kMinMoved = 16;
 constexpr int32 kMovedShare = 8;
 /// Steps between rebuilds of such a tree; with more its boxes overlap too much.

@@ -33,10 +33,10 @@ public:
     void Destroy(int32 proxyId);
     /// Sets the proxy's box and marks it as moved.
     void Move(int32 proxyId, const b2AABB& fatBox);
-    /// As Move, but cheaper, for a box that has only grown and will change again soon.
+    /// Same as Move, but cheaper, for a box that has only grown and will change again soon.
     void Grow(int32 proxyId, const b2AABB& fatBox);
-    /// Between these two so many proxies of dynamic bodies are moved: when that is a good part of
-    /// them, the tree is built again at the end. No query is allowed meanwhile.
+    /// `count` proxies of dynamic bodies are moved between these two calls. If that is a large part
+    /// of them, the tree is built again at the end. No query is allowed meanwhile.
     void BeginMoves(int32 count);
     void EndMoves();
     /// Marks it as moved, so that its pairs are searched again.
@@ -69,7 +69,7 @@ public:
     /// query.
     template <class Report>
     void Query(const b2AABB& box, Report&& report) const;
-    /// As above, for one mobility; false if the report ended the query.
+    /// Same as above, for one mobility; false if the report ended the query.
     template <class Report>
     bool Query(const b2AABB& box, Mobility mobility, Report&& report) const;
 
@@ -83,8 +83,8 @@ private:
     const b2DynamicTree& Tree(int32 proxyId) const { return m_trees[proxyId & 3]; }
     b2DynamicTree& Tree(int32 proxyId) { return m_trees[proxyId & 3]; }
     bool HasMoved(int32 proxyId) const;
-    /// Builds the static tree again when it has grown by half since that was done last, and by so
-    /// many that it pays: a query looks at nearly half as many nodes then. All of it takes no
+    /// Builds the static tree again when it has grown by half since the last time, and by enough
+    /// proxies to be worthwhile. A query then visits nearly half as many nodes. Rebuilding takes no
     /// longer than the insertions did.
     void RebuildStatic();
 

@@ -69,8 +69,8 @@ inline bool IsFinite(const SolverBody& body)
     return b2IsValid(body.v.x + body.v.y + body.w + body.d.x + body.d.y + body.angle);
 }
 
-/// The parameters of the step for joints and contacts. MakeContext (Solver/StepSolver.h) fills it;
-/// what only measures distances needs no more than the bodies.
+/// The parameters of the step for joints and contacts, filled by MakeContext (Solver/StepSolver.h).
+/// Code that only measures distances needs only the bodies.
 struct SolverContext
 {
     WorldSettings settings;
@@ -121,7 +121,7 @@ struct ContactConstraint
 /// then 13 mm apart. Values from 30 to 1e5 are compared in docs/notes/contact-constants.md.
 inline constexpr float32 kMaxCondition = 1000.0f;
 
-/// How a contact's overlap is measured.
+/// The measure of a contact's overlap.
 enum class OverlapKind : uint8
 {
     Centers, ///< along the line between two points: circles

@@ -23,7 +23,7 @@ class b2Draw;
 class b2Joint;
 class b2World;
 
-/// The data of a world. b2World is its public face. What is done with it are functions, each
+/// The data of a world. b2World is its public interface. Operations on it are functions, each
 /// declared by the folder that owns it (World/Bodies.h, Contacts/Contacts.h, Islands/Sleep.h ...).
 namespace box2d
 {

@@ -3,9 +3,8 @@
 
 #include <Box2D/Common/b2Math.h>
 
-/// What a program sets of a world with the setters of b2World, as far as it affects results. The
-/// solver gets a copy (SolverContext). A new setting is a member here, named in Visit, and a pair
-/// of functions of b2World.
+/// The settings of b2World's setters that affect results. The solver gets a copy (SolverContext). A
+/// new setting is a member here, named in Visit, and a pair of functions of b2World.
 namespace box2d
 {
 

@@ -3,7 +3,7 @@
 
 #include "../State/Solver.h"
 
-/// What gravity, forces and damping do to a body in sub-steps.
+/// The effect of gravity, forces and damping on a body in sub-steps.
 namespace box2d
 {
 

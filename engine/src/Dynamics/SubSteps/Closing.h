@@ -3,7 +3,7 @@
 
 #include <Box2D/Common/b2Math.h>
 
-/// How far joints are closed after a drift, in sub-steps.
+/// The fraction by which joints are closed after a drift, in sub-steps.
 namespace box2d
 {
 

@@ -34,7 +34,7 @@ public:
     /// normal speed is off by more than `tolerance` [m/s].
     void SolveVelocities(SolverMemory& solver, JointSystem& joints, const SolverContext& context,
                          float32 tolerance);
-    /// As above, for islands with overlaps deeper than kMaxOverlap.
+    /// Same as above, for islands with overlaps deeper than kMaxOverlap.
     void SolveOverlaps(SolverMemory& solver, JointSystem& joints, const SolverContext& context,
                        PushPace pace);
 

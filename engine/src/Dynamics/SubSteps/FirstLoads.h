@@ -15,8 +15,8 @@ struct SolverMemory;
 class FirstLoads
 {
 public:
-    /// Of contacts that have been in no sub-step yet, between bodies at rest: their impulses in a
-    /// kick of `duration` [s]. After the blocks have been prepared.
+    /// Finds the impulses in a kick of `duration` [s] of contacts that have been in no sub-step
+    /// yet, between bodies at rest. Call it after the blocks have been prepared.
     void Find(const World& world, SolverMemory& arrays, float32 duration);
 
 private:

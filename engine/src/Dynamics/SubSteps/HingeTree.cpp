@@ -27,9 +27,9 @@ constexpr int32 kMaxTries = 4;
 /// docs/notes/sub-steps-chains.md.
 constexpr double kEstimated = 1.8;
 constexpr double kFound = 2.8;
-/// A body that turns is followed as closely as one that swings this much as fast, so it turns by at
-/// most sqrt(1.8) / 3 = 0.45 rad in a drift. A bound, not a tuned number: from 0 to 6 the gaps of
-/// chains stay below 0.1 mm; more takes drifts for nothing (docs/notes/tuned-constants.md).
+/// A rotating body is followed as closely as one that swings this many times as fast, so it rotates
+/// by at most sqrt(1.8) / 3 = 0.45 rad in a drift. A bound, not a tuned number: from 0 to 6 the gaps
+/// of chains stay below 0.1 mm. More uses unnecessary drifts (docs/notes/tuned-constants.md).
 constexpr double kTurns = 3.0;
 
 /// Relative energy error of a step: more than the truncation error of drifts that resolve all
@@ -314,7 +314,7 @@ void HingeTree::TakeWonEnergy()
     }
 }
 
-/// As last measured.
+/// Returns the value of the last measurement.
 float32 HingeTree::WidestGap() const
 {
     float32 widest = 0.0f;
@@ -360,7 +360,7 @@ double HingeTree::Strain(double time)
     return highest;
 }
 
-/// As above, for the impulses of the last step.
+/// Same as above, for the impulses of the last step.
 double HingeTree::LastStrain(double time)
 {
     for (Link& link : m_links)

@@ -6,12 +6,12 @@
 class b2Joint;
 class b2RevoluteJoint;
 
-/// Bodies that nothing but hinges holds together, without loops: pendulums, chains, trees that may
-/// be tied down once. What a JointSystem does with any rows is done here with the hinges' own
-/// numbers, at a tenth of the cost: a body with its subtree acts on its hinge like
-/// a mass that differs by direction, a matrix of 2 x 2, and these are gathered from the tips to the
-/// root (the articulated-body algorithm: Featherstone, "Rigid Body Dynamics Algorithms", 2008,
-/// chapter 7). A hinge's lever t is its arm turned by a quarter: a point at it moves with v - w t.
+/// Bodies connected only by hinges, without loops: pendulums, chains, trees with at most one fixed
+/// point. It solves what a JointSystem does for any rows, at a tenth of the cost. A body with its
+/// subtree acts on its hinge like a mass that differs by direction, a matrix of 2 x 2. These are
+/// gathered from the tips to the root (the articulated-body algorithm: Featherstone, "Rigid Body
+/// Dynamics Algorithms", 2008, chapter 7). A hinge's lever t is its arm turned by a quarter: a
+/// point at it moves with v - w t.
 namespace box2d
 {
 
@@ -83,7 +83,7 @@ private:
         Pair given;             ///< impulse from the subtree
         double givenTurn = 0.0; ///< its moment
         double load = 0.0;      ///< the mass of its subtree
-        double pull = 0.0;      ///< what turns the body back [N m]
+        double pull = 0.0;      ///< restoring torque of the body [N m]
         Pair change;            ///< of velocity
         double changeTurn = 0.0;
         Pair impulse; ///< impulse in the hinge

@@ -12,10 +12,10 @@ namespace box2d
 namespace
 {
 
-/// The compliance, see the header, where closing with the usual one fails (Levenberg, "A Method for
-/// the Solution of Certain Non-Linear Problems in Least Squares", 1944): joints then stay open a
-/// little. With a hundredth a chain of 1000:1 opens by 3.6 m at a post, with 100 times by 0.4 m,
-/// with this by 0.07 m (docs/notes/tuned-constants.md).
+/// The compliance (see the header) for poses at which closing with the usual one fails (Levenberg,
+/// "A Method for the Solution of Certain Non-Linear Problems in Least Squares", 1944). Joints then
+/// stay slightly open. With a hundredth of it, a chain of 1000:1 opens by 3.6 m at a post, with 100
+/// times by 0.4 m, with this by 0.07 m (docs/notes/tuned-constants.md).
 constexpr double kDamped = 1e-2;
 /// In loops, where joints that hold the same twice share the load. With a hundredth a mesh does not
 /// come to rest, with 100 times a jammed train of gears trembles. In a tree more than RowSystem's

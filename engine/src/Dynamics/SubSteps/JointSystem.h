@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-/// All that joints do in sub-steps. What they hold rigidly is a RowSystem. Motors and limits
-/// take part in it as long as their forces do what they should; which do is found by trying (block
-/// pivoting: Judice and Pires, "A block principal pivoting algorithm for large-scale strictly
-/// monotone linear complementarity problems", 1994). Iterations in lanes, as in a whole step, solve
-/// a component with too many loops, and one in a pile of contacts that is iterated over anyway.
+/// All effects of joints in sub-steps. Rigid rows form a RowSystem. Motors and limits are part of
+/// it as long as their forces have the right direction. The active set is found by block pivoting
+/// (Judice and Pires, "A block principal pivoting algorithm for large-scale strictly monotone
+/// linear complementarity problems", 1994). Iterations in lanes, as in a whole step, solve a
+/// component with too many loops, and one in a contact island that is iterated anyway.
 namespace box2d
 {
 
@@ -79,7 +79,7 @@ public:
     void Prepare(const SolverContext& context);
     /// Call after the kick: applies the last impulses, times `share`.
     void WarmStart(const SolverContext& context, float32 share);
-    /// As above, without impulses, for joints whose sides satisfy `which`.
+    /// Same as above, without impulses, for joints whose sides satisfy `which`.
     template <class Function>
     void StartAgain(const SolverContext& context, Function&& which)
     {
@@ -120,8 +120,8 @@ public:
     /// Prepare, which change velocities and displacements. (RATTLE: Andersen, "Rattle: a 'velocity'
     /// version of the Shake algorithm", 1983.) The kicks are by awake body.
     void SolvePositions(const SolverContext& context, float32 timeStep, const BodyKick* kicks);
-    /// Call after position correction of overlaps: closes what it opened since SolvePositions.
-    /// Joints that are iterated over are closed here alone.
+    /// Closes the joints that the position correction of overlaps opened since SolvePositions. Call
+    /// it after that correction. Iterated joints are closed only here.
     void CloseAfterPushes(const SolverContext& context, int32 iterations);
     /// Call after write-back and before an impact within the step: records the gaps of joints.
     void NoteOpen(const ConstraintGraph& graph, const SolverContext& context);
@@ -162,8 +162,8 @@ public:
     /// the solved impulses.
     void FillItem(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
     void TakeItem(std::size_t joint, const BoundedSystem::Item& item);
-    /// As above, with displacements in place of velocities. Rigid rows and active limits must not
-    /// move; motors and springs are omitted, because they have target velocities.
+    /// Same as above, with displacements instead of velocities. Rigid rows and active limits must
+    /// not move. Motors and springs are omitted, because they have target velocities.
     void FillDisplacements(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
 
 private:
@@ -185,7 +185,7 @@ private:
     {
         RowState of[JointRows::kMaxRows] = {};
     };
-    /// How a joint is solved in a step.
+    /// The solution method of a joint in a step.
     enum class Solution : uint8
     {
         Rows,     ///< directly
@@ -266,7 +266,7 @@ private:
     void SolvePart(int32 part, const SolverContext& context);
     void SetResidual(std::size_t joint, const SolverContext& context, const Vector3& wanted);
 
-    /// How many times as heavy a body that an impact has stopped counts as the rest of its
+    /// A body that an impact has stopped counts as this many times heavier than the rest of its
     /// component.
     static constexpr double kHeldShare = 20.0;
     /// Its rotation is held only up to this angle [rad]. An impact ignores joints, and may give a

@@ -11,7 +11,7 @@
 namespace box2d
 {
 
-/// How a body moves through a step with sub-steps.
+/// The motion of a body through a step with sub-steps.
 enum class BodyMode : uint8
 {
     Together, ///< sub-step by sub-step

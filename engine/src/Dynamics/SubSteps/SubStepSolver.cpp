@@ -31,12 +31,14 @@ namespace
 constexpr float32 kRestTolerance = 0.01f;
 constexpr int32 kMinColdIterations = 8; ///< without a warm start
 constexpr int32 kMaxBounces = 64;       ///< iterations over what bounces in a row
-/// How fast a contact pushes out what started deep in something else [m/s]: faster is seen as a
-/// jump (Catto, "Solver2D", 2024, bounds it alike). What weight and impacts press in is less deep.
+/// Maximum speed at which a contact pushes out an initial overlap [m/s]. A higher speed looks like
+/// a jump (Catto, "Solver2D", 2024, has a similar bound). Overlaps from weight and impacts are
+/// smaller.
 constexpr float32 kPushSpeed = 3.0f;
 
-/// As in a whole step the iterations of a kick turn once, and the next kick goes on the way that
-/// this one ended. A kick of one iteration turns with every second kick, which is the same.
+/// The iterations of a kick reverse their direction once, as in a whole step. The next kick starts
+/// in the direction in which this one ended. A kick of one iteration reverses with every second
+/// kick, which is equivalent.
 Direction KickDirectionOf(int32 kick, int32 iteration, int32 count, bool turned)
 {
     if (count > 1)
@@ -104,10 +106,11 @@ void ForPoints(ContactBlock& block, BlockTotals& totals, Function&& function)
     }
 }
 
-/// From a kick to one that is `share` times as long. What iterations change stops what came
-/// together before the kick as well as what the kick itself brought, and the former does not grow
-/// with its length. So the change passes on as it is: twice as large after the half kick at the
-/// start it would be over-relaxed by 2, beyond which iterations diverge, and tall piles did.
+/// Scales the impulses of a kick for one that is `share` times as long. The change by iterations
+/// stops two motions: the approach before the kick, and the part that the kick added. The former
+/// does not grow with the kick's length, so the change is passed on unscaled. After the half kick
+/// at the start, doubling it would over-relax by 2. Beyond that, iterations diverge, and tall
+/// stacks did.
 void ScaleImpulses(ContactBlock& block, BlockTotals& totals, float32 share)
 {
     ForPoints(block, totals, [share](float32* impulse, const float32*, float32* first) {

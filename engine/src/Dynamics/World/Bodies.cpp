@@ -223,7 +223,7 @@ void Include(const b2Shape& shape, BodyData& body)
     }
 }
 
-/// How far the shapes reach from the centre of mass, and how thin they are.
+/// Measures the maximum distance of the shapes from the centre of mass, and their thickness.
 void MeasureExtents(BodyData& body)
 {
     ForgetExtents(body);

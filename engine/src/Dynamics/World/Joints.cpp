@@ -17,7 +17,7 @@ namespace box2d
 namespace
 {
 
-/// A gear that is made of this joint, null when there is none. It is in the list of one of the
+/// Returns a gear that uses this joint; null if there is none. It is in the list of one of the
 /// joint's bodies.
 b2Joint* FindGear(b2Joint& joint)
 {

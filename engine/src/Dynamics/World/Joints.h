@@ -16,7 +16,7 @@ b2Joint* CreateJoint(World& world, const b2JointDef& def);
 void LinkJoint(World& world, b2Joint& joint);
 /// With the gears that are made of it.
 void DestroyJoint(World& world, b2Joint& joint);
-/// As a consequence of something else, so the destruction listener is called.
+/// Destroys a joint as a consequence of another call, so it calls the destruction listener.
 void DestroyJointImplicitly(World& world, b2Joint& joint);
 
 } // namespace box2d

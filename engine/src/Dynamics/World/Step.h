@@ -8,8 +8,9 @@ namespace box2d
 
 class World;
 
-/// One step: finds and updates contacts, solves velocities, moves, solves positions, looks for
-/// impacts that the discrete step would miss, and puts to sleep what has come to rest.
+/// Performs one step. It finds and updates contacts, solves velocities, moves bodies, and solves
+/// positions. Then it looks for impacts that the discrete step would miss, and puts bodies at rest
+/// to sleep.
 void Step(World& world, float32 timeStep, int32 velocityIterations, int32 positionIterations);
 void ClearForces(World& world);
 

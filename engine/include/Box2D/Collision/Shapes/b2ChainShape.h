@@ -34,8 +34,8 @@ public:
     /// the previous one are skipped. If too few remain, the chain is empty.
     void CreateChain(const b2Vec2* vertices, int32 count);
 
-    /// As above, with ghost vertices [m], finite. The chain then collides on its right side only,
-    /// as in 2.4.
+    /// Same as above, with ghost vertices [m], finite. The chain then collides on its right side
+    /// only, as in 2.4.
     void CreateChain(const b2Vec2* vertices, int32 count, const b2Vec2& prevVertex,
                      const b2Vec2& nextVertex);
 

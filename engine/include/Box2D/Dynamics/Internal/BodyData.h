@@ -109,7 +109,7 @@ struct BodyData
     bool IsAwake() const { return (flags & kBodyAwake) != 0; }
     bool IsActive() const { return (flags & kBodyActive) != 0; }
     bool IsDynamic() const { return mobility == Mobility::Dynamic; }
-    /// Returns the index in the solver's array; 0 stands for all bodies that do not move.
+    /// Returns the index in the solver's array; 0 is shared by all bodies that do not move.
     std::int32_t SolverIndex() const { return awakeIndex + 1; }
     /// Returns 0 for bodies outside the step: they cannot be pushed, independent of their mass.
     float32 SolverInvMass() const { return awakeIndex == -1 ? 0.0f : invMass; }

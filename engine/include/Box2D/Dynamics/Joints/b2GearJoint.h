@@ -7,12 +7,14 @@
 /// Gear joints.
 
 /// Couples two joints, each a revolute or a prismatic one: coordinate 1 + ratio * coordinate 2
-/// stays constant. Destroy it before its joints, else it goes with the first of them.
+/// stays constant. Destroy the gear before its joints. Otherwise it is destroyed with the first of
+/// them.
 ///
 /// bodyA and bodyB are two different bodies of the joints; others are refused. The gear's body A is
-/// that of them which belongs to joint1, its body B that which belongs to joint2. Where none does,
-/// it is body B of that joint. A static body is taken only where the gear then still connects all
-/// that it moves, such as a fixed sun wheel; else it is the joint's other body.
+/// the one that belongs to joint1, its body B the one that belongs to joint2. If neither belongs to
+/// that joint, the gear uses body B of the joint. A static body is accepted only if the gear then
+/// still connects all bodies that it moves, such as a fixed sun wheel. Otherwise the joint's other
+/// body is used.
 struct b2GearJointDef : public b2JointDef
 {
     b2GearJointDef() { type = e_gearJoint; }
