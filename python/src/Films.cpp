@@ -26,7 +26,8 @@ Quality QualityFrom(const std::string& name)
             return quality;
         }
     }
-    ThrowMisuse("quality: there is no '" + name + "'; expected one of draft, standard, high, lossless");
+    ThrowMisuse("quality: there is no '" + name +
+                "'; expected one of draft, standard, high, lossless");
 }
 
 /// Calls a function without Python's lock.
@@ -65,7 +66,8 @@ public:
         const DrawList list = ListOf(world, view, look);
         if (!m_recording)
         {
-            Result<Recording> recording = Unlocked([&] { return Recording::Open(m_path, m_video, m_drawing); });
+            Result<Recording> recording =
+                Unlocked([&] { return Recording::Open(m_path, m_video, m_drawing); });
             m_recording.emplace(Need(std::move(recording)));
         }
         if (!Unlocked([&] { return m_recording->Add(list, view); }))
@@ -92,7 +94,8 @@ public:
                 m_video.width = frame.width;
                 m_video.height = frame.height;
             }
-            Result<VideoWriter> writer = Unlocked([&] { return VideoWriter::Open(m_path, m_video); });
+            Result<VideoWriter> writer =
+                Unlocked([&] { return VideoWriter::Open(m_path, m_video); });
             m_writer.emplace(Need(std::move(writer)));
         }
         Need(Unlocked([&] { return m_writer->Append(frame); }));
@@ -153,7 +156,8 @@ private:
         }
         else
         {
-            m_follower->Update(BoundsOfMovers(world.world), 1.0 / m_video.framesPerSecond.ToDouble());
+            m_follower->Update(BoundsOfMovers(world.world),
+                               1.0 / m_video.framesPerSecond.ToDouble());
         }
         return m_follower->View();
     }
@@ -177,7 +181,8 @@ void BindFilms(py::module_& module)
         .def(py::init<std::string, const py::dict&>())
         .def("size_is_given", &Film::SizeIsGiven)
         .def("add_world",
-             [](Film& self, py::handle world, py::handle camera, py::handle layers, py::handle trails) {
+             [](Film& self, py::handle world, py::handle camera, py::handle layers,
+                py::handle trails) {
                  self.AddWorld(WorldFrom(world, "world"), camera, LookFrom(layers, trails));
              })
         .def("add_array", &Film::AddArray)

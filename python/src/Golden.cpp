@@ -16,11 +16,12 @@ namespace
 
 GoldenAccept AcceptFrom(const std::string& name)
 {
-    constexpr std::pair<const char*, GoldenAccept> kModes[] = {{"none", GoldenAccept::None},
-                                                               {"missing", GoldenAccept::Missing},
-                                                               {"changed", GoldenAccept::Changed},
-                                                               {"all", GoldenAccept::All},
-                                                               {"this-renderer", GoldenAccept::ThisRenderer}};
+    constexpr std::pair<const char*, GoldenAccept> kModes[] = {
+        {"none", GoldenAccept::None},
+        {"missing", GoldenAccept::Missing},
+        {"changed", GoldenAccept::Changed},
+        {"all", GoldenAccept::All},
+        {"this-renderer", GoldenAccept::ThisRenderer}};
     for (const auto& [known, mode] : kModes)
     {
         if (name == known)
@@ -28,7 +29,8 @@ GoldenAccept AcceptFrom(const std::string& name)
             return mode;
         }
     }
-    ThrowMisuse("accept: there is no '" + name + "'; expected none, missing, changed, all or this-renderer");
+    ThrowMisuse("accept: there is no '" + name +
+                "'; expected none, missing, changed, all or this-renderer");
 }
 
 py::dict Compared(py::handle expected, py::handle actual, const std::string& preset)
@@ -63,7 +65,8 @@ py::tuple Check(py::handle world, const std::string& name, py::handle camera, in
     }
     const GoldenCandidate candidate = Need(CandidateOf(self.world, name, look));
     const CompareSettings settings = Need(CompareSettings::Preset("preset", preset));
-    const GoldenCheckSettings folders{.references = references, .output = output, .accept = AcceptFrom(accept)};
+    const GoldenCheckSettings folders{
+        .references = references, .output = output, .accept = AcceptFrom(accept)};
     const GoldenOutcome outcome = [&] {
         const py::gil_scoped_release unlocked;
         return CheckGolden(candidate, settings, folders, accepted);

@@ -51,7 +51,8 @@ struct PictureRenderer
     PictureRenderer(int width, int height, const std::string& theme, double scale)
     {
         const Theme colors = ThemeFrom(theme);
-        const RendererSettings settings{.width = width, .height = height, .theme = colors, .scale = scale};
+        const RendererSettings settings{
+            .width = width, .height = height, .theme = colors, .scale = scale};
         const py::gil_scoped_release unlocked;
         Result<Renderer> result = Renderer::Create(settings);
         const py::gil_scoped_acquire locked;
@@ -75,41 +76,48 @@ struct PictureRenderer
 
 void BindCamera(py::module_& module)
 {
-    py::class_<Camera> type(module, "Camera", "The visible part of the world, in a picture of width x height pixels.");
+    py::class_<Camera> type(
+        module, "Camera", "The visible part of the world, in a picture of width x height pixels.");
     type.def(py::init([](int width, int height, py::handle center, double pixelsPerMeter) {
                  const b2Vec2 middle = From<b2Vec2>(center, "center");
-                 const Camera camera{width, height, double(middle.x), double(middle.y), pixelsPerMeter};
+                 const Camera camera{width, height, double(middle.x), double(middle.y),
+                                     pixelsPerMeter};
                  if (width < 1 || height < 1 || !CanBeDrawn(camera))
                  {
                      ThrowMisuse("Camera: expected a size above 0 and a scale above 0");
                  }
                  return camera;
              }),
-             py::arg("width") = 1280, py::arg("height") = 720, py::arg("center") = py::make_tuple(0.0, 0.0),
-             py::arg("pixelsPerMeter") = 20.0)
+             py::arg("width") = 1280, py::arg("height") = 720,
+             py::arg("center") = py::make_tuple(0.0, 0.0), py::arg("pixelsPerMeter") = 20.0)
         .def_readonly("width", &Camera::width, "Width of the picture [px].")
         .def_readonly("height", &Camera::height, "Height of the picture [px].")
-        .def_property_readonly("center", [](const Camera& c) { return py::make_tuple(c.centerX, c.centerY); },
-                               "World point in the centre of the picture [m].")
+        .def_property_readonly(
+            "center", [](const Camera& c) { return py::make_tuple(c.centerX, c.centerY); },
+            "World point in the centre of the picture [m].")
         .def_readonly("pixelsPerMeter", &Camera::pixelsPerMeter, "Scale [px/m].")
-        .def("to_pixel",
-             [](const Camera& c, py::handle point) {
-                 const b2Vec2 world = From<b2Vec2>(point, "point");
-                 const Vec2 pixel = c.ToPixel({world.x, world.y});
-                 return py::make_tuple(pixel.x, pixel.y);
-             },
-             py::arg("point"), "Converts a point of the world [m] to the picture [px, y down].")
-        .def("to_world",
-             [](const Camera& c, py::handle pixel) {
-                 const b2Vec2 place = From<b2Vec2>(pixel, "pixel");
-                 const Vec2 point = c.ToWorld({place.x, place.y});
-                 return py::make_tuple(point.x, point.y);
-             },
-             py::arg("pixel"), "Converts a point of the picture [px, y down] to the world [m].")
+        .def(
+            "to_pixel",
+            [](const Camera& c, py::handle point) {
+                const b2Vec2 world = From<b2Vec2>(point, "point");
+                const Vec2 pixel = c.ToPixel({world.x, world.y});
+                return py::make_tuple(pixel.x, pixel.y);
+            },
+            py::arg("point"), "Converts a point of the world [m] to the picture [px, y down].")
+        .def(
+            "to_world",
+            [](const Camera& c, py::handle pixel) {
+                const b2Vec2 place = From<b2Vec2>(pixel, "pixel");
+                const Vec2 point = c.ToWorld({place.x, place.y});
+                return py::make_tuple(point.x, point.y);
+            },
+            py::arg("pixel"), "Converts a point of the picture [px, y down] to the world [m].")
         .def("__eq__", [](const Camera& a, const Camera& b) { return a == b; })
         .def("__repr__", [](const Camera& c) {
-            return "Camera(width=" + std::to_string(c.width) + ", height=" + std::to_string(c.height) + ", center=(" +
-                   std::string(py::str(py::float_(c.centerX))) + ", " + std::string(py::str(py::float_(c.centerY))) +
+            return "Camera(width=" + std::to_string(c.width) +
+                   ", height=" + std::to_string(c.height) + ", center=(" +
+                   std::string(py::str(py::float_(c.centerX))) + ", " +
+                   std::string(py::str(py::float_(c.centerY))) +
                    "), pixelsPerMeter=" + std::string(py::str(py::float_(c.pixelsPerMeter))) + ")";
         });
     module.def("_fit", [](py::handle world, int width, int height, double margin) {
@@ -117,14 +125,16 @@ void BindCamera(py::module_& module)
     });
 }
 
-void WriteFigure(py::handle world, const std::string& path, const Camera& camera, const std::string& theme, double scale,
-                 const Look& look, bool overwrite)
+void WriteFigure(py::handle world, const std::string& path, const Camera& camera,
+                 const std::string& theme, double scale, const Look& look, bool overwrite)
 {
-    Figure figure = FigureOf(ListOf(WorldFrom(world, "world"), camera, look), camera, ThemeFrom(theme));
+    Figure figure =
+        FigureOf(ListOf(WorldFrom(world, "world"), camera, look), camera, ThemeFrom(theme));
     figure.scale = scale;
     const Result<void> result = [&] {
         const py::gil_scoped_release unlocked;
-        return path.ends_with(".pdf") ? WritePdf(path, figure, {overwrite}) : WriteSvg(path, figure, {overwrite});
+        return path.ends_with(".pdf") ? WritePdf(path, figure, {overwrite})
+                                      : WriteSvg(path, figure, {overwrite});
     }();
     Need(result);
 }
@@ -208,8 +218,8 @@ Camera CameraFrom(py::handle camera, WorldObject& world, int width, int height)
     const Camera& view = camera.cast<Camera&>();
     if (view.width != width || view.height != height)
     {
-        ThrowMisuse("camera: its size must be that of the picture, " + std::to_string(width) + " x " +
-                    std::to_string(height));
+        ThrowMisuse("camera: its size must be that of the picture, " + std::to_string(width) +
+                    " x " + std::to_string(height));
     }
     return view;
 }
@@ -218,7 +228,8 @@ py::array ArrayOf(Frame&& frame)
 {
     auto owner = std::make_unique<Frame>(std::move(frame));
     const Frame& pixels = *owner;
-    const py::capsule base(owner.release(), [](void* memory) { delete static_cast<Frame*>(memory); });
+    const py::capsule base(owner.release(),
+                           [](void* memory) { delete static_cast<Frame*>(memory); });
     const std::vector<py::ssize_t> shape = {pixels.height, pixels.width, 4};
     return py::array(py::dtype::of<std::uint8_t>(), shape, pixels.rgba.data(), base);
 }
@@ -229,7 +240,8 @@ Frame FrameFrom(py::handle array)
     {
         ThrowType("pixels", "an array of uint8", array);
     }
-    const auto pixels = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>::ensure(array);
+    const auto pixels =
+        py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>::ensure(array);
     if (pixels.ndim() != 3 || (pixels.shape(2) != 3 && pixels.shape(2) != 4))
     {
         ThrowMisuse("pixels: expected the shape (height, width, 3) or (height, width, 4)");
@@ -252,28 +264,35 @@ Frame FrameFrom(py::handle array)
 
 void BindPictures(py::module_& module)
 {
-    g_error = PyErr_NewExceptionWithDoc("boxreel.Error",
-                                        "A file, codec or driver that cannot be used. The text names it and the remedy.",
-                                        PyExc_RuntimeError, nullptr);
+    g_error = PyErr_NewExceptionWithDoc(
+        "boxreel.Error",
+        "A file, codec or driver that cannot be used. The text names it and the remedy.",
+        PyExc_RuntimeError, nullptr);
     module.attr("Error") = py::handle(g_error);
     BindCamera(module);
     py::class_<PictureRenderer>(module, "_Renderer")
         .def(py::init<int, int, const std::string&, double>())
         .def("draw",
-             [](PictureRenderer& self, py::handle world, const Camera& camera, py::handle layers, py::handle trails) {
-                 return ArrayOf(self.Draw(WorldFrom(world, "world"), camera, LookFrom(layers, trails)));
+             [](PictureRenderer& self, py::handle world, const Camera& camera, py::handle layers,
+                py::handle trails) {
+                 return ArrayOf(
+                     self.Draw(WorldFrom(world, "world"), camera, LookFrom(layers, trails)));
              })
-        .def_property_readonly("description", [](const PictureRenderer& self) { return self.renderer->Description(); });
+        .def_property_readonly("description", [](const PictureRenderer& self) {
+            return self.renderer->Description();
+        });
     module.def("_camera", [](py::handle camera, py::handle world, int width, int height) {
         return CameraFrom(camera, WorldFrom(world, "world"), width, height);
     });
-    module.def("_figure", [](py::handle world, const std::string& path, const Camera& camera, const std::string& theme,
-                             double scale, py::handle layers, py::handle trails, bool overwrite) {
+    module.def("_figure", [](py::handle world, const std::string& path, const Camera& camera,
+                             const std::string& theme, double scale, py::handle layers,
+                             py::handle trails, bool overwrite) {
         WriteFigure(world, path, camera, theme, scale, LookFrom(layers, trails), overwrite);
     });
     module.def("_svg", [](py::handle world, const Camera& camera, const std::string& theme) {
         const Look look = LookFrom(py::none(), py::none());
-        return Need(ToSvg(FigureOf(ListOf(WorldFrom(world, "world"), camera, look), camera, ThemeFrom(theme))));
+        return Need(ToSvg(
+            FigureOf(ListOf(WorldFrom(world, "world"), camera, look), camera, ThemeFrom(theme))));
     });
     module.def("_png", [](py::handle pixels) {
         const Frame frame = FrameFrom(pixels);
@@ -293,7 +312,8 @@ void BindPictures(py::module_& module)
         Need(result);
     });
     module.def("_read_png", [](const std::string& path) { return ArrayOf(Need(ReadPng(path))); });
-    module.def("_state_hash", [](py::handle world) { return StateHashText(WorldFrom(world, "world").world); });
+    module.def("_state_hash",
+               [](py::handle world) { return StateHashText(WorldFrom(world, "world").world); });
 }
 
 } // namespace boxreel::python

@@ -25,8 +25,9 @@ py::tuple SnapshotOf(Scene& scene)
         names[py::int_(number)] = name;
     }
     const StepSettings steps = scene.PreferredSteps();
-    return py::make_tuple(py::bytes(reinterpret_cast<const char*>(bytes.data()), bytes.size()), names,
-                          py::make_tuple(steps.timeStep, steps.velocityIterations, steps.positionIterations));
+    return py::make_tuple(
+        py::bytes(reinterpret_cast<const char*>(bytes.data()), bytes.size()), names,
+        py::make_tuple(steps.timeStep, steps.velocityIterations, steps.positionIterations));
 }
 
 py::list TextsOf(const RubeNotes& notes)
@@ -66,13 +67,14 @@ void BindScenes(py::module_& module)
         const std::unique_ptr<Scene> scene = Need(LoadRubeScene(path, leftOut));
         return py::make_tuple(SnapshotOf(*scene), TextsOf(leftOut));
     });
-    module.def("_rube_text", [](py::handle world, const std::map<std::uint32_t, std::string>& names) {
-        WorldObject& self = WorldFrom(world, "world");
-        self.RequireUnlocked("writing a scene file");
-        RubeNotes leftOut;
-        const std::string text = WriteRubeText(ExportWorld(self.world, names, {}, leftOut));
-        return py::make_tuple(text, TextsOf(leftOut));
-    });
+    module.def(
+        "_rube_text", [](py::handle world, const std::map<std::uint32_t, std::string>& names) {
+            WorldObject& self = WorldFrom(world, "world");
+            self.RequireUnlocked("writing a scene file");
+            RubeNotes leftOut;
+            const std::string text = WriteRubeText(ExportWorld(self.world, names, {}, leftOut));
+            return py::make_tuple(text, TextsOf(leftOut));
+        });
 }
 
 } // namespace boxreel::python

@@ -376,7 +376,8 @@ void BindWorld(py::module_& module)
         {
             self.world.Step(1.0f / 60.0f, 8, 3);
         }
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / count;
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
+               count;
     });
     module.def("_should_collide", [](FixtureHandle& a, FixtureHandle& b) {
         return b2ContactFilter().ShouldCollide(&a.Get(), &b.Get());

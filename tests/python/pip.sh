@@ -6,7 +6,7 @@
 set -euo pipefail
 checkout=$1 python=$2
 
-if ! "$python" -c 'import ensurepip, pip, setuptools, wheel' 2>/dev/null; then
+if ! "$python" -c 'import setuptools, wheel, ensurepip, pip' 2>/dev/null; then
     echo "skipped: $python lacks venv, pip, setuptools or wheel (apt install python3-venv python3-pip)"
     exit 77
 fi

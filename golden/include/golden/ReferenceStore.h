@@ -143,7 +143,7 @@ struct GoldenVerdict
     std::vector<std::string> look = {};             ///< files to look at first after a failure
     std::string accept = {}; ///< command that accepts the candidate if there is no reference;
                              ///< empty: there is one, or accepting would not help
-    Comparison pixels;                           ///< result of comparing the pictures
+    Comparison pixels;       ///< result of comparing the pictures
     LimitsChoice limits = LimitsChoice::AsGiven; ///< origin of the limits for the pictures
     std::optional<Error> warning = {}; ///< passed, but the result file was not written: reason
 

@@ -28,8 +28,8 @@ constexpr int32 kMaxTries = 4;
 constexpr double kEstimated = 1.8;
 constexpr double kFound = 2.8;
 /// A rotating body is followed as closely as one that swings this many times as fast, so it rotates
-/// by at most sqrt(1.8) / 3 = 0.45 rad in a drift. A bound, not a tuned number: from 0 to 6 the gaps
-/// of chains stay below 0.1 mm. More uses unnecessary drifts (docs/notes/tuned-constants.md).
+/// by at most sqrt(1.8) / 3 = 0.45 rad in a drift. A bound, not a tuned number: from 0 to 6 the
+/// gaps of chains stay below 0.1 mm. More uses unnecessary drifts (docs/notes/tuned-constants.md).
 constexpr double kTurns = 3.0;
 
 /// Relative energy error of a step: more than the truncation error of drifts that resolve all
