@@ -75,13 +75,14 @@ Finding LookAtBackend(Backend backend)
     return renderer.Description();
 }
 
-Finding LookAtFilm(const fs::path& folder, const std::string& name, const std::string& codec)
+Finding LookAtFilm(const fs::path& folder, const std::string& name, const std::string& codec,
+                   Quality quality)
 {
     VideoSettings settings;
     settings.width = settings.height = 64;
     settings.codec = codec;
     settings.overwrite = true;
-    settings.quality = name.ends_with(".mkv") ? Quality::Lossless : Quality::Draft;
+    settings.quality = quality;
     ASSIGN_OR_RETURN(VideoWriter writer, VideoWriter::Open(folder / name, settings));
     Frame frame;
     frame.width = frame.height = 64;
@@ -208,16 +209,18 @@ void AddBackends(Report& report)
 Result<int> Run(const DoctorOptions&)
 {
     const Result<WorkFolder> scratch = WorkFolder::Create();
-    const auto film = [&scratch](const char* name, const char* codec) {
-        return [&scratch, name, codec] {
-            return scratch ? LookAtFilm(scratch->Path(), name, codec) : Finding(scratch.GetError());
+    const auto film = [&scratch](const char* name, const char* codec,
+                                 Quality quality = Quality::Draft) {
+        return [&scratch, name, codec, quality] {
+            return scratch ? LookAtFilm(scratch->Path(), name, codec, quality)
+                           : Finding(scratch.GetError());
         };
     };
     const Trial trials[] = {
         {"mp4, H.264", film("h264.mp4", "h264")},
         {"webm, VP9", film("vp9.webm", "vp9")},
         {"webm, AV1", film("av1.webm", "av1")},
-        {"mkv, FFV1", film("ffv1.mkv", "ffv1")},
+        {"mkv, FFV1", film("ffv1.mkv", "ffv1", Quality::Lossless)},
         {"gif", film("a.gif", "")},
         {"apng", film("a.apng", "")},
         {"webp", film("a.webp", "")},

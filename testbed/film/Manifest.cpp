@@ -3,6 +3,7 @@
 
 #include <base/AtomicFile.h>
 #include <base/Bytes.h>
+#include <base/ReadWhole.h>
 #include <options/Values.h>
 
 #include <algorithm>
@@ -19,6 +20,8 @@ namespace
 {
 
 using nlohmann::json;
+
+constexpr std::uintmax_t kLargestManifest = 16'000'000; ///< [bytes]
 
 struct Exempt
 {
@@ -122,15 +125,15 @@ Result<void> WriteManifest(const std::filesystem::path& film, const Manifest& ma
 Result<Manifest> ReadManifest(const std::filesystem::path& film, const std::string& remedy)
 {
     const std::filesystem::path path = ManifestPath(film);
-    std::ifstream file(path);
-    if (!file)
+    const Result<std::string> text = ReadWhole(path, kLargestManifest);
+    if (!text)
     {
         return Error{ErrorKind::Unusable, path.string(),
                      "the manifest of " + film.string() + " cannot be read", remedy};
     }
     try
     {
-        Manifest manifest = FromJson(json::parse(file));
+        Manifest manifest = FromJson(json::parse(*text));
         if (IsSound(manifest))
         {
             return manifest;
@@ -146,8 +149,8 @@ Result<Manifest> ReadManifest(const std::filesystem::path& film, const std::stri
 
 std::string WriterOfManifest(const std::filesystem::path& film)
 {
-    std::ifstream file(ManifestPath(film));
-    const json object = json::parse(file, nullptr, false);
+    const Result<std::string> text = ReadWhole(ManifestPath(film), kLargestManifest);
+    const json object = json::parse(text ? *text : std::string(), nullptr, false);
     const bool isOurs = object.is_object() && object.contains("boxreel") &&
                         object["boxreel"].is_string() && object.contains("command");
     return isOurs ? object["boxreel"].get<std::string>() : "";

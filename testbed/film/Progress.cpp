@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 namespace boxreel
 {
 namespace
@@ -93,27 +95,11 @@ std::string BytesText(std::int64_t bytes)
                          : Format("%lld bytes", Printable(bytes));
 }
 
-/// A JSON string with its quotes. Bytes above ASCII pass as they are: names are UTF-8 here.
+/// Returns a JSON string with its quotes. Bytes that are not UTF-8 are replaced.
 std::string JsonString(const std::string& text)
 {
-    std::string quoted = "\"";
-    for (const char c : text)
-    {
-        if (c == '"' || c == '\\')
-        {
-            quoted += '\\';
-            quoted += c;
-        }
-        else if (static_cast<unsigned char>(c) < 0x20)
-        {
-            quoted += Format("\\u%04x", static_cast<unsigned>(c));
-        }
-        else
-        {
-            quoted += c;
-        }
-    }
-    return quoted + '"';
+    using nlohmann::json;
+    return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 } // namespace

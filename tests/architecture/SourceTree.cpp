@@ -119,7 +119,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
         {"CLI/", {"testbed/cli/Parser."}},
         {"nlohmann/",
          {"golden/src/VerdictFile.", "golden/src/report/Verdicts.", "testbed/rube/",
-          "testbed/film/Manifest", "testbed/ui/UiSettings"}},
+          "testbed/film/Manifest", "testbed/film/Progress.", "testbed/ui/UiSettings"}},
         {"cairo", {"render/src/FigureCairo."}},
         {"ft2build.h", {"render/src/FigureCairo."}},
         {"freetype", {"render/src/FigureCairo."}},
