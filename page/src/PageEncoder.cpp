@@ -22,8 +22,9 @@ constexpr double kViewSteps = 16.0;
 
 constexpr double kNearPixels = 6.0;
 
-// Places beyond it are not whole numbers in a double, which is what JavaScript has.
-constexpr double kMaxQuanta = 1e15;
+// Of larger places, differences of predictions would not be whole numbers in a double, which is what
+// JavaScript has.
+constexpr double kMaxQuanta = 1e14;
 
 /// Whether items of this layer usually move as one. Others change their form in every step.
 bool IsOfRigidThings(DrawLayer layer)
@@ -50,6 +51,13 @@ PageEncoder::PageEncoder(const Camera& first)
       m_tolerance(kPagePixelError / m_fullScale), m_near(kNearPixels / first.pixelsPerMeter),
       m_forms(m_quantum)
 {}
+
+bool PageEncoder::CanHold(const Camera& camera) const
+{
+    const double farthest = kMaxQuanta * m_quantum / kViewSteps;
+    return std::abs(camera.centerX) <= farthest && std::abs(camera.centerY) <= farthest &&
+           camera.height / camera.pixelsPerMeter <= farthest;
+}
 
 bool PageEncoder::IsGroupFull() const
 {

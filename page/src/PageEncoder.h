@@ -21,6 +21,10 @@ public:
     /// `first`: the camera of the first frame, whose scale sets the quantum.
     explicit PageEncoder(const Camera& first);
 
+    /// Whether the view is near enough to the origin, at its scale, to be stored.
+    bool CanHold(const Camera& camera) const;
+
+    /// Only for a camera that it can hold.
     void Add(const DrawList& list, const Camera& camera, std::span<const PageBody> bodies);
 
     /// The group has as many frames or bytes as it should.
