@@ -328,7 +328,7 @@ class Player {
   }
   onUp(event, isClick) {
     this.fingers.delete(event.pointerId);
-    if (isClick && this.isClick && event.detail < 2) this.followPointed();
+    if (isClick && this.isClick) this.followPointed();
     this.keepLink();
     this.redraw();
   }
