@@ -1,5 +1,5 @@
 // Draws a frame on a canvas as `boxreel shot` does. The view says where the middle of the canvas is [m]
-// and how large a metre is [device px]; `ratio` multiplies all widths in pixels.
+// and how large a metre is [px]; `ratio` multiplies the widths of lines, points and letters.
 
 // Coordinates far outside lose precision in a browser, so shapes are cut here [px].
 const kGuard = 4096;
@@ -14,7 +14,7 @@ class Painter {
     this.world = new Float64Array(64);
     this.pixels = new Float64Array(64);
   }
-  // look: {view: {x, y, scale}, ratio, theme, hidden: Set of layers, marked: number of a body or -1}
+  // look: {view: {x, y, scale}, ratio, theme, hidden: Set of layers}
   draw(canvas, frame, look) {
     const context = canvas.getContext("2d", {alpha: false});
     this.context = context;

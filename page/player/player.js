@@ -20,9 +20,9 @@ class Player {
     this.isPlaying = false;
     this.lastTick = null; // [ms]
     this.frame = null;    // that was drawn last
-    this.pointer = null;  // [device px]; null: not over the picture
+    this.pointer = null;  // [CSS px]; null: not over the picture
     this.isAsked = false; // to draw
-    this.fingers = new Map();
+    this.fingers = new Map(); // places of those that are down [CSS px]
     this.build();
     this.listen();
     this.resize();
@@ -46,14 +46,24 @@ class Player {
     }
     this.setTheme(0);
   }
+  // Pixels of the canvas for one of the screen, in a row. Browsers draw near-horizontal edges to a
+  // quarter of a pixel; two make lines of a resting picture exact, one keeps a moving one smooth.
+  get samples() {
+    return this.isPlaying || window.devicePixelRatio >= 2 ? 1 : 2;
+  }
+  // Pixels of the canvas for one of CSS.
   get ratio() {
-    return window.devicePixelRatio || 1;
+    return (window.devicePixelRatio || 1) * this.samples;
   }
   resize() {
     const box = this.canvas.getBoundingClientRect();
-    this.canvas.width = Math.max(Math.round(box.width * this.ratio), 1);
-    this.canvas.height = Math.max(Math.round(box.height * this.ratio), 1);
-    this.view.resize(this.canvas.width, this.canvas.height);
+    const width = Math.max(Math.round(box.width * this.ratio), 1);
+    const height = Math.max(Math.round(box.height * this.ratio), 1);
+    if (width !== this.canvas.width || height !== this.canvas.height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
+    this.view.resize(width, height, this.samples);
     this.redraw();
   }
   // Soon, once for all that changes until then.
@@ -98,7 +108,7 @@ class Player {
   }
   bodyAtPointer(view) {
     if (!this.pointer || this.fingers.size > 0) return -1;
-    const [x, y] = this.view.toWorld(view, ...this.pointer);
+    const [x, y] = this.view.toWorld(view, ...this.inCanvas(this.pointer));
     return bodyAt(this.film, this.frame, x, y, kBodyReach * this.ratio / view.scale, this.hidden);
   }
   // Beside the pointer: number, name, place and velocity.
@@ -112,7 +122,7 @@ class Player {
     const title = document.createElement("b");
     title.textContent = `body ${body.number} ${body.name}`.trim();
     card.replaceChildren(title, this.bodyText(body));
-    const x = this.pointer[0] / this.ratio, y = this.pointer[1] / this.ratio;
+    const [x, y] = this.pointer;
     const box = this.canvas.getBoundingClientRect();
     card.style.left = `${Math.max(Math.min(x + 16, box.width - card.offsetWidth - 8), 0)}px`;
     card.style.top = `${Math.max(Math.min(y + 16, box.height - card.offsetHeight - 8), 0)}px`;
@@ -155,6 +165,7 @@ class Player {
   showPlaying() {
     $("play").textContent = this.isPlaying ? "❚❚" : "▶";
     $("play").setAttribute("aria-label", this.isPlaying ? "Pause" : "Play");
+    this.resize();
   }
   step(frames) {
     this.pause(this.number + frames);
@@ -266,7 +277,7 @@ class Player {
       this.pointer = null;
       this.redraw();
     });
-    this.canvas.addEventListener("dblclick", event => this.zoomToContact(...this.pixelOf(event)));
+    this.canvas.addEventListener("dblclick", event => this.zoomToContact(...this.inCanvas(this.placeOf(event))));
   }
   toggle() {
     this.isPlaying ? this.pause() : this.play();
@@ -292,31 +303,35 @@ class Player {
     event.preventDefault();
     act();
   }
-  // Of the canvas [device px].
-  pixelOf(event) {
+  // In the picture [CSS px].
+  placeOf(event) {
     const box = this.canvas.getBoundingClientRect();
-    return [(event.clientX - box.left) * this.ratio, (event.clientY - box.top) * this.ratio];
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+  inCanvas([x, y]) {
+    return [x * this.ratio, y * this.ratio];
   }
   onWheel(event) {
     event.preventDefault();
     const lines = event.deltaMode === 1 ? 33 : 1; // Firefox counts lines
-    this.zoom(Math.exp(-0.0015 * lines * event.deltaY), ...this.pixelOf(event));
+    this.zoom(Math.exp(-0.0015 * lines * event.deltaY), ...this.inCanvas(this.placeOf(event)));
     this.keepLink();
   }
   onDown(event) {
     this.canvas.setPointerCapture(event.pointerId);
-    this.fingers.set(event.pointerId, this.pixelOf(event));
+    this.fingers.set(event.pointerId, this.placeOf(event));
     this.isClick = this.fingers.size === 1;
-    this.downAt = this.pixelOf(event);
+    this.downAt = this.placeOf(event);
   }
   onMove(event) {
-    const [x, y] = this.pixelOf(event);
+    const [x, y] = this.placeOf(event);
     this.pointer = [x, y];
     const before = this.fingers.get(event.pointerId);
     if (before && this.frame) {
-      this.isClick &&= Math.hypot(x - this.downAt[0], y - this.downAt[1]) < kClickReach * this.ratio;
+      this.isClick &&= Math.hypot(x - this.downAt[0], y - this.downAt[1]) < kClickReach;
       const other = [...this.fingers].find(([id]) => id !== event.pointerId)?.[1];
-      this.view.pan(this.frame, (x - before[0]) / this.fingers.size, (y - before[1]) / this.fingers.size);
+      const share = this.ratio / this.fingers.size;
+      this.view.pan(this.frame, share * (x - before[0]), share * (y - before[1]));
       if (other) this.pinch(before, [x, y], other);
       this.fingers.set(event.pointerId, [x, y]);
     }
@@ -324,7 +339,8 @@ class Player {
   }
   pinch(before, now, other) {
     const gap = (a, b) => Math.max(Math.hypot(a[0] - b[0], a[1] - b[1]), 1);
-    this.zoom(gap(now, other) / gap(before, other), 0.5 * (now[0] + other[0]), 0.5 * (now[1] + other[1]));
+    const middle = [0.5 * (now[0] + other[0]), 0.5 * (now[1] + other[1])];
+    this.zoom(gap(now, other) / gap(before, other), ...this.inCanvas(middle));
   }
   onUp(event, isClick) {
     this.fingers.delete(event.pointerId);

@@ -1,6 +1,6 @@
 // What of the world is seen: the view of the film, or one that the reader has chosen.
 
-const kLeastScale = 1 / 64; // of the film's first view; farther away everything is a dot
+const kLeastScale = 1 / 4096; // of the largest; farther away everything is a dot
 
 class View {
   constructor(film) {
@@ -8,14 +8,16 @@ class View {
     this.own = null;      // {x, y, height: of the picture [m]}; null: that of the film
     this.followed = -1;   // number of a body, or -1
     this.lastPlace = null; // where it was when it was last drawn [m]
-    this.width = film.width; // of the canvas [device px]
+    this.width = film.width; // of the canvas [its px]
     this.height = film.height;
+    this.samples = 1; // pixels of the canvas for one of the screen, in a row
   }
-  resize(width, height) {
-    this.width = Math.max(width, 1);
-    this.height = Math.max(height, 1);
+  resize(width, height, samples) {
+    this.width = width;
+    this.height = height;
+    this.samples = samples;
   }
-  // {x, y: of the middle [m], scale [device px/m]}
+  // {x, y: of the middle [m], scale [px/m]}
   of(frame) {
     const filmed = this.film.viewOf(frame);
     if (this.own) return {x: this.own.x, y: this.own.y, scale: this.height / this.own.height};
@@ -23,8 +25,8 @@ class View {
     return {x: filmed.x, y: filmed.y, scale: filmed.scale * fit};
   }
   limited(scale) {
-    const {fullScale} = this.film;
-    return Math.min(Math.max(scale, fullScale * kLeastScale * kLeastScale), fullScale);
+    const full = this.film.fullScale * this.samples;
+    return Math.min(Math.max(scale, full * kLeastScale), full);
   }
   toWorld(view, x, y) {
     return [view.x + (x - 0.5 * this.width) / view.scale, view.y - (y - 0.5 * this.height) / view.scale];
@@ -32,7 +34,7 @@ class View {
   choose(view) {
     this.own = {x: view.x, y: view.y, height: this.height / view.scale};
   }
-  // About a point of the canvas [device px], which keeps its place.
+  // About a point of the canvas [px], which keeps its place.
   zoom(frame, factor, x, y) {
     const view = this.of(frame);
     const [worldX, worldY] = this.toWorld(view, x, y);
