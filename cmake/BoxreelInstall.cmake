@@ -62,15 +62,18 @@ endif()
 boxreel_install_library(engine HEADERS engine NAMES -2.4 DESCRIPTION "2D rigid bodies with the API of the Box2D 2.3 manual")
 boxreel_install_library(base HEADERS base DESCRIPTION "Results, files and text that the toolkit shares"
   LIBS ${BOXREEL_LOAD_LIBRARIES})
+boxreel_install_library(gzip HEADERS base DESCRIPTION "Texts in the gzip format" NEEDS base PACKAGES zlib)
 boxreel_install_library(drawlist HEADERS debugdraw DESCRIPTION "What was asked to be drawn, and the camera" NEEDS base)
 boxreel_install_library(debugdraw HEADERS debugdraw DESCRIPTION "The engine's debug drawing as a draw list"
   NEEDS drawlist engine)
+boxreel_install_library(page HEADERS page DESCRIPTION "Draw lists become a web page that plays them"
+  NEEDS drawlist gzip)
 boxreel_install_library(render HEADERS render DESCRIPTION "Draw lists become pixels and figures, off-screen"
   NEEDS drawlist PACKAGES libpng imgui stb LIBS ${BOXREEL_LOAD_LIBRARIES})
 boxreel_install_library(recorder HEADERS recorder DESCRIPTION "Frames become films"
   NEEDS render LIBS ${BOXREEL_LOAD_LIBRARIES} -pthread)
 boxreel_install_library(golden HEADERS golden DESCRIPTION "Pictures and draw lists against approved ones"
-  NEEDS recorder PACKAGES zlib)
+  NEEDS recorder gzip)
 boxreel_install_library(goldenstate HEADERS golden DESCRIPTION "A world's state in 64 bits" NEEDS engine drawlist)
 boxreel_install_library(goldenworld HEADERS golden DESCRIPTION "Worlds against approved ones"
   NEEDS golden debugdraw goldenstate)

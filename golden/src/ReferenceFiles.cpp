@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "ReferenceFiles.h"
-#include "Gzip.h"
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
+#include <base/Gzip.h>
 #include <base/ReadWhole.h>
 
 #include <algorithm>

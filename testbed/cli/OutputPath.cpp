@@ -104,6 +104,13 @@ std::vector<std::string> FilmExtensions()
     return all;
 }
 
+std::vector<std::string> RecordExtensions()
+{
+    std::vector<std::string> all = FilmExtensions();
+    all.emplace_back(".html");
+    return all;
+}
+
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)
 {
     return CheckPath(path, force, {".png"});

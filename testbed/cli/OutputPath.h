@@ -15,6 +15,8 @@ namespace boxreel
 /// The extensions of pictures of scenes, and of films.
 std::vector<std::string> FigureExtensions();
 std::vector<std::string> FilmExtensions();
+/// Those and the one of pages.
+std::vector<std::string> RecordExtensions();
 
 /// Refuses the names of unfinished films.
 Result<void> CheckFilmName(const std::filesystem::path& film);

@@ -10,6 +10,7 @@
 #include <base/ErrorMacros.h>
 #include <base/Quoting.h>
 #include <base/Terminal.h>
+#include <film/PageRun.h>
 #include <golden/ReferenceStore.h>
 #include <golden/StateHash.h>
 #include <render/Renderer.h>
@@ -267,7 +268,8 @@ Result<void> Planner::AddFilm(const ScriptProduct& product)
     }
     record.look.script = m_actions;
     record.film.overwrite = record.film.overwrite || m_options.force;
-    record.film.resume = record.film.resume || m_options.resume;
+    // A page is written at once, so it is there or not.
+    record.film.resume = record.film.resume || (m_options.resume && !IsPage(record.output));
     record.backend = m_options.backend;
     RETURN_IF_ERROR(Claim(product, record, record.film.overwrite));
     // A film that was stopped is gone on with if all of this is the same.

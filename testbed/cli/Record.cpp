@@ -7,6 +7,7 @@
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <film/FilmRun.h>
+#include <film/PageRun.h>
 #include <film/StopSignals.h>
 
 #include <malloc.h>
@@ -48,6 +49,10 @@ Result<void> CheckThumbnail(const RecordOptions& options, const FilmPlan& plan)
 /// Asked before anything is simulated.
 Result<void> CheckFilm(const RecordOptions& options, const FilmPlan& plan)
 {
+    if (IsPage(options.output))
+    {
+        return CheckPage(options);
+    }
     RETURN_IF_ERROR(CheckVideoPath(options.output, plan.film));
     RETURN_IF_ERROR(CheckManifestPaths(options, plan));
     return options.thumbnail.file.empty() ? Result<void>() : CheckThumbnail(options, plan);
@@ -115,6 +120,10 @@ Result<int> Run(const RecordOptions& options)
         WriteMessage("left out: " + part.Text());
     }
     const StopSignals stopSignals;
+    if (IsPage(options.output))
+    {
+        return MakePage(options, plan, snapshots ? &*snapshots : nullptr, std::move(source));
+    }
     return FilmRun(options, std::move(plan), snapshots ? &*snapshots : nullptr)
         .Make(std::move(source));
 }
@@ -244,8 +253,8 @@ Command& Declare(Command& program, RecordOptions& record)
     AddScene(command, record.scene);
     AddPath(command, "-o,--output", "FILE", record.output,
             "Write the film here: .mp4 .mkv .webm .gif .apng .webp,\nframes-####.png, or - with "
-            "--format",
-            FilmExtensions());
+            "--format; .html is a page that\nplays it in a browser",
+            RecordExtensions());
     AddForce(command, record.film.overwrite);
     AddFlag(command, "--resume", record.film.resume, "Continue a stopped film, or start it");
     AddFlag(command, "--skip-done", record.skipDone,
@@ -285,6 +294,7 @@ Command& Declare(Command& program, RecordOptions& record)
         "  boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270\n"
         "  boxreel record dominos -o frames-####.png --frames 120 --hud\n"
         "  boxreel record tumbler -o exact.mkv --quality lossless --speed 0.25\n"
+        "  boxreel record dominos -o dominos.html --draw shapes,joints,contacts\n"
         "  boxreel record dominos -o ball.mp4 --camera follow:13:8\n"
         "  boxreel record machine.json -o machine.webm --camera 0,5,20\n"
         "  boxreel record bridge -o bridge.mp4 --theme okabe-ito\n"
@@ -306,6 +316,10 @@ Result<void> Check(RecordOptions& options)
         return Missing("record", "-o FILE", "boxreel record pyramid -o pyramid.mp4");
     }
     RETURN_IF_ERROR(CheckFilmName(options.output));
+    if (IsPage(options.output))
+    {
+        RETURN_IF_ERROR(CheckPage(options));
+    }
     if (options.film.resume && options.film.overwrite)
     {
         return Conflict("--resume", "--force");

@@ -50,15 +50,7 @@ Result<void> FilmRun::Open(SceneSource source)
     ASSIGN_OR_RETURN(VideoWriter writer, VideoWriter::Open(m_options.output, m_plan.film));
     m_resumed = m_filmed = writer.ResumedFrames();
     m_writer.emplace(std::move(writer));
-    SceneSession& session = m_simulation.Session();
-    for (const Condition& condition : m_options.length.until)
-    {
-        const auto missing = condition.MissingBody(session.World(), session.Names());
-        if (missing) // a scene may yet make it
-        {
-            WriteMessage("boxreel: " + missing->Text());
-        }
-    }
+    m_simulation.TellMissingBodies();
     const std::int64_t index = IsThumbnailThere() ? m_thumbnail.Index() : m_resumed;
     const bool isAllThere = index >= m_plan.frames.Count();
     m_simulation.Begin(isAllThere ? m_plan.frames.Last() + 1 : m_plan.frames.At(index));
@@ -73,15 +65,9 @@ Result<void> FilmRun::Fill(std::int64_t frame, FrameContent& content)
         content.stops = true;
         return {};
     }
-    SceneSession& session = m_simulation.Session();
-    RETURN_IF_ERROR(m_manifest.Note(number, session.World()));
+    RETURN_IF_ERROR(m_manifest.Note(number, m_simulation.Session().World()));
     m_simulation.Fill(content);
-    for (const Condition& condition : m_options.length.until)
-    {
-        content.isLast =
-            content.isLast || condition.Holds(session.World(), session.Names(), session.Time());
-    }
-    m_hasEndedByItself = content.isLast;
+    content.isLast = content.isLast || m_simulation.IsAtEnd();
     m_filmed = m_resumed + frame + 1;
     return {};
 }
@@ -187,24 +173,14 @@ Result<int> FilmRun::Finished()
     FilmReport report = ReportOf(m_options, m_filmed, m_progress.Seconds());
     report.stored = m_writer->StoredFrames();
     m_progress.Finish(report);
-    if (!m_options.length.until.empty() && !m_hasEndedByItself)
-    {
-        WriteMessage("boxreel: --until: no condition became true within " +
-                     std::to_string(m_filmed) + " frames");
-    }
-    // A missed camera target does not fail the film.
-    const Result<void> played = m_simulation.Session().CheckCompanion();
-    if (const Result<void> met = m_simulation.Session().CheckView(); played && !met)
-    {
-        WriteMessage("boxreel: " + met.GetError().Text());
-    }
+    Result<int> code = m_simulation.Conclude(m_filmed);
     if (m_options.messages.stats)
     {
         WriteMessage(DescribeDrawing(m_renderer->Totals()) + "\n" +
                      DescribeSimulation(m_simulation.Totals()));
         WriteMessage(StageText());
     }
-    return played ? Result<int>(0) : played.GetError(); // the film is there, not what was asked
+    return code;
 }
 
 /// A failure leaves nothing behind but what another run had left: another machine may go on.

@@ -60,7 +60,6 @@ private:
     std::int64_t m_resumed = 0;      // frames that were there
     std::int64_t m_filmed = 0;       // and how many there are in the end
     std::int64_t m_encoded = 0;      // in this run
-    bool m_hasEndedByItself = false; // a condition held
 };
 
 } // namespace boxreel

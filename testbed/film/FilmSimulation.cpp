@@ -3,9 +3,11 @@
 #include "StopSignals.h"
 
 #include <base/ErrorMacros.h>
+#include <base/Terminal.h>
 #include <recorder/StageTimes.h>
 #include <session/SessionPanels.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace boxreel
@@ -76,6 +78,7 @@ void FilmSimulation::Show(std::int64_t number)
     const double fraction = m_options.pace.interpolate ? m_clock.FractionOfFrame(number) : 0.0;
     const std::int64_t before = m_session->Step();
     m_session->AdvanceBetween(StepOf(number), fraction);
+    m_isBetween = fraction != 0.0;
     if (m_snapshots != nullptr && m_session->Step() != before)
     {
         m_snapshots->Offer(*m_session);
@@ -86,6 +89,42 @@ void FilmSimulation::Fill(FrameContent& content)
 {
     const StageTimer timer(m_stages, Stage::Collect);
     m_session->Fill(content);
+}
+
+void FilmSimulation::TellMissingBodies() const
+{
+    for (const Condition& condition : m_options.length.until)
+    {
+        const auto missing = condition.MissingBody(m_session->World(), m_session->Names());
+        if (missing)
+        {
+            WriteMessage("boxreel: " + missing->Text());
+        }
+    }
+}
+
+bool FilmSimulation::IsAtEnd() const
+{
+    const std::vector<Condition>& until = m_options.length.until;
+    return std::any_of(until.begin(), until.end(), [this](const Condition& condition) {
+        return condition.Holds(m_session->World(), m_session->Names(), m_session->Time());
+    });
+}
+
+Result<int> FilmSimulation::Conclude(std::int64_t frames) const
+{
+    if (!m_options.length.until.empty() && !IsAtEnd())
+    {
+        WriteMessage("boxreel: --until: no condition became true within " +
+                     std::to_string(frames) + " frames");
+    }
+    // A missed camera target does not fail the film.
+    const Result<void> played = m_session->CheckCompanion();
+    if (const Result<void> met = m_session->CheckView(); played && !met)
+    {
+        WriteMessage("boxreel: " + met.GetError().Text());
+    }
+    return played ? Result<int>(0) : played.GetError();
 }
 
 SimulationTotals FilmSimulation::Totals() const

@@ -35,6 +35,19 @@ public:
 
     void Fill(FrameContent& content);
 
+    /// What --until waits for and the scene does not have, on standard error: it may yet make it.
+    void TellMissingBodies() const;
+
+    /// A condition of --until is true.
+    bool IsAtEnd() const;
+
+    /// What is shown lies between two steps.
+    bool IsBetweenSteps() const { return m_isBetween; }
+
+    /// Says on standard error what the film has missed, after its last frame. Returns the exit code,
+    /// or the Error of what goes along: the film is there, not what was asked.
+    Result<int> Conclude(std::int64_t frames) const;
+
     SceneSession& Session() { return *m_session; }
     SimulationTotals Totals() const;
 
@@ -49,6 +62,7 @@ private:
     StageTimes* m_stages;
     std::optional<SceneSession> m_session;
     FrameClock m_clock;
+    bool m_isBetween = false;
     std::int64_t m_firstStep = 0; // from which on there was something to simulate
 };
 

@@ -40,12 +40,13 @@ std::vector<Layer> MakeLayers()
         {"base", {}},
         {"drawlist", {"base"}},
         {"collector", {"drawlist", "base", "engine"}},
+        {"page", {"drawlist", "base"}},
         {"render", {"drawlist", "base"}},
         {"recorder", {"render", "drawlist", "base"}},
-        {"golden", {"recorder", "render", "drawlist", "base"}},
+        {"golden", {"recorder", "render", "page", "drawlist", "base"}},
         {"golden state", {"golden", "drawlist", "base", "engine"}},
         {"golden world",
-         {"golden state", "golden", "recorder", "render", "collector", "drawlist", "base",
+         {"golden state", "golden", "recorder", "render", "page", "collector", "drawlist", "base",
           "engine"}},
         {"testbed/scenes", {"engine"}},
         {"testbed/rube", {"testbed/scenes", "drawlist", "base", "engine"}},
@@ -61,9 +62,9 @@ std::vector<Layer> MakeLayers()
         engine.push_back(room);
     }
     // The other rooms of the program: each may use the libraries and the rooms before it.
-    const std::vector<std::string_view> libraries{"golden world", "golden state", "golden",
-                                                  "recorder",     "render",       "collector",
-                                                  "drawlist",     "base",         "engine"};
+    const std::vector<std::string_view> libraries{
+        "golden world", "golden state", "golden",   "recorder", "render",
+        "page",         "collector",    "drawlist", "base",     "engine"};
     std::vector<std::string_view> below = libraries;
     below.insert(below.end(), {"testbed/scenes", "testbed/rube"});
     for (const std::string_view room :
@@ -105,7 +106,7 @@ const std::vector<ForeignLibrary>& ForeignLibraries()
 {
     static const std::vector<ForeignLibrary> libraries{
         {"png.h", {"render/src/Png."}},
-        {"zlib.h", {"golden/src/Gzip."}},
+        {"zlib.h", {"base/src/Gzip."}},
         {"GL/", {"render/src/Context", "render/src/Gl"}},
         {"EGL/", {"render/src/Context", "render/src/Gl"}},
         {"GLES", {"render/src/Context", "render/src/Gl"}},
@@ -209,7 +210,8 @@ std::string_view LayerOf(std::string_view path)
         const auto known = std::ranges::find(Layers(), room, &Layer::name);
         return known == Layers().end() ? "" : known->name;
     }
-    for (std::string_view folder : {"base", "render", "recorder", "python", "docs", "tests"})
+    for (std::string_view folder :
+         {"base", "page", "render", "recorder", "python", "docs", "tests"})
     {
         if (path.starts_with(folder) && path.substr(folder.size()).starts_with('/'))
         {
@@ -282,6 +284,7 @@ std::string Resolve(const fs::path& root, const std::string& from, const std::st
     static const std::vector<std::string> searched{"engine/include",
                                                    "base/include",
                                                    "debugdraw/include",
+                                                   "page/include",
                                                    "render/include",
                                                    "recorder/include",
                                                    "golden/include",
@@ -304,7 +307,7 @@ std::string Resolve(const fs::path& root, const std::string& from, const std::st
         }
     }
     for (const std::string_view folder :
-         {"Box2D", "base", "debugdraw", "render", "recorder", "golden"})
+         {"Box2D", "base", "debugdraw", "page", "render", "recorder", "golden"})
     {
         if (text.starts_with(folder) && text.substr(folder.size()).starts_with('/'))
         {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page as a reader has it: in Chromium, without a window. page-harness.js uses it there.
 #include "../../golden/TestPictures.h"
-#include "../../testbed/cli/Subprocess.h"
+#include "../../page/Browser.h"
 
 #include <golden/ReferenceStore.h>
 #include <golden/ReportPage.h>
@@ -23,20 +23,6 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Empty when there is none.
-std::string Chromium()
-{
-    const TemporaryFolder folder;
-    for (const char* const name : {"chromium", "chromium-browser", "google-chrome"})
-    {
-        if (RunTool({name, "--version"}, folder.Path()).code == 0)
-        {
-            return name;
-        }
-    }
-    return "";
-}
-
 class PageInBrowser : public testing::Test
 {
 protected:
@@ -51,27 +37,7 @@ protected:
     /// Returns the state of the page at its end, with a script behind it.
     Outcome Load(const std::string& page, const std::string& script) const
     {
-        const std::string end = "</body>";
-        const std::size_t at = page.rfind(end);
-        EXPECT_NE(at, std::string::npos);
-        std::ofstream(folder / "page.html") << page.substr(0, at) << "<script>\n"
-                                            << script << "</script>\n"
-                                            << page.substr(at);
-        return RunTool(
-            {browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-             "--no-first-run", "--enable-logging=stderr", "--window-size=1300,900",
-             "--user-data-dir=" + (folder / "profile").string(), "--virtual-time-budget=20000",
-             "--dump-dom", "file://" + (folder / "page.html").string()},
-            folder.Path());
-    }
-
-    static std::string Results(const Outcome& outcome)
-    {
-        const std::size_t begin = outcome.output.find("\nBEGIN\n");
-        const std::size_t end = outcome.output.find("\nEND\n");
-        return begin == std::string::npos || end == std::string::npos
-                   ? "no results; " + outcome.errors
-                   : outcome.output.substr(begin + 7, end - begin - 7) + "\n";
+        return LoadInChromium(browser, page, script, folder);
     }
 
     std::string PageOf(const std::map<std::string, FilmStrip>& strips = {}) const
@@ -143,7 +109,7 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
     }
     const Outcome outcome =
         Load(PageOf({{"moved/1s", SmallStrip()}}), ReadFile(BOXREEL_PAGE_HARNESS));
-    const std::string results = Results(outcome);
+    const std::string results = ResultsOf(outcome);
     EXPECT_THAT(results, Not(HasSubstr("WRONG")));
     EXPECT_EQ(std::count(results.begin(), results.end(), '\n'), 39) << results;
     EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
@@ -174,7 +140,7 @@ TEST_F(PageInBrowser, ShowsHostileTextsAsTexts)
   document.body.append(results);
 })();
 )");
-    EXPECT_EQ(Results(outcome), "Overlay,Draw list 0 true\n");
+    EXPECT_EQ(ResultsOf(outcome), "Overlay,Draw list 0 true\n");
     EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
 }
 
@@ -188,7 +154,7 @@ const results = document.createElement("pre");
 results.textContent = `\nBEGIN\n${document.querySelector("#outcome").textContent} ${seen}\nEND\n`;
 document.body.append(results);
 )");
-    EXPECT_EQ(Results(outcome), "1 moment: all as approved 1\n");
+    EXPECT_EQ(ResultsOf(outcome), "1 moment: all as approved 1\n");
     EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "Gzip.h"
+#include <base/Gzip.h>
 
 #include <zlib.h>
 

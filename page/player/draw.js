@@ -1,0 +1,319 @@
+// Draws a frame on a canvas as `boxreel shot` does. The view says where the middle of the canvas is [m]
+// and how large a metre is [px]; `ratio` multiplies the widths of lines, points and letters.
+
+// Coordinates far outside lose precision in a browser, so shapes are cut here [px].
+const kGuard = 4096;
+const kSpeck = 20000;            // [px]
+const kMitreLimit = 2;           // sharper corners are cut at so many half widths of a line
+const kSquareEnd = Math.PI / 4;  // of a line, in half widths
+const kTextLine = 15, kTextSize = 15 * 2048 / 2384, kTextAscent = 12; // [px]
+
+class Painter {
+  constructor(film) {
+    this.film = film;
+    this.world = new Float64Array(64);
+    this.pixels = new Float64Array(64);
+  }
+  // look: {view: {x, y, scale}, ratio, theme, hidden: Set of layers}
+  draw(canvas, frame, look) {
+    const context = canvas.getContext("2d", {alpha: false});
+    this.context = context;
+    this.look = look;
+    this.width = canvas.width;
+    this.height = canvas.height;
+    this.lineWidth = look.theme.lineWidth * look.ratio;
+    this.fill = null; // that the context has
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.fillStyle = look.theme.background;
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    let at = 0;
+    for (const track of frame.tracks) {
+      if (!look.hidden.has(this.film.styles[track.style])) this.drawTrack(track, frame.numbers, at);
+      at += track.form.numbers;
+    }
+  }
+  drawTrack(track, numbers, at) {
+    const form = track.form;
+    if (this.world.length < 2 * form.pointCount) {
+      this.world = new Float64Array(4 * form.pointCount);
+      this.pixels = new Float64Array(4 * form.pointCount);
+    }
+    placePoints(form, numbers, at, this.film.quantum, this.world);
+    const {view} = this.look;
+    for (let i = 0; i < 2 * form.pointCount; i += 2) {
+      this.pixels[i] = 0.5 * this.width + (this.world[i] - view.x) * view.scale;
+      this.pixels[i + 1] = 0.5 * this.height - (this.world[i + 1] - view.y) * view.scale;
+    }
+    let first = 0;
+    for (const item of form.items) {
+      this.drawItem(item, this.pixels.subarray(first, first + 2 * item.count), track);
+      first += 2 * item.count;
+    }
+  }
+  // Without a colour that is set already: browsers read it anew each time.
+  setFill(color) {
+    if (color !== this.fill) this.context.fillStyle = this.fill = color;
+  }
+  isOutside(points, reach) {
+    let left = Infinity, right = -Infinity, top = Infinity, bottom = -Infinity;
+    for (let i = 0; i < points.length; i += 2) {
+      left = Math.min(left, points[i]);
+      right = Math.max(right, points[i]);
+      top = Math.min(top, points[i + 1]);
+      bottom = Math.max(bottom, points[i + 1]);
+    }
+    this.isFar = left < -kGuard || top < -kGuard || right > this.width + kGuard || bottom > this.height + kGuard;
+    return right < -reach || bottom < -reach || left > this.width + reach || top > this.height + reach;
+  }
+  drawItem(item, points, track) {
+    const {theme, view, ratio} = this.look;
+    const size = Math.abs(item.size);
+    const isRound = item.kind === kCircle || item.kind === kSolidCircle || item.kind === kTransform;
+    const isText = item.kind === kText;
+    const reach = 3 * this.lineWidth + (isRound ? size * view.scale : size * ratio);
+    if (!isText && this.isOutside(points, reach)) return;
+    const stroke = theme.strokes[track.style];
+    switch (item.kind) {
+      case kPolygon:
+        this.outline(points, stroke);
+        break;
+      case kSolidPolygon:
+        this.solid(points, theme.fills[track.style], stroke);
+        break;
+      case kCircle:
+        this.circle(points, size * view.scale, null, stroke);
+        break;
+      case kSolidCircle:
+        this.circle(points, size * view.scale, theme.fills[track.style], stroke);
+        this.line(points[0], points[1], points[2], points[3], stroke);
+        break;
+      case kSegment:
+        this.line(points[0], points[1], points[2], points[3], stroke);
+        break;
+      case kTransform:
+        this.axes(points);
+        break;
+      case kPoint:
+        this.dot(points, 0.5 * size * ratio, stroke);
+        break;
+      case kText:
+        this.text(points, this.film.texts[item.text], stroke);
+        break;
+    }
+  }
+  // A path of closed polygons. Browsers that draw without a graphics processor count few samples in a
+  // small path; a speck far outside makes it a large one, which they draw exactly.
+  begin() {
+    const {context} = this;
+    context.beginPath();
+    context.moveTo(-kSpeck, -kSpeck);
+    context.lineTo(-kSpeck, 1 - kSpeck);
+    context.closePath();
+  }
+  addPolygon(points) {
+    const {context} = this;
+    context.moveTo(points[0], points[1]);
+    for (let i = 2; i < points.length; i += 2) context.lineTo(points[i], points[i + 1]);
+    context.closePath();
+  }
+  addCircle(x, y, radius) {
+    this.context.moveTo(x + radius, y);
+    this.context.arc(x, y, radius, 0, 2 * Math.PI);
+    this.context.closePath();
+  }
+  fillPath(color) {
+    this.setFill(color);
+    this.context.fill("evenodd");
+  }
+  // The fill up to the middle of the outline, and the outline over it: where both share a pixel it has
+  // the colours that renderers give it.
+  solid(points, fill, stroke) {
+    if (this.isFar) points = cutPolygon(points, -kGuard, -kGuard, this.width + kGuard, this.height + kGuard);
+    points = convex(points);
+    if (points.length < 6) return this.outline(points, stroke); // no area
+    const outer = grow(points, 0.5 * this.lineWidth), inner = shrink(points, 0.5 * this.lineWidth);
+    if (inner.length > 0) {
+      this.begin();
+      this.addPolygon(points);
+      this.fillPath(fill);
+    }
+    this.begin();
+    this.addPolygon(outer);
+    if (inner.length > 0) this.addPolygon(inner);
+    this.fillPath(stroke);
+  }
+  outline(points, stroke) {
+    const count = points.length / 2;
+    for (let i = 0; i < (count === 2 ? 1 : count); ++i) {
+      const next = (i + 1) % count;
+      this.line(points[2 * i], points[2 * i + 1], points[2 * next], points[2 * next + 1], stroke);
+    }
+  }
+  circle([x, y], radius, fill, stroke) {
+    const half = 0.5 * this.lineWidth;
+    if (fill !== null && radius > half) {
+      this.begin();
+      this.addCircle(x, y, radius);
+      this.fillPath(fill);
+    }
+    this.begin();
+    this.addCircle(x, y, radius + half);
+    if (radius > half) this.addCircle(x, y, radius - half);
+    this.fillPath(stroke);
+  }
+  dot([x, y], radius, color) {
+    this.begin();
+    this.addCircle(x, y, radius);
+    this.fillPath(color);
+  }
+  // With square ends that have the area of round ones.
+  line(x0, y0, x1, y1, color) {
+    const part = cutLine(x0, y0, x1, y1, -kGuard, -kGuard, this.width + kGuard, this.height + kGuard);
+    if (!part) return;
+    [x0, y0, x1, y1] = part;
+    const length = Math.hypot(x1 - x0, y1 - y0), half = 0.5 * this.lineWidth;
+    const ux = length > 0 ? half * (x1 - x0) / length : half, uy = length > 0 ? half * (y1 - y0) / length : 0;
+    const ex = kSquareEnd * ux, ey = kSquareEnd * uy;
+    this.begin();
+    this.addPolygon([x0 - ex - uy, y0 - ey + ux, x1 + ex - uy, y1 + ey + ux,
+                     x1 + ex + uy, y1 + ey - ux, x0 - ex + uy, y0 - ey - ux]);
+    this.fillPath(color);
+  }
+  axes([x, y, xEnd, yEnd]) {
+    const {theme} = this.look;
+    this.line(x, y, xEnd, yEnd, theme.xAxis);
+    this.line(x, y, x + (yEnd - y), y - (xEnd - x), theme.yAxis); // a quarter turn to the left, with y down
+  }
+  text(points, text, color) {
+    const {context, look: {ratio}} = this;
+    this.setFill(color);
+    context.font = `${kTextSize * ratio}px "DejaVu Sans", sans-serif`;
+    const x = Math.floor(points[0] + 0.5);
+    let y = Math.floor(points[1] + 0.5) + kTextAscent * ratio;
+    for (const line of text.split("\n")) {
+      context.fillText(line, x, y);
+      y += kTextLine * ratio;
+    }
+  }
+}
+
+// The part of a line within a rectangle, or null.
+function cutLine(x0, y0, x1, y1, left, top, right, bottom) {
+  let from = 0, to = 1;
+  const dx = x1 - x0, dy = y1 - y0;
+  for (const [step, room] of [[-dx, x0 - left], [dx, right - x0], [-dy, y0 - top], [dy, bottom - y0]]) {
+    if (step === 0) {
+      if (room < 0) return null;
+    } else if (step < 0) {
+      from = Math.max(from, room / step);
+    } else {
+      to = Math.min(to, room / step);
+    }
+  }
+  return from > to ? null : [x0 + from * dx, y0 + from * dy, x0 + to * dx, y0 + to * dy];
+}
+
+// The part of a convex polygon within a rectangle (Sutherland and Hodgman, 1974).
+function cutPolygon(points, left, top, right, bottom) {
+  const sides = [x => x - left, x => right - x, (x, y) => y - top, (x, y) => bottom - y];
+  return sides.reduce(cutHalf, [...points]);
+}
+
+// Without repeated corners, and counter-clockwise where y points down.
+function convex(points) {
+  const kept = [];
+  for (let i = 0; i < points.length; i += 2) {
+    const next = (i + 2) % points.length;
+    if (points[i] !== points[next] || points[i + 1] !== points[next + 1]) kept.push(points[i], points[i + 1]);
+  }
+  let area = 0;
+  for (let i = 0; i < kept.length; i += 2) {
+    const next = (i + 2) % kept.length;
+    area += kept[i] * kept[next + 1] - kept[next] * kept[i + 1];
+  }
+  if (area === 0) return kept.slice(0, 4);
+  if (area > 0) return kept;
+  const turned = [];
+  for (let i = kept.length - 2; i >= 0; i -= 2) turned.push(kept[i], kept[i + 1]);
+  return turned;
+}
+
+// Calls `visit(x, y, nx, ny, mx, my)` for each corner of a convex polygon: the outward normals of the
+// edges before and behind it.
+function eachCorner(points, visit) {
+  const count = points.length;
+  const normal = i => {
+    const j = (i + 2) % count;
+    const dx = points[j] - points[i], dy = points[j + 1] - points[i + 1], length = Math.hypot(dx, dy);
+    return [dy / length, -dx / length];
+  };
+  let before = normal(count - 2);
+  for (let i = 0; i < count; i += 2) {
+    const behind = normal(i);
+    visit(points[i], points[i + 1], before[0], before[1], behind[0], behind[1]);
+    before = behind;
+  }
+}
+
+// Moves the edges of a convex polygon outwards.
+function grow(points, distance) {
+  const grown = [];
+  eachCorner(points, (x, y, nx, ny, mx, my) => {
+    const share = 1 + nx * mx + ny * my; // 2 cos^2 of half the angle between the normals
+    const isSharp = share * kMitreLimit * kMitreLimit < 2;
+    if (!isSharp) {
+      grown.push(x + distance * (nx + mx) / share, y + distance * (ny + my) / share);
+      return;
+    }
+    // Cut across the middle of the corner.
+    const cosine = Math.sqrt(Math.max(share / 2, 0)), sine = Math.sqrt(Math.max(1 - share / 2, 0));
+    const along = distance * (kMitreLimit - cosine) / sine;
+    grown.push(x + distance * nx - along * ny, y + distance * ny + along * nx,
+               x + distance * mx + along * my, y + distance * my - along * mx);
+  });
+  return grown;
+}
+
+// Moves the edges of a convex polygon inwards; nothing may be left.
+function shrink(points, distance) {
+  const shrunk = [];
+  eachCorner(points, (x, y, nx, ny, mx, my) => {
+    const share = 1 + nx * mx + ny * my;
+    shrunk.push(x - distance * (nx + mx) / share, y - distance * (ny + my) / share);
+  });
+  for (let i = 0; i < points.length; i += 2) {
+    const j = (i + 2) % points.length;
+    const isTurned = (points[j] - points[i]) * (shrunk[j] - shrunk[i]) +
+                     (points[j + 1] - points[i + 1]) * (shrunk[j + 1] - shrunk[i + 1]) <= 0;
+    if (isTurned) return cutEdges(points, distance);
+  }
+  return shrunk;
+}
+
+// The same where an edge vanishes: what is left behind all edges.
+function cutEdges(points, distance) {
+  let left = [...points];
+  for (let i = 0; i < points.length && left.length > 0; i += 2) {
+    const j = (i + 2) % points.length;
+    const dx = points[j] - points[i], dy = points[j + 1] - points[i + 1], length = Math.hypot(dx, dy);
+    const nx = dy / length, ny = -dx / length;
+    const limit = nx * points[i] + ny * points[i + 1] - distance;
+    left = cutHalf(left, (x, y) => limit - nx * x - ny * y);
+  }
+  return left.length < 6 ? [] : left;
+}
+
+// The part of a polygon where `inside(x, y)`, a distance, is not negative.
+function cutHalf(corners, inside) {
+  const kept = [];
+  for (let i = 0; i < corners.length; i += 2) {
+    const j = (i + 2) % corners.length;
+    const here = inside(corners[i], corners[i + 1]), there = inside(corners[j], corners[j + 1]);
+    if (here >= 0) kept.push(corners[i], corners[i + 1]);
+    if (here >= 0 !== there >= 0) {
+      const share = here / (here - there);
+      kept.push(corners[i] + share * (corners[j] - corners[i]), corners[i + 1] + share * (corners[j + 1] - corners[i + 1]));
+    }
+  }
+  return kept;
+}

@@ -1,0 +1,380 @@
+// The page: buttons, keys, mouse and fingers become a frame and a view, which are drawn.
+
+const kSpeeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4, 8];
+const kZoomStep = 1.25;
+const kContactReach = 24, kBodyReach = 4, kClickReach = 3; // [CSS px]
+
+const $ = id => document.getElementById(id);
+
+class Player {
+  constructor(film) {
+    this.film = film;
+    this.view = new View(film);
+    this.painter = new Painter(film);
+    this.canvas = $("picture");
+    this.hidden = new Set(film.layers.filter(layer => !layer.isOn).map(layer => layer.number));
+    this.theme = 0;       // index into film.themes
+    this.number = 0;      // of the frame that is shown
+    this.place = 0;       // while it plays, between frames
+    this.speed = 1;
+    this.isPlaying = false;
+    this.lastTick = null; // [ms]
+    this.frame = null;    // that was drawn last
+    this.pointer = null;  // [CSS px]; null: not over the picture
+    this.isAsked = false; // to draw
+    this.fingers = new Map(); // places of those that are down [CSS px]
+    this.build();
+    this.listen();
+    this.resize();
+  }
+
+  // ------------------------------------------------------------------------------------- what is shown
+  build() {
+    $("time").max = this.film.frames - 1;
+    for (const speed of kSpeeds) $("speed").append(new Option(`${speed}×`, speed, speed === 1, speed === 1));
+    for (const layer of this.film.layers.filter(known => known.isThere)) {
+      const box = document.createElement("input");
+      box.type = "checkbox";
+      box.checked = layer.isOn;
+      box.addEventListener("change", () => {
+        box.checked ? this.hidden.delete(layer.number) : this.hidden.add(layer.number);
+        this.redraw();
+      });
+      const label = document.createElement("label");
+      label.append(box, layer.label);
+      $("layers").lastElementChild.append(label);
+    }
+    this.setTheme(0);
+  }
+  // Pixels of the canvas for one of the screen, in a row. Browsers draw near-horizontal edges to a
+  // quarter of a pixel; two make lines of a resting picture exact, one keeps a moving one smooth.
+  get samples() {
+    return this.isPlaying || window.devicePixelRatio >= 2 ? 1 : 2;
+  }
+  // Pixels of the canvas for one of CSS.
+  get ratio() {
+    return (window.devicePixelRatio || 1) * this.samples;
+  }
+  resize() {
+    const box = this.canvas.getBoundingClientRect();
+    const width = Math.max(Math.round(box.width * this.ratio), 1);
+    const height = Math.max(Math.round(box.height * this.ratio), 1);
+    if (width !== this.canvas.width || height !== this.canvas.height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
+    this.view.resize(width, height, this.samples);
+    this.redraw();
+  }
+  // Soon, once for all that changes until then.
+  redraw() {
+    if (this.isAsked) return;
+    this.isAsked = true;
+    requestAnimationFrame(now => {
+      this.isAsked = false;
+      this.tick(now);
+      this.draw();
+      if (this.isPlaying) this.redraw();
+    });
+  }
+  tick(now) {
+    if (!this.isPlaying) return;
+    const passed = this.lastTick === null ? 0 : Math.min(now - this.lastTick, 250);
+    this.lastTick = now;
+    this.place += passed / 1000 * this.film.framesPerSecond * this.speed;
+    if (this.place >= this.film.frames - 1) {
+      if ($("repeat").checked) this.place = 0;
+      else this.pause(this.film.frames - 1);
+    }
+    this.number = Math.min(Math.floor(this.place), this.film.frames - 1);
+  }
+  draw() {
+    const frame = this.film.frame(this.number, () => this.redraw());
+    this.showClock();
+    if (!frame) return; // it is being unpacked
+    if (frame !== this.frame) {
+      this.frame = frame;
+      this.view.track(frame);
+    }
+    const look = {view: this.view.of(frame), ratio: this.ratio, theme: this.film.themes[this.theme], hidden: this.hidden};
+    this.painter.draw(this.canvas, frame, look);
+    this.showBody(look.view);
+  }
+  showClock() {
+    const seconds = this.film.secondsOf(this.number);
+    $("time").value = this.number;
+    $("time").setAttribute("aria-valuetext", `${seconds.toFixed(3)} seconds`);
+    $("clock").textContent = `${seconds.toFixed(3)} s · frame ${this.number} of ${this.film.frames - 1}`;
+  }
+  bodyAtPointer(view) {
+    if (!this.pointer || this.fingers.size > 0) return -1;
+    const [x, y] = this.view.toWorld(view, ...this.inCanvas(this.pointer));
+    return bodyAt(this.film, this.frame, x, y, kBodyReach * this.ratio / view.scale, this.hidden);
+  }
+  // Beside the pointer: number, name, place and velocity.
+  showBody(view) {
+    const number = this.bodyAtPointer(view);
+    const before = number < 0 || this.number === 0 ? null : this.film.frame(this.number - 1, () => this.redraw());
+    const body = number < 0 ? null : describeBody(this.film, this.frame, number, before);
+    const card = $("body");
+    card.hidden = !body;
+    if (!body) return;
+    const title = document.createElement("b");
+    title.textContent = `body ${body.number} ${body.name}`.trim();
+    card.replaceChildren(title, this.bodyText(body));
+    const [x, y] = this.pointer;
+    const box = this.canvas.getBoundingClientRect();
+    card.style.left = `${Math.max(Math.min(x + 16, box.width - card.offsetWidth - 8), 0)}px`;
+    card.style.top = `${Math.max(Math.min(y + 16, box.height - card.offsetHeight - 8), 0)}px`;
+  }
+  bodyText(body) {
+    const text = value => value.toFixed(3).padStart(9);
+    const lines = [`\nposition ${text(body.x)} ${text(body.y)} m`];
+    if (body.form.isRigid) lines.push(`angle    ${text(body.angle)} rad`);
+    if (body.vx !== undefined) lines.push(`velocity ${text(body.vx)} ${text(body.vy)} m/s`, `spin     ${text(body.spin)} rad/s`);
+    return lines.join("\n");
+  }
+  setTheme(index) {
+    this.theme = index;
+    const {dark} = this.film.themes[index];
+    document.documentElement.classList.toggle("light", !dark);
+    $("theme").textContent = dark ? "Light" : "Dark"; // what a click makes of it
+    this.redraw();
+  }
+
+  // ---------------------------------------------------------------------------------------------- time
+  show(number) {
+    this.number = Math.min(Math.max(number, 0), this.film.frames - 1);
+    this.place = this.number;
+    this.redraw();
+  }
+  play() {
+    if (this.number >= this.film.frames - 1) this.show(0);
+    this.isPlaying = true;
+    this.lastTick = null;
+    this.place = this.number;
+    this.showPlaying();
+    this.redraw();
+  }
+  pause(number = this.number) {
+    this.isPlaying = false;
+    this.showPlaying();
+    this.show(number);
+    this.keepLink();
+  }
+  showPlaying() {
+    $("play").textContent = this.isPlaying ? "❚❚" : "▶";
+    $("play").setAttribute("aria-label", this.isPlaying ? "Pause" : "Play");
+    this.resize();
+  }
+  step(frames) {
+    this.pause(this.number + frames);
+  }
+  setSpeed(speed) {
+    this.speed = speed;
+    $("speed").value = speed;
+  }
+  changeSpeed(by) {
+    const at = kSpeeds.indexOf(this.speed) + by;
+    this.setSpeed(kSpeeds[Math.min(Math.max(at, 0), kSpeeds.length - 1)]);
+  }
+
+  // ---------------------------------------------------------------------------------------------- view
+  zoom(factor, x = 0.5 * this.canvas.width, y = 0.5 * this.canvas.height) {
+    if (!this.frame) return;
+    this.view.zoom(this.frame, factor, x, y);
+    this.redraw();
+  }
+  resetView() {
+    this.follow(-1);
+    this.view.reset();
+    this.keepLink();
+    this.redraw();
+  }
+  follow(body) {
+    this.view.follow(body);
+    if (body >= 0 && this.frame) this.view.track(this.frame);
+    $("follow").textContent = body < 0 ? "" : `following body ${body} ${this.film.names[body] ?? ""}`.trim();
+    this.keepLink();
+    this.redraw();
+  }
+  followPointed() {
+    if (!this.frame) return;
+    const body = this.bodyAtPointer(this.view.of(this.frame));
+    this.follow(body === this.view.followed ? -1 : body);
+  }
+  zoomToContact(x, y) {
+    if (!this.frame) return;
+    const view = this.view.of(this.frame);
+    const [worldX, worldY] = this.view.toWorld(view, x, y);
+    const reach = kContactReach * this.ratio / view.scale;
+    const contact = this.hidden.has(kContacts) ? null : contactAt(this.film, this.frame, worldX, worldY, reach);
+    const [middleX, middleY] = contact ?? [worldX, worldY];
+    this.view.choose({x: middleX, y: middleY, scale: this.view.limited(4 * view.scale)});
+    this.redraw();
+  }
+
+  // ---------------------------------------------------------------------------------------------- link
+  // "#t=3.2s&at=0,5,20&follow=17": the time, the middle and the height of the view [m], a body.
+  link() {
+    const parts = [`t=${Number(this.film.secondsOf(this.number).toFixed(6))}s`];
+    if (this.view.own) {
+      const {x, y, height} = this.view.own;
+      parts.push(`at=${[x, y, height].map(value => Number(value.toPrecision(9))).join(",")}`);
+    }
+    if (this.view.followed >= 0) parts.push(`follow=${this.view.followed}`);
+    return `#${parts.join("&")}`;
+  }
+  // The address of the page is that of the moment, unless it plays.
+  keepLink() {
+    if (this.isPlaying) return;
+    this.ownLink = this.link();
+    history.replaceState(null, "", this.ownLink);
+  }
+  openLink() {
+    if (location.hash === this.ownLink) return;
+    const asked = new URLSearchParams(location.hash.slice(1));
+    const time = Number.parseFloat(asked.get("t"));
+    const at = (asked.get("at") ?? "").split(",").map(Number);
+    const body = Number.parseInt(asked.get("follow") ?? "-1", 10);
+    if (at.length === 3 && at.every(Number.isFinite) && at[2] > 0) {
+      this.view.choose({x: at[0], y: at[1], scale: this.view.limited(this.view.height / at[2])});
+    }
+    if (Number.isFinite(time)) this.pause(this.film.frameAt(time));
+    if (body >= 0) this.follow(body);
+  }
+  async copyLink() {
+    this.keepLink();
+    const text = location.href.split("#")[0] + this.link();
+    try {
+      await navigator.clipboard.writeText(text);
+      tell("The link is copied.");
+    } catch {
+      tell(text); // a browser that keeps the clipboard to itself
+    }
+  }
+
+  // --------------------------------------------------------------------------------------------- hands
+  listen() {
+    new ResizeObserver(() => this.resize()).observe(this.canvas);
+    addEventListener("hashchange", () => this.openLink());
+    $("time").addEventListener("input", () => this.pause(Number($("time").value)));
+    $("speed").addEventListener("change", () => this.setSpeed(Number($("speed").value)));
+    const onClick = {
+      play: () => this.toggle(), back: () => this.step(-1), forward: () => this.step(1),
+      closer: () => this.zoom(kZoomStep), farther: () => this.zoom(1 / kZoomStep), reset: () => this.resetView(),
+      theme: () => this.setTheme(1 - this.theme), link: () => this.copyLink(), help: () => $("keys").showModal(),
+    };
+    for (const [id, act] of Object.entries(onClick)) $(id).addEventListener("click", act);
+    addEventListener("keydown", event => this.onKey(event));
+    this.canvas.addEventListener("wheel", event => this.onWheel(event), {passive: false});
+    this.canvas.addEventListener("pointerdown", event => this.onDown(event));
+    this.canvas.addEventListener("pointermove", event => this.onMove(event));
+    for (const name of ["pointerup", "pointercancel"]) {
+      this.canvas.addEventListener(name, event => this.onUp(event, name === "pointerup"));
+    }
+    this.canvas.addEventListener("pointerleave", () => {
+      this.pointer = null;
+      this.redraw();
+    });
+    this.canvas.addEventListener("dblclick", event => this.zoomToContact(...this.inCanvas(this.placeOf(event))));
+  }
+  toggle() {
+    this.isPlaying ? this.pause() : this.play();
+  }
+  onKey(event) {
+    if (event.ctrlKey || event.altKey || event.metaKey || $("keys").open) return;
+    const isOfControl = ["SELECT", "BUTTON", "SUMMARY"].includes(event.target.tagName) || event.target.type === "checkbox";
+    if (isOfControl && [" ", "Enter", "ArrowLeft", "ArrowRight", "Home", "End"].includes(event.key)) return;
+    const second = Math.max(Math.round(this.film.framesPerSecond / this.film.speed), 1);
+    const onKeys = {
+      " ": () => this.toggle(),
+      ArrowLeft: () => this.step(event.shiftKey ? -second : -1),
+      ArrowRight: () => this.step(event.shiftKey ? second : 1),
+      Home: () => this.pause(0), End: () => this.pause(this.film.frames - 1),
+      "[": () => this.changeSpeed(-1), "]": () => this.changeSpeed(1),
+      "+": () => this.zoom(kZoomStep), "=": () => this.zoom(kZoomStep), "-": () => this.zoom(1 / kZoomStep),
+      0: () => this.resetView(), f: () => this.followPointed(), d: () => this.setTheme(1 - this.theme),
+      l: () => $("layers").toggleAttribute("open"), r: () => $("repeat").click(), c: () => this.copyLink(),
+      "?": () => $("keys").showModal(),
+    };
+    const act = onKeys[event.key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+  // In the picture [CSS px].
+  placeOf(event) {
+    const box = this.canvas.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+  inCanvas([x, y]) {
+    return [x * this.ratio, y * this.ratio];
+  }
+  onWheel(event) {
+    event.preventDefault();
+    const lines = event.deltaMode === 1 ? 33 : 1; // Firefox counts lines
+    this.zoom(Math.exp(-0.0015 * lines * event.deltaY), ...this.inCanvas(this.placeOf(event)));
+    this.keepLink();
+  }
+  onDown(event) {
+    this.canvas.setPointerCapture(event.pointerId);
+    this.fingers.set(event.pointerId, this.placeOf(event));
+    this.isClick = this.fingers.size === 1;
+    this.downAt = this.placeOf(event);
+  }
+  onMove(event) {
+    const [x, y] = this.placeOf(event);
+    this.pointer = [x, y];
+    const before = this.fingers.get(event.pointerId);
+    if (before && this.frame) {
+      this.isClick &&= Math.hypot(x - this.downAt[0], y - this.downAt[1]) < kClickReach;
+      const other = [...this.fingers].find(([id]) => id !== event.pointerId)?.[1];
+      const share = this.ratio / this.fingers.size;
+      this.view.pan(this.frame, share * (x - before[0]), share * (y - before[1]));
+      if (other) this.pinch(before, [x, y], other);
+      this.fingers.set(event.pointerId, [x, y]);
+    }
+    this.redraw();
+  }
+  pinch(before, now, other) {
+    const gap = (a, b) => Math.max(Math.hypot(a[0] - b[0], a[1] - b[1]), 1);
+    const middle = [0.5 * (now[0] + other[0]), 0.5 * (now[1] + other[1])];
+    this.zoom(gap(now, other) / gap(before, other), ...this.inCanvas(middle));
+  }
+  onUp(event, isClick) {
+    this.fingers.delete(event.pointerId);
+    if (isClick && this.isClick) this.followPointed();
+    this.keepLink();
+    this.redraw();
+  }
+}
+
+function tell(text) {
+  $("message").textContent = text;
+  clearTimeout(tell.timer);
+  tell.timer = setTimeout(() => $("message").textContent = "", 6000);
+}
+
+let player = null;
+
+async function open() {
+  if (typeof DecompressionStream === "undefined") {
+    $("message").textContent = "This browser is too old for this page: it cannot unpack gzip.";
+    return null;
+  }
+  try {
+    const groups = [...document.querySelectorAll("script.frames")].map(element =>
+      ({frames: Number(element.dataset.frames), base64: () => element.textContent}));
+    const film = await Film.open(JSON.parse($("head").textContent), groups);
+    await film.frameLater(0);
+    player = new Player(film);
+    player.openLink();
+    $("message").textContent = "";
+    return player;
+  } catch (error) {
+    $("message").textContent = `This page is damaged (${error.message}).`;
+    throw error;
+  }
+}
+const opened = open();

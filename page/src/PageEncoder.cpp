@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+#include "PageEncoder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boxreel
+{
+namespace
+{
+
+// A group begins with all tracks as they are, which costs as much as some frames in motion. More
+// frames make it slower to jump into the middle of a group.
+constexpr std::int64_t kGroupFrames = 240;
+constexpr std::size_t kGroupBytes = 8u << 20; // for worlds of very many bodies
+
+// Rounding of place, angle and form add up to 1.1 quanta at most, and floats have some of their own.
+constexpr double kQuantaInError = 1.25;
+
+// A quantum of the view: a picture is off by far less than kPagePixelError.
+constexpr double kViewSteps = 16.0;
+
+constexpr double kNearPixels = 6.0;
+
+// Of larger places, differences of predictions would not be whole numbers in a double, which is what
+// JavaScript has.
+constexpr double kMaxQuanta = 1e14;
+
+/// Whether items of this layer usually move as one. Others change their form in every step.
+bool IsOfRigidThings(DrawLayer layer)
+{
+    switch (layer)
+    {
+    case DrawLayer::Shapes:
+    case DrawLayer::Joints:
+    case DrawLayer::CentersOfMass:
+    case DrawLayer::CenterMarks:
+    case DrawLayer::JointGlyphs:
+    case DrawLayer::Scene:
+        return true;
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
+PageEncoder::PageEncoder(const Camera& first)
+    : m_fullScale(kPageZoom * first.pixelsPerMeter),
+      m_quantum(kPagePixelError / (kQuantaInError * m_fullScale)),
+      m_tolerance(kPagePixelError / m_fullScale), m_near(kNearPixels / first.pixelsPerMeter),
+      m_forms(m_quantum)
+{}
+
+bool PageEncoder::CanHold(const Camera& camera) const
+{
+    const double farthest = kMaxQuanta * m_quantum / kViewSteps;
+    return std::abs(camera.centerX) <= farthest && std::abs(camera.centerY) <= farthest &&
+           camera.height / camera.pixelsPerMeter <= farthest;
+}
+
+bool PageEncoder::IsGroupFull() const
+{
+    std::size_t bytes = m_sequence.size();
+    for (const Column& column : m_columns)
+    {
+        bytes += column.small.size() + column.large.size();
+    }
+    return m_frames >= kGroupFrames || bytes >= kGroupBytes;
+}
+
+std::string PageEncoder::TakeGroup()
+{
+    std::string bytes;
+    const auto put = [&bytes](std::string& part) {
+        PutVarint(bytes, part.size());
+        bytes += part;
+        part.clear();
+    };
+    PutVarint(bytes, std::uint64_t(m_frames));
+    put(m_sequence);
+    for (Column& column : m_columns)
+    {
+        put(column.small);
+        put(column.large);
+    }
+    m_frames = 0;
+    m_view = {};
+    m_neighbour = {};
+    return bytes;
+}
+
+void PageEncoder::Put(ColumnOf column, Predictor& predictor, std::int64_t number)
+{
+    const std::int64_t guess =
+        predictor.IsEmpty() ? m_neighbour[column] : predictor.Guess();
+    m_columns[column].Put(number - guess);
+    predictor.Add(number);
+    m_neighbour[column] = number;
+}
+
+void PageEncoder::PutView(const Camera& camera)
+{
+    const double unit = m_quantum / kViewSteps;
+    Put(View, m_view[0], std::llround(camera.centerX / unit));
+    Put(View, m_view[1], std::llround(camera.centerY / unit));
+    Put(View, m_view[2], std::llround(camera.height / camera.pixelsPerMeter / unit));
+}
+
+Track PageEncoder::BeginLoose(const Run& run)
+{
+    Track track;
+    track.run = run;
+    track.form = m_forms.AddLoose(run.signature);
+    return track;
+}
+
+/// Expects the points of the run in m_points.
+Track PageEncoder::Begin(const Run& run, const PageBody* body)
+{
+    if (m_points.size() < 2 || !IsOfRigidThings(run.layer))
+    {
+        return BeginLoose(run);
+    }
+    const bool isKnown = body != nullptr && run.layer == DrawLayer::Shapes;
+    std::optional<PagePoint> origin;
+    if (isKnown)
+    {
+        origin = PagePoint{body->position.x, body->position.y};
+    }
+    const double angle = isKnown ? double(body->angle) : 0.0;
+    Track track;
+    track.run = run;
+    track.isRigid = true;
+    track.form = m_forms.AddRigid(run.signature, m_points, angle, origin);
+    const double angleUnit = m_forms.Rigid(track.form).angleUnit;
+    track.numbers = {0, 0, std::llround(angle / angleUnit)};
+    return track;
+}
+
+/// Expects the points of the run in m_points. False if they no longer move as one.
+bool PageEncoder::Place(Track& track)
+{
+    if (track.isRigid)
+    {
+        const auto place = FitPlace(m_forms.Rigid(track.form), m_points, m_quantum,
+                                    track.numbers[2], m_tolerance);
+        if (place)
+        {
+            track.numbers = {place->x, place->y, place->angle};
+        }
+        return place.has_value();
+    }
+    track.numbers.clear();
+    for (const PagePoint p : m_points)
+    {
+        track.numbers.push_back(std::llround(p.x / m_quantum));
+        track.numbers.push_back(std::llround(p.y / m_quantum));
+    }
+    return true;
+}
+
+void PageEncoder::Follow(const DrawList& list, std::span<const PageBody> bodies)
+{
+    std::unordered_map<std::uint32_t, const PageBody*> known; // for lookups only
+    for (const PageBody& body : bodies)
+    {
+        known.emplace(body.number, &body);
+    }
+    std::vector<Run> runs = SplitRuns(list, kMaxQuanta * m_quantum, m_styles, m_forms);
+    m_from = MatchRuns(m_tracks, runs, m_near);
+    std::vector<Track> tracks;
+    tracks.reserve(runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i)
+    {
+        ReadPoints(list, runs[i].items, m_points);
+        if (m_from[i] >= 0)
+        {
+            tracks.push_back(std::move(m_tracks[std::size_t(m_from[i])]));
+            tracks.back().run = std::move(runs[i]);
+        }
+        else
+        {
+            const auto body = known.find(runs[i].owner);
+            tracks.push_back(Begin(runs[i], body != known.end() ? body->second : nullptr));
+        }
+        if (!Place(tracks.back()))
+        {
+            tracks.back() = BeginLoose(tracks.back().run);
+            Place(tracks.back());
+            m_from[i] = -1;
+        }
+    }
+    m_tracks = std::move(tracks);
+}
+
+/// How the tracks of the frame before become those of this one: "keep, end, begin" by turns.
+void PageEncoder::PutSequence(std::size_t before)
+{
+    std::string turns;
+    std::uint64_t count = 0;
+    std::size_t old = 0;
+    for (std::size_t i = 0; i < m_tracks.size() || old < before;)
+    {
+        std::size_t kept = 0;
+        for (; i < m_tracks.size() && m_from[i] == std::ptrdiff_t(old); ++i, ++old, ++kept)
+        {
+        }
+        std::size_t end = i;
+        for (; end < m_tracks.size() && m_from[end] < 0; ++end)
+        {
+        }
+        const std::size_t next = end < m_tracks.size() ? std::size_t(m_from[end]) : before;
+        if (next == old && end == i)
+        {
+            break; // all that follow are kept
+        }
+        PutVarint(turns, kept);
+        PutVarint(turns, next - old);
+        PutVarint(turns, end - i);
+        for (; i < end; ++i)
+        {
+            const Track& track = m_tracks[i];
+            PutVarint(turns, track.form);
+            PutVarint(turns, track.run.style);
+            PutVarint(turns, track.run.owner == kNoOwner ? 0 : std::uint64_t(track.run.owner) + 1);
+        }
+        old = next;
+        ++count;
+    }
+    PutVarint(m_sequence, count);
+    m_sequence += turns;
+}
+
+/// Those that have another style than in the frame before, `before` by index there.
+void PageEncoder::PutStyles(std::span<const std::uint32_t> before)
+{
+    std::string changes;
+    std::uint64_t count = 0;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < m_tracks.size(); ++i)
+    {
+        const std::uint32_t style = m_tracks[i].run.style;
+        if (m_from[i] >= 0 && before[std::size_t(m_from[i])] != style)
+        {
+            PutVarint(changes, i - last);
+            PutVarint(changes, style);
+            last = i;
+            ++count;
+        }
+    }
+    PutVarint(m_sequence, count);
+    m_sequence += changes;
+}
+
+void PageEncoder::Add(const DrawList& list, const Camera& camera, std::span<const PageBody> bodies)
+{
+    std::vector<std::uint32_t> styles;
+    for (const Track& track : m_tracks)
+    {
+        styles.push_back(track.run.style);
+    }
+    Follow(list, bodies);
+    if (m_frames == 0) // a group can be read without those before it
+    {
+        styles.clear();
+        m_from.assign(m_tracks.size(), -1);
+    }
+    PutSequence(styles.size());
+    PutStyles(styles);
+    PutView(camera);
+    for (std::size_t i = 0; i < m_tracks.size(); ++i)
+    {
+        Track& track = m_tracks[i];
+        if (m_from[i] < 0)
+        {
+            track.predictors.assign(track.numbers.size(), Predictor{});
+        }
+        for (std::size_t k = 0; k < track.numbers.size(); ++k)
+        {
+            const auto column = track.isRigid ? ColumnOf(RigidX + k) : ColumnOf(LooseX + k % 2);
+            Put(column, track.predictors[k], track.numbers[k]);
+        }
+    }
+    ++m_frames;
+}
+
+} // namespace boxreel

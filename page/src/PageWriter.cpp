@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "PageHead.h"
+#include <page/PageWriter.h>
+
+#include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+constexpr int kMaxSide = 8192;     // [px], as renderers and films
+constexpr double kMaxRate = 1000.0; // [frames/s], as films
+
+Result<void> Check(const PageSettings& settings)
+{
+    const std::string size =
+        std::to_string(settings.width) + "x" + std::to_string(settings.height);
+    if (settings.width < 1 || settings.height < 1 || settings.width > kMaxSide ||
+        settings.height > kMaxSide)
+    {
+        return Error{ErrorKind::Unusable, "size " + size,
+                     "must be between 1 and " + std::to_string(kMaxSide) + " pixels"};
+    }
+    const auto isAbove0 = [](double value) { return std::isfinite(value) && value > 0.0; };
+    if (!isAbove0(settings.framesPerSecond) || settings.framesPerSecond > kMaxRate)
+    {
+        return Error{ErrorKind::Unusable, "rate " + std::to_string(settings.framesPerSecond),
+                     "must be above 0 and at most 1000 frames per second"};
+    }
+    if (!isAbove0(settings.speed) || !std::isfinite(settings.firstTime))
+    {
+        return Error{ErrorKind::Unusable, "time of the page",
+                     "speed must be above 0, and the first time finite"};
+    }
+    return {};
+}
+
+} // namespace
+
+struct PageWriter::Impl
+{
+    Impl(AtomicFile&& opened, const PageSettings& asked)
+        : file(std::move(opened)), settings(asked)
+    {}
+
+    Result<void> Write(const std::string& text)
+    {
+        return file.Write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    }
+    Result<void> WriteGroup()
+    {
+        const std::int64_t frames = encoder->FramesInGroup();
+        ASSIGN_OR_RETURN(const std::string group, PageGroup(encoder->TakeGroup(), frames));
+        return Write(group);
+    }
+    Result<void> Finish();
+
+    AtomicFile file;
+    PageSettings settings;
+    std::optional<PageEncoder> encoder; // from the first frame on
+    PageFacts facts;
+};
+
+Result<void> PageWriter::Impl::Finish()
+{
+    if (facts.frames == 0)
+    {
+        return Error{ErrorKind::Unusable, "page", "has no frame",
+                     "append at least one before Close"};
+    }
+    if (encoder->FramesInGroup() > 0)
+    {
+        RETURN_IF_ERROR(WriteGroup());
+    }
+    ASSIGN_OR_RETURN(const std::string end, PageEnd(settings, *encoder, facts));
+    RETURN_IF_ERROR(Write(end));
+    return file.Commit();
+}
+
+PageWriter::PageWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+PageWriter::PageWriter(PageWriter&&) noexcept = default;
+PageWriter& PageWriter::operator=(PageWriter&&) noexcept = default;
+PageWriter::~PageWriter() = default;
+
+Result<PageWriter> PageWriter::Open(const std::filesystem::path& path, const PageSettings& settings)
+{
+    RETURN_IF_ERROR(Check(settings));
+    ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(path, settings.overwrite));
+    auto impl = std::make_unique<Impl>(std::move(file), settings);
+    RETURN_IF_ERROR(impl->Write(PageBegin(settings)));
+    return PageWriter(std::move(impl));
+}
+
+Result<void> PageWriter::Append(const DrawList& list, const Camera& camera,
+                                std::span<const PageBody> bodies)
+{
+    assert(m_impl && "nothing can be appended after Close");
+    const PageSettings& settings = m_impl->settings;
+    if (camera.width != settings.width || camera.height != settings.height)
+    {
+        return Error{ErrorKind::Unusable, "camera", "size differs from that of the page"};
+    }
+    const bool isDrawable = CanBeDrawn(camera);
+    if (isDrawable && !m_impl->encoder)
+    {
+        m_impl->encoder.emplace(camera);
+    }
+    if (!isDrawable || !m_impl->encoder->CanHold(camera))
+    {
+        return Error{ErrorKind::Unusable, "camera",
+                     "view is too far from the origin for its scale, or not finite"};
+    }
+    PageEncoder& encoder = *m_impl->encoder;
+    encoder.Add(list, camera, bodies);
+    ++m_impl->facts.frames;
+    for (const PageBody& body : bodies)
+    {
+        if (!body.name.empty())
+        {
+            m_impl->facts.names.insert_or_assign(body.number, body.name);
+        }
+    }
+    return encoder.IsGroupFull() ? m_impl->WriteGroup() : Result<void>();
+}
+
+Result<void> PageWriter::Close()
+{
+    assert(m_impl && "a page is closed once");
+    const std::unique_ptr<Impl> impl = std::move(m_impl);
+    return impl->Finish();
+}
+
+} // namespace boxreel

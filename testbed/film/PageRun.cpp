@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "PageRun.h"
+#include "FilmSimulation.h"
+#include "StopSignals.h"
+
+#include <base/ErrorMacros.h>
+#include <page/PageWriter.h>
+
+#include <Box2D/Dynamics/b2Body.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace boxreel
+{
+namespace
+{
+
+PageSettings SettingsOf(const RecordOptions& options, const std::string& title)
+{
+    PageSettings settings;
+    settings.width = options.look.width;
+    settings.height = options.look.height;
+    settings.framesPerSecond = options.film.framesPerSecond.ToDouble();
+    settings.speed = options.pace.speed.ToDouble();
+    settings.firstTime = double(options.length.from.value_or(Duration{}).nanoseconds) * 1e-9;
+    settings.title = title;
+    settings.theme = options.look.theme;
+    settings.shown = options.look.layers;
+    settings.shown[DrawLayer::Labels] = settings.shown[DrawLayer::Labels] || options.look.labels;
+    settings.overwrite = options.film.overwrite;
+    return settings;
+}
+
+std::vector<PageBody> BodiesOf(const SceneSession& session)
+{
+    std::vector<PageBody> bodies;
+    for (const b2Body* b = session.World().GetBodyList(); b != nullptr; b = b->GetNext())
+    {
+        const auto number = std::uint32_t(b->GetNumber());
+        const auto name = session.Names().find(number);
+        bodies.push_back({number,
+                          {b->GetPosition().x, b->GetPosition().y},
+                          b->GetAngle(),
+                          name != session.Names().end() ? name->second : ""});
+    }
+    return bodies;
+}
+
+FilmReport ReportOf(const RecordOptions& options, std::int64_t frames, double seconds)
+{
+    FilmReport report;
+    report.file = options.output;
+    report.frames = report.framesFilmed = frames;
+    report.width = options.look.width;
+    report.height = options.look.height;
+    report.framesPerSecond = options.film.framesPerSecond.ToDouble();
+    report.seconds = seconds;
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(options.output, error);
+    report.bytes = error ? -1 : static_cast<std::int64_t>(bytes);
+    return report;
+}
+
+/// Appends all frames. Returns their number, which is 0 when a signal asks for a stop.
+Result<std::int64_t> WriteFrames(std::int64_t count, FilmSimulation& simulation,
+                                 PageWriter& writer, Progress& progress)
+{
+    for (std::int64_t frame = 0; frame < count; ++frame)
+    {
+        if (!simulation.AdvanceTo(frame))
+        {
+            return 0;
+        }
+        FrameContent content;
+        simulation.Fill(content);
+        // Between two steps the list shows bodies elsewhere.
+        const std::vector<PageBody> bodies =
+            simulation.IsBetweenSteps() ? std::vector<PageBody>() : BodiesOf(simulation.Session());
+        RETURN_IF_ERROR(writer.Append(content.list, content.camera, bodies));
+        progress.Update({.framesDone = frame + 1, .framesTotal = count});
+        if (simulation.IsAtEnd())
+        {
+            return frame + 1;
+        }
+    }
+    return count;
+}
+
+} // namespace
+
+bool IsPage(const std::filesystem::path& path)
+{
+    std::string end = path.extension().string();
+    std::transform(end.begin(), end.end(), end.begin(),
+                   [](unsigned char letter) { return char(std::tolower(letter)); });
+    return end == ".html";
+}
+
+Result<void> CheckPage(const RecordOptions& options)
+{
+    const VideoSettings& film = options.film;
+    const VideoSettings usual;
+    const std::pair<const char*, bool> ofFilms[] = {
+        {"--resume", film.resume},
+        {"--skip-done", options.skipDone},
+        {"--stats", options.messages.stats},
+        {"--frame-range", options.length.range.has_value()},
+        {"--thumbnail", !options.thumbnail.file.empty()},
+        {"--quality", film.quality != usual.quality},
+        {"--codec", !film.codec.empty()},
+        {"--chroma", film.chroma != usual.chroma},
+        {"--codec-option", !film.codecOptions.empty()},
+        {"--format", !film.format.empty()},
+        {"--loop", film.plays != usual.plays},
+        {"--group", film.groupFrames != usual.groupFrames},
+        {"--constant-rate", film.constantRate},
+        {"--threads", film.threads != usual.threads},
+        {"--hud", options.look.hud},
+        {"--ui", options.look.panels},
+    };
+    for (const auto& [option, isGiven] : ofFilms)
+    {
+        if (isGiven)
+        {
+            return Error{ErrorKind::Unusable, option, "applies to films, and .html is a page",
+                         "remove it, or write .mp4"};
+        }
+    }
+    return {};
+}
+
+Result<int> MakePage(const RecordOptions& options, const FilmPlan& plan, SnapshotFolder* snapshots,
+                     SceneSource source)
+{
+    RecordOptions asked = options;
+    asked.look.collectEverything = true; // the reader may pan to it
+    Progress progress(options.messages.progress);
+    FilmSimulation simulation(asked, snapshots, progress, nullptr);
+    RETURN_IF_ERROR(simulation.Open(std::move(source)));
+    ASSIGN_OR_RETURN(
+        PageWriter writer,
+        PageWriter::Open(options.output, SettingsOf(options, simulation.Session().Title())));
+    simulation.TellMissingBodies();
+    simulation.Begin(0);
+    const Result<std::int64_t> written =
+        WriteFrames(plan.frameCount, simulation, writer, progress);
+    if (!written)
+    {
+        progress.Clear();
+        return written.GetError();
+    }
+    if (*written == 0)
+    {
+        progress.Stop("Stopped; no page was written.");
+        return StopSignals::kExitCode;
+    }
+    RETURN_IF_ERROR(writer.Close());
+    progress.Finish(ReportOf(options, *written, progress.Seconds()));
+    return simulation.Conclude(*written);
+}
+
+} // namespace boxreel

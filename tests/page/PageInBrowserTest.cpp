@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+// Pages of scenes in Chromium: the pixels of `boxreel shot`, the positions of the draw list, and the
+// controls.
+#include "Browser.h"
+
+#include <Box2D/Dynamics/b2Body.h>
+#include <base/AtomicFile.h>
+#include <golden/Compare.h>
+#include <page/PageWriter.h>
+#include <render/Png.h>
+#include <render/Renderer.h>
+#include <session/SessionPanels.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace boxreel
+{
+namespace
+{
+
+using testing::HasSubstr;
+using testing::Not;
+
+// As the page shows a resting picture on a screen of one pixel per CSS pixel: two samples per pixel.
+constexpr const char* kDrawScript = R"(
+function drawExactly(player, frame) {
+  const {film} = player;
+  const samples = document.createElement("canvas"), picture = document.createElement("canvas");
+  samples.width = 2 * (picture.width = film.width);
+  samples.height = 2 * (picture.height = film.height);
+  const view = film.viewOf(frame);
+  view.scale *= 2;
+  player.painter.draw(samples, frame, {view, ratio: 2, theme: film.themes[0], hidden: new Set()});
+  picture.getContext("2d").drawImage(samples, 0, 0, film.width, film.height);
+  return picture.toDataURL().split(",")[1];
+}
+function leave(text) {
+  const results = document.createElement("pre");
+  results.textContent = `\nBEGIN\n${text}\nEND\n`;
+  document.body.append(results);
+}
+)";
+
+std::vector<std::uint8_t> FromBase64(std::string_view text)
+{
+    constexpr std::string_view kLetters =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::vector<std::uint8_t> bytes;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const char letter : text.substr(0, text.find_first_of("=\n")))
+    {
+        bits = bits << 6 | std::uint32_t(kLetters.find(letter));
+        count += 6;
+        if (count >= 8)
+        {
+            count -= 8;
+            bytes.push_back(std::uint8_t(bits >> count));
+        }
+    }
+    return bytes;
+}
+
+class PageInBrowser : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (browser.empty())
+        {
+            GTEST_SKIP() << "Chromium is not installed; install it with: apt install chromium";
+        }
+    }
+
+    /// Writes a page of the scene, up to a step, and keeps the list of that.
+    std::string PageOf(const std::string& scene, const std::string& layers, int last,
+                       const Theme& theme = Theme::Classic())
+    {
+        SceneLook look;
+        look.collectEverything = true;
+        look.layers = *ParseLayers("--draw", layers);
+        Result<SceneSource> source = OpenScene(scene);
+        Result<SceneSession> session = OpenSession(std::move(*source), look);
+        EXPECT_TRUE(session);
+        const std::filesystem::path path = folder / (scene + ".html");
+        PageSettings settings;
+        settings.overwrite = true;
+        settings.theme = theme;
+        Result<PageWriter> writer = PageWriter::Open(path, settings);
+        EXPECT_TRUE(writer);
+        for (int frame = 0; frame <= last; ++frame)
+        {
+            session->AdvanceTo(frame);
+            content = {};
+            session->Fill(content);
+            std::vector<PageBody> bodies;
+            for (const b2Body* b = session->World().GetBodyList(); b != nullptr; b = b->GetNext())
+            {
+                bodies.push_back({std::uint32_t(b->GetNumber()),
+                                  {b->GetPosition().x, b->GetPosition().y},
+                                  b->GetAngle(),
+                                  "body " + std::to_string(b->GetNumber())});
+            }
+            EXPECT_TRUE(writer->Append(content.list, content.camera, bodies));
+        }
+        EXPECT_TRUE(writer->Close());
+        return ReadFile(path);
+    }
+
+    std::string Run(const std::string& page, const std::string& script)
+    {
+        const Outcome outcome =
+            LoadInChromium(browser, page, kDrawScript + script, folder);
+        EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
+        return ResultsOf(outcome);
+    }
+
+    const std::string browser = Chromium();
+    TemporaryFolder folder;
+    FrameContent content; // of the last frame
+};
+
+struct Shown
+{
+    const char* scene;
+    const char* layers;
+    const char* theme;
+};
+
+class PagePixels : public PageInBrowser, public testing::WithParamInterface<Shown>
+{};
+
+TEST_P(PagePixels, AreThoseOfARenderer)
+{
+    constexpr int kStep = 150;
+    const Theme theme = *FindTheme(GetParam().theme);
+    const std::string page = PageOf(GetParam().scene, GetParam().layers, kStep, theme);
+    const std::string results = Run(page, R"(
+(async () => {
+  const player = await opened;
+  leave(drawExactly(player, await player.film.frameLater(150)));
+})();
+)");
+    const std::vector<std::uint8_t> png = FromBase64(results);
+    ASSERT_TRUE(WriteWhole(folder / "page.png", png, true));
+    const Result<Frame> shown = ReadPng(folder / "page.png");
+    ASSERT_TRUE(shown) << results.substr(0, 400);
+    Result<Renderer> renderer = Renderer::Create({.theme = theme});
+    ASSERT_TRUE(renderer);
+    Frame drawn;
+    ASSERT_TRUE(renderer->Draw(content.list, content.camera, drawn));
+    const Comparison comparison = Compare(drawn, *shown, CompareSettings::CrossMachine());
+    EXPECT_TRUE(comparison.equal) << comparison.Text();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, PagePixels,
+    testing::Values(Shown{"dominos", "shapes,joints", "classic"},
+                    Shown{"pyramid", "shapes,joints,contacts", "classic"},
+                    Shown{"tumbler", "shapes,joints", "dark"},
+                    Shown{"car", "shapes,joints,centers,velocities", "print"},
+                    Shown{"web", "shapes,joints,aabbs", "okabe-ito"}),
+    [](const auto& shown) { return shown.param.scene; });
+
+TEST_F(PageInBrowser, PlacesItemsOfEveryStepAsTheList)
+{
+    const std::string page = PageOf("dominos", "shapes,joints,contacts", 300);
+    std::ostringstream expected;
+    for (const Vec2 point : content.list.points)
+    {
+        expected << "," << double(point.x) << "," << double(point.y);
+    }
+    // Steps before are read out of order, which must not matter.
+    const std::string results = Run(page, R"(
+(async () => {
+  const {film} = await opened;
+  for (const number of [250, 10, 299]) await film.frameLater(number);
+  const frame = await film.frameLater(300);
+  const texts = [];
+  let at = 0;
+  for (const track of frame.tracks) {
+    const points = new Float64Array(2 * track.form.pointCount);
+    placePoints(track.form, frame.numbers, at, film.quantum, points);
+    at += track.form.numbers;
+    let first = 0;
+    for (const item of track.form.items) {
+      texts.push(`${item.kind} ${track.owner} ${points[first].toFixed(7)} ${points[first + 1].toFixed(7)}`);
+      first += 2 * item.count;
+    }
+  }
+  leave(`${film.fullScale}\n${texts.join("\n")}`);
+})();
+)");
+    std::istringstream lines(results);
+    double fullScale = 0.0;
+    ASSERT_TRUE(lines >> fullScale) << results;
+    for (const DrawItem& item : content.list.items)
+    {
+        int kind = 0;
+        std::int64_t owner = 0;
+        double x = 0.0;
+        double y = 0.0;
+        ASSERT_TRUE(lines >> kind >> owner >> x >> y);
+        const Vec2 first = content.list.points[item.first];
+        EXPECT_EQ(kind, int(item.kind));
+        EXPECT_EQ(owner, item.owner == kNoOwner ? -1 : std::int64_t(item.owner));
+        EXPECT_LE(std::abs(x - double(first.x)) * fullScale, kPagePixelError);
+        EXPECT_LE(std::abs(y - double(first.y)) * fullScale, kPagePixelError);
+    }
+}
+
+TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
+{
+    const std::string page = PageOf("dominos", "shapes,joints,contacts", 299);
+    const std::string results = Run(page, R"(
+(async () => {
+  const lines = [];
+  const check = (what, is) => lines.push(`${is ? "right" : "WRONG"} ${what}`);
+  const key = (name, more = {}) => dispatchEvent(new KeyboardEvent("keydown", {key: name, ...more}));
+  const soon = () => new Promise(done => setTimeout(done, 100));
+  const player = await opened, {film, view} = player;
+  await soon();
+  check("begins at rest", player.number === 0 && !player.isPlaying);
+  key("ArrowRight"); key("ArrowRight"); key("ArrowLeft");
+  check("arrows step", player.number === 1);
+  key("ArrowRight", {shiftKey: true});
+  check("shift steps a second", player.number === 61);
+  key("End");
+  check("end", player.number === 299);
+  check("the address is a link to the moment", location.hash === `#t=${Number((299 / 60).toFixed(6))}s`);
+  location.hash = "#t=3.2s&at=1,20,4";
+  await soon();
+  check("a link sets the time", player.number === 192);
+  check("a link sets the view", view.own.x === 1 && view.own.y === 20 && view.own.height === 4);
+  check("the slider follows", $("time").value === "192" && $("clock").textContent.startsWith("3.200 s"));
+  key("0");
+  check("0 resets the view", view.own === null);
+  const canvas = player.canvas;
+  const send = (type, x, y, more = {}) => canvas.dispatchEvent(
+    new (type === "wheel" ? WheelEvent : type === "dblclick" ? MouseEvent : PointerEvent)(type, {clientX: x, clientY: y, pointerId: 1, cancelable: true, ...more}));
+  canvas.setPointerCapture = () => {};
+  const frame = await film.frameLater(192);
+  await soon();
+  const body = describeBody(film, frame, 13), filmed = view.of(frame);
+  const x = (0.5 * canvas.width + (body.x - filmed.x) * filmed.scale) / player.ratio;
+  const y = (0.5 * canvas.height - (body.y - filmed.y) * filmed.scale) / player.ratio;
+  send("pointermove", x, y);
+  await soon();
+  check("a body pointed at is described", /^body 13 body 13\nposition .* m\nangle .*\nvelocity .* m\/s\nspin/.test($("body").textContent));
+  send("wheel", x, y, {deltaY: -400});
+  const [underX, underY] = view.toWorld(view.of(frame), ...player.inCanvas([x, y]));
+  check("the wheel zooms about the pointer", view.own !== null && Math.hypot(underX - body.x, underY - body.y) < 1e-6);
+  send("pointerdown", x, y); send("pointermove", x + 30, y + 10);
+  const [movedX] = view.toWorld(view.of(frame), ...player.inCanvas([x + 30, y]));
+  check("a drag pans", Math.abs(movedX - body.x) < 1e-6);
+  send("pointerup", x + 30, y + 10);
+  check("a drag follows nothing", view.followed === -1);
+  send("pointerdown", x + 30, y + 10); send("pointerup", x + 30, y + 10);
+  check("a click follows a body", view.followed === 13 && location.hash.includes("follow=13"));
+  player.show(100);
+  await soon();
+  const later = await film.frameLater(100), there = describeBody(film, later, 13);
+  const [followedX, followedY] = view.toWorld(view.of(later), ...player.inCanvas([x + 30, y + 10]));
+  check("the view goes with it", Math.hypot(followedX - there.x, followedY - there.y) < 1e-6 && there.x !== body.x);
+  key("0");
+  for (let i = 0; i < 60; ++i) key("+");
+  check("zoom ends at the full scale", Math.abs(view.of(later).scale / player.samples - film.fullScale) < 1e-6 * film.fullScale);
+  key("0");
+  const boxes = [...$("layers").querySelectorAll("input")];
+  check("layers that are there have boxes", $("layers").querySelector("div").textContent === "ShapesJointsContact points" || $("layers").querySelector("div").textContent === "ShapesContact points");
+  boxes[0].click();
+  check("a layer is off", player.hidden.has(0));
+  boxes[0].click();
+  key("d");
+  check("d makes it light", document.documentElement.classList.contains("light"));
+  key("]"); key("]");
+  check("faster", player.speed === 4 && $("speed").value === "4");
+  key(" ");
+  check("space plays", player.isPlaying);
+  key(" ");
+  check("space pauses", !player.isPlaying);
+  key("?");
+  check("? shows the keys", $("keys").open);
+  leave(lines.join("\n"));
+})().catch(error => leave(`WRONG ${error.stack}`));
+)");
+    EXPECT_THAT(results, Not(HasSubstr("WRONG")));
+    EXPECT_THAT(results, HasSubstr("right ? shows the keys"));
+}
+
+TEST_F(PageInBrowser, SaysThatADamagedPageIsDamaged)
+{
+    std::string page = PageOf("dominos", "shapes", 3);
+    page.replace(page.find("\"forms\":\"") + 9, 8, "AAAAAAAA");
+    const Outcome outcome = LoadInChromium(browser, page, R"(
+opened.catch(() => leave(document.getElementById("message").textContent));
+)" + std::string(kDrawScript), folder);
+    EXPECT_THAT(ResultsOf(outcome), HasSubstr("This page is damaged"));
+}
+
+} // namespace
+} // namespace boxreel
