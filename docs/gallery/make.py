@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draw the pictures of docs/gallery and write docs/gallery.md.
+"""Draw the pictures of docs/gallery, those of the README included, and write docs/gallery.md.
 
-make.py PROGRAM            draw all pictures and write the page; needs ffmpeg, which reduces the colours
-make.py PROGRAM --only N   draw only the scenes whose names contain N, and write the page
+make.py PROGRAM            draw all pictures and write the page; needs ffmpeg, which reduces the colours, and Chromium,
+                           which opens the report of a golden test
+make.py PROGRAM --only N   draw only the scenes whose names contain N, or those of README, and write the page
 make.py PROGRAM --check    check the page and the pictures, and draw nothing
 
 PROGRAM is boxreel. The target `gallery` calls the first, a quick test the last. Exit codes: 0, 1 with one line per finding.
@@ -24,6 +25,7 @@ THEMES = {"light": "print", "dark": "dark"}
 LOOK = ["--size", "216x120", "--scale", "2"]  # 432x240, with lines that are seen at this size
 COLUMNS = 3
 COLORS = 48
+README_PICTURES = [f"{name}-{page}.{end}" for name, end in (("film", "webp"), ("window", "png"), ("report", "png")) for page in THEMES]
 
 # The moment of a scene's picture, 2.5s unless named, and the camera, unless it is the scene's own.
 MOMENTS = {
@@ -116,15 +118,46 @@ def pictures_of(scene):
     return [FOLDER / f"{file_name(scene)}-{page}.png" for page in THEMES]
 
 
+def run(*command, folder=None, codes=(0,)):
+    done = subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    if done.returncode not in codes:
+        raise SystemExit(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stderr}")
+
+
+def reduce(full, target, colors=COLORS, cut=""):
+    """Writes a PNG with a palette, a fourth of the size."""
+    palette = f"{cut}split[a][b];[a]palettegen=max_colors={colors}:reserve_transparent=0[p];[b][p]paletteuse=dither=none"
+    run("ffmpeg", "-y", "-loglevel", "error", "-i", full, "-vf", palette, "-pred", "none", "-compression_level", "100", target)
+
+
 def draw(program, scene):
     for target, theme in zip(pictures_of(scene), THEMES.values()):
         with tempfile.TemporaryDirectory() as folder:
-            full = str(pathlib.Path(folder) / "full.png")
-            subprocess.run([program, "shot", scene, "-o", full, "--theme", theme] + LOOK + options_of(scene),
-                           check=True, stdout=subprocess.DEVNULL)
-            palette = f"split[a][b];[a]palettegen=max_colors={COLORS}:reserve_transparent=0[p];[b][p]paletteuse=dither=none"
-            subprocess.run(["ffmpeg", "-y", "-loglevel", "error", "-i", full, "-vf", palette, "-pred", "none",
-                            "-compression_level", "100", str(target)], check=True)
+            full = pathlib.Path(folder) / "full.png"
+            run(program, "shot", scene, "-o", full, "--theme", theme, *LOOK, *options_of(scene))
+            reduce(full, target)
+
+
+def draw_readme(program):
+    """A film, the window, and the report of a golden test that fails."""
+    for page, theme in THEMES.items():
+        run(program, "record", "theo-jansens-walker", "-o", FOLDER / f"film-{page}.webp", "--force", "--theme", theme, "--size", "400x225",
+            "--fps", "10", "--seconds", "2.4", "--camera", "path:0s=-8,3.8,11;2.4s=-1.5,3.8,11")
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            run(program, "shot", "ragdoll", "-o", folder / "window.png", "--at", "1.2s", "--ui", "--theme", theme, "--size", "800x450",
+                "--camera", "-4.5,5.5,8.5")
+            reduce(folder / "window.png", FOLDER / f"window-{page}.png", 128)
+            record = [program, "record", "newtons-cradle", "--quality", "lossless", "--seconds", "2", "--size", "480x270", "--theme", theme]
+            run(*record, "-o", "approved.mkv", folder=folder)
+            run(program, "golden", "accept", "cradle", "--film", "approved.mkv", "--references", "references", folder=folder)
+            run(*record, "-o", "today.mkv", "--hz", "120", folder=folder)
+            run(program, "golden", "verify", "cradle", "--film", "today.mkv", "--references", "references", "--output", "failures",
+                "--report", "report.html", folder=folder, codes=(2,))
+            run("chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--window-size=1000,900",
+                *(["--blink-settings=preferredColorScheme=0"] if page == "dark" else []), f"--user-data-dir={folder / 'profile'}",
+                f"--screenshot={folder / 'report.png'}", f"file://{folder}/report.html", folder=folder)
+            reduce(folder / "report.png", FOLDER / f"report-{page}.png", 128, "crop=1000:562:0:206,")
 
 
 def cell(category, scene, shows):
@@ -161,14 +194,15 @@ def findings(scenes):
     if text != page_of(scenes):
         yield "docs/gallery.md is not what docs/gallery/make.py writes; build the target `gallery`"
     wanted = {picture for _, scene, _ in scenes for picture in pictures_of(scene)}
-    found = set(FOLDER.glob("*.png"))
+    wanted |= {FOLDER / name for name in README_PICTURES}
+    found = {path for path in FOLDER.iterdir() if path.suffix in (".png", ".webp")}
     for _, scene, _ in scenes:
         if f"[{scene}](" not in text:
             yield f"docs/gallery.md has no scene {scene}"
     for picture in sorted(wanted - found):
         yield f"docs/gallery/{picture.name} is missing; build the target `gallery`"
     for picture in sorted(found - wanted):
-        yield f"docs/gallery/{picture.name} belongs to no scene; remove it"
+        yield f"docs/gallery/{picture.name} is no picture of a scene or of the README; remove it"
     for name in sorted(MOMENTS.keys() - {scene for _, scene, _ in scenes}):
         yield f"docs/gallery/make.py has a moment for {name}, which is no scene"
     size = sum(picture.stat().st_size for picture in found)
@@ -179,7 +213,7 @@ def findings(scenes):
 def main():
     parser = argparse.ArgumentParser(description="Draw the pictures of docs/gallery and write docs/gallery.md.")
     parser.add_argument("program", help="boxreel")
-    parser.add_argument("--only", metavar="NAME", help="draw only the scenes whose names contain this")
+    parser.add_argument("--only", metavar="NAME", help="draw only the scenes whose names contain this, or README")
     parser.add_argument("--check", action="store_true", help="check the page and the pictures, and draw nothing")
     options = parser.parse_args()
     scenes = scenes_of(options.program)
@@ -187,6 +221,8 @@ def main():
         for _, scene, _ in scenes:
             if (options.only or "").lower() in scene.lower():
                 draw(options.program, scene)
+        if (options.only or "README") == "README":
+            draw_readme(options.program)
         PAGE.write_text(page_of(scenes))
     problems = list(findings(scenes))
     print("\n".join(problems), file=sys.stderr, end="\n" if problems else "")
