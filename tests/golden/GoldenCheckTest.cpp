@@ -123,9 +123,7 @@ TEST_F(GoldenCheck, AcceptsADamagedReferenceAgain)
     std::ofstream(settings.references / "frames" / "start.png") << "damaged";
     const GoldenOutcome damaged = Check(candidate);
     EXPECT_FALSE(damaged.passed);
-    EXPECT_THAT(damaged.message, testing::EndsWith("If it is right, run this test once with "
-                                                   "BOXREEL_GOLDEN_ACCEPT=changed in the "
-                                                   "environment."));
+    EXPECT_THAT(damaged.message, HasSubstr("BOXREEL_GOLDEN_ACCEPT=changed"));
     settings.accept = GoldenAccept::Changed;
     EXPECT_TRUE(Check(candidate).passed);
     settings.accept = GoldenAccept::None;
@@ -161,7 +159,7 @@ TEST_F(GoldenCheck, ANameServesOneCandidateARun)
     EXPECT_TRUE(Check(candidate).passed);
     const GoldenOutcome second = Check(changed);
     EXPECT_FALSE(second.passed);
-    EXPECT_THAT(second.message, HasSubstr("give each check its own name"));
+    EXPECT_THAT(second.message, HasSubstr(candidate.name));
     EXPECT_TRUE(Check(candidate).passed) << "the first one is the reference";
 }
 

@@ -597,7 +597,7 @@ TEST_F(Film, FailsWhileAnotherProgramWritesFilm)
             second.emplace_back(again);
             const Outcome outcome = Run(second);
             EXPECT_EQ(outcome.code, 4) << outcome.errors;
-            EXPECT_THAT(outcome.errors, HasSubstr("another program is writing it"));
+            EXPECT_THAT(outcome.errors, HasSubstr("a.part.mkv"));
         }
         kill(process, SIGTERM);
     });
