@@ -20,8 +20,8 @@ import sys
 # Title, and the pages below it in this order; chapters in that of the contents.
 CONTENTS = pathlib.Path("docs/manual/README.md")
 GROUPS = [
-    ("boxreel", ["README.md", "docs/first-steps.md", "docs/cheat-sheet.md", "docs/troubleshooting.md",
-                 "docs/versions.md"]),
+    ("boxreel", ["README.md", "docs/first-steps.md", "docs/gallery.md", "docs/cheat-sheet.md",
+                 "docs/troubleshooting.md", "docs/versions.md"]),
     ("Manual: the engine", ["docs/manual/**/*.md"]),
     ("Manual: pictures, films and tests", ["docs/*.md"]),
     ("Examples and figures", ["docs/examples/**/*.md", "docs/figures/**/*.md", "docs/[!n]*/**/*.md"]),

@@ -50,6 +50,7 @@ TEST(Examples, AreShownOnTheirPagesAsTheyAre)
 {
     EXPECT_TRUE(IsShown("hello_world.cpp", "examples/hello-world.md"));
     EXPECT_TRUE(IsShown("film_catapult.cpp", "examples/own-film.md"));
+    EXPECT_TRUE(IsShown("film_wall.cpp", "examples/own-colours.md"));
     EXPECT_TRUE(IsShown("sweep.cpp", "examples/parameter-sweep.md"));
     EXPECT_TRUE(IsShown("box2d24_film.cpp", "examples/box2d24.md"));
     EXPECT_TRUE(IsShown("porting/before/main.cpp", "examples/port-box2d24.md"));
@@ -95,6 +96,21 @@ TEST(Examples, TheCatapultSaysWhatIsWrong)
     const std::string command = "cd '" + (folder / "").string() + "' && ";
     EXPECT_NE(std::system((command + BOXREEL_FILM_CATAPULT " film.doc 2> said").c_str()), 0);
     EXPECT_THAT(TextOf(folder / "said"), testing::HasSubstr("film.doc"));
+}
+
+TEST(Examples, TheFilmOfTheWallStaysSmallInLightAndDark)
+{
+    const TemporaryFolder folder;
+    OutputIn(folder, BOXREEL_FILM_WALL " light.webp");
+    OutputIn(folder, BOXREEL_FILM_WALL " dark.webp dark");
+    const std::vector<Frame> light = Decode(folder / "light.webp");
+    const std::vector<Frame> dark = Decode(folder / "dark.webp");
+    ASSERT_EQ(light.size(), 50u);
+    ASSERT_EQ(dark.size(), 50u);
+    EXPECT_GT(light[0].Pixel(440, 5)[0], 240) << "white paper";
+    EXPECT_LT(dark[0].Pixel(440, 5)[0], 20);
+    EXPECT_LT(std::filesystem::file_size(folder / "light.webp"), 600'000u);
+    EXPECT_LT(std::filesystem::file_size(folder / "dark.webp"), 600'000u);
 }
 
 TEST(Examples, TheSweepDrawsSixPicturesTwice)
@@ -162,7 +178,7 @@ TEST(Examples, ArePagesThatTheListNames)
             EXPECT_THAT(list, testing::HasSubstr("](" + name + ")"));
         }
     }
-    EXPECT_EQ(pages, 8);
+    EXPECT_EQ(pages, 9);
 }
 
 TEST(Examples, EveryPictureIsShownAndMadeByAPage)

@@ -93,6 +93,7 @@ cat >"$work/bin/boxreel" <<SCRIPT
 case "\${1-}" in
     test) exit 0 ;;
     bench) shift && exec "$python" "$checkout/tests/benchmark/bench.py" "\$@" ;;
+    python) shift && PYTHONPATH=$BOXREEL_BUILD_DIR/python exec "$python" "\$@" ;;
     ui) exec "$checkout/tests/docs/closed-window.sh" "$program" "\$@" ;;
     *) exec "$program" "\$@" ;;
 esac
