@@ -29,10 +29,9 @@ struct ItemRun
     std::size_t count = 0;
 };
 
-/// The points that place these items [m]: those of the list, but the end of a circle's radius and of
-/// an axis instead of their directions.
+/// The points that place these items [m]: those of the list, but the end of a circle's radius and
+/// of an axis instead of their directions.
 void ReadPoints(const DrawList& list, const ItemRun& run, std::vector<PagePoint>& points);
-
 
 /// Points that keep their distances. Their frame is that of the body, about their own centre.
 struct RigidForm

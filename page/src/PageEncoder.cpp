@@ -14,7 +14,8 @@ namespace
 constexpr std::int64_t kGroupFrames = 240;
 constexpr std::size_t kGroupBytes = 8u << 20; // for worlds of very many bodies
 
-// Rounding of place, angle and form add up to 1.1 quanta at most, and floats have some of their own.
+// Rounding of place, angle and form add up to 1.1 quanta at most, and floats have some of their
+// own.
 constexpr double kQuantaInError = 1.25;
 
 // A quantum of the view: a picture is off by far less than kPagePixelError.
@@ -22,8 +23,8 @@ constexpr double kViewSteps = 16.0;
 
 constexpr double kNearPixels = 6.0;
 
-// Of larger places, differences of predictions would not be whole numbers in a double, which is what
-// JavaScript has.
+// Of larger places, differences of predictions would not be whole numbers in a double, which is
+// what JavaScript has.
 constexpr double kMaxQuanta = 1e14;
 
 /// Whether items of this layer usually move as one. Others change their form in every step.
@@ -92,8 +93,7 @@ std::string PageEncoder::TakeGroup()
 
 void PageEncoder::Put(ColumnOf column, Predictor& predictor, std::int64_t number)
 {
-    const std::int64_t guess =
-        predictor.IsEmpty() ? m_neighbour[column] : predictor.Guess();
+    const std::int64_t guess = predictor.IsEmpty() ? m_neighbour[column] : predictor.Guess();
     m_columns[column].Put(number - guess);
     predictor.Add(number);
     m_neighbour[column] = number;
@@ -143,8 +143,8 @@ bool PageEncoder::Place(Track& track)
 {
     if (track.isRigid)
     {
-        const auto place = FitPlace(m_forms.Rigid(track.form), m_points, m_quantum,
-                                    track.numbers[2], m_tolerance);
+        const auto place =
+            FitPlace(m_forms.Rigid(track.form), m_points, m_quantum, track.numbers[2], m_tolerance);
         if (place)
         {
             track.numbers = {place->x, place->y, place->angle};
@@ -204,12 +204,10 @@ void PageEncoder::PutSequence(std::size_t before)
     {
         std::size_t kept = 0;
         for (; i < m_tracks.size() && m_from[i] == std::ptrdiff_t(old); ++i, ++old, ++kept)
-        {
-        }
+        {}
         std::size_t end = i;
         for (; end < m_tracks.size() && m_from[end] < 0; ++end)
-        {
-        }
+        {}
         const std::size_t next = end < m_tracks.size() ? std::size_t(m_from[end]) : before;
         if (next == old && end == i)
         {

@@ -10,8 +10,8 @@
 #include <unordered_map>
 
 /// Frames as bytes. Frames are packed in groups that can be read without each other; forms and
-/// styles are those of the whole page. docs/notes/page-format.md describes the bytes, decode.js reads
-/// them. Touches no files.
+/// styles are those of the whole page. docs/notes/page-format.md describes the bytes, decode.js
+/// reads them. Touches no files.
 namespace boxreel
 {
 
@@ -35,8 +35,8 @@ public:
 
     const FormTable& Forms() const { return m_forms; }
     const StyleTable& Styles() const { return m_styles; }
-    double Quantum() const { return m_quantum; }                       ///< [m]
-    double FullScale() const { return m_fullScale; }                   ///< largest zoom [px/m]
+    double Quantum() const { return m_quantum; }     ///< [m]
+    double FullScale() const { return m_fullScale; } ///< largest zoom [px/m]
 
 private:
     enum ColumnOf
@@ -65,8 +65,8 @@ private:
     double m_near; // what moves less in a frame is the same [m]
     FormTable m_forms;
     StyleTable m_styles;
-    std::vector<Track> m_tracks;         // of the latest list, in its order
-    std::vector<std::ptrdiff_t> m_from;  // of each its index in the list before; -1: it is new
+    std::vector<Track> m_tracks;        // of the latest list, in its order
+    std::vector<std::ptrdiff_t> m_from; // of each its index in the list before; -1: it is new
     std::array<Predictor, 3> m_view;
     std::int64_t m_frames = 0;
     std::string m_sequence; // tracks that begin and end, and their styles

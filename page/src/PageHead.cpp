@@ -58,8 +58,8 @@ std::string ListText(const Range& range, Function&& text)
 /// A colour of CSS, as a JSON string.
 std::string ColorText(Color color, double opacity)
 {
-    const auto channels = std::to_string(color.r) + "," + std::to_string(color.g) + "," +
-                          std::to_string(color.b);
+    const auto channels =
+        std::to_string(color.r) + "," + std::to_string(color.g) + "," + std::to_string(color.b);
     return opacity == 1.0 ? "\"rgb(" + channels + ")\""
                           : "\"rgba(" + channels + "," + NumberText(opacity) + ")\"";
 }
@@ -127,8 +127,8 @@ std::string NamesText(const std::map<std::uint32_t, std::string>& names)
     std::string json = "{";
     for (const auto& [number, name] : names)
     {
-        json += (json.size() > 1 ? ",\"" : "\"") + std::to_string(number) +
-                "\":" + StringText(name);
+        json +=
+            (json.size() > 1 ? ",\"" : "\"") + std::to_string(number) + "\":" + StringText(name);
     }
     return json + "}";
 }
@@ -184,8 +184,8 @@ Result<std::string> PageEnd(const PageSettings& settings, const PageEncoder& enc
     json += ",\n\"styles\":" + ListText(styles, [](const PageStyle& style) {
                 return std::to_string(int(style.layer));
             });
-    json += ",\n\"themes\":[" + ThemeText(settings.theme, styles) + "," +
-            ThemeText(other, styles) + "]";
+    json += ",\n\"themes\":[" + ThemeText(settings.theme, styles) + "," + ThemeText(other, styles) +
+            "]";
     json += ",\n\"names\":" + NamesText(facts.names);
     json += ",\n\"texts\":" + ListText(encoder.Forms().Texts(), StringText);
     json += ",\n\"forms\":\"" + Base64(forms) + "\"}";

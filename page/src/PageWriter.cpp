@@ -14,13 +14,12 @@ namespace boxreel
 namespace
 {
 
-constexpr int kMaxSide = 8192;     // [px], as renderers and films
+constexpr int kMaxSide = 8192;      // [px], as renderers and films
 constexpr double kMaxRate = 1000.0; // [frames/s], as films
 
 Result<void> Check(const PageSettings& settings)
 {
-    const std::string size =
-        std::to_string(settings.width) + "x" + std::to_string(settings.height);
+    const std::string size = std::to_string(settings.width) + "x" + std::to_string(settings.height);
     if (settings.width < 1 || settings.height < 1 || settings.width > kMaxSide ||
         settings.height > kMaxSide)
     {
@@ -45,8 +44,7 @@ Result<void> Check(const PageSettings& settings)
 
 struct PageWriter::Impl
 {
-    Impl(AtomicFile&& opened, const PageSettings& asked)
-        : file(std::move(opened)), settings(asked)
+    Impl(AtomicFile&& opened, const PageSettings& asked) : file(std::move(opened)), settings(asked)
     {}
 
     Result<void> Write(const std::string& text)

@@ -23,8 +23,8 @@ PagePoint MeanOf(std::span<const PagePoint> points)
 
 } // namespace
 
-// The rotation R and the translation t that minimise the sum of |R l + t - p|^2 over the points l of
-// the form. With both sets about their means:
+// The rotation R and the translation t that minimise the sum of |R l + t - p|^2 over the points l
+// of the form. With both sets about their means:
 //   angle = atan2(sum l x p, sum l . p),   t = mean(p) - R mean(l)
 std::optional<RigidPlace> FitPlace(const RigidForm& form, std::span<const PagePoint> points,
                                    double quantum, std::int64_t angleGuess, double tolerance)

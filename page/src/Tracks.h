@@ -41,8 +41,8 @@ struct Run
     Vec2 at;               ///< its first point [m]
 };
 
-/// Splits a list. Items that are not finite, or farther away than `farthest` [m], are left out. Only
-/// items of a body share a run.
+/// Splits a list. Items that are not finite, or farther away than `farthest` [m], are left out.
+/// Only items of a body share a run.
 std::vector<Run> SplitRuns(const DrawList& list, double farthest, StyleTable& styles,
                            FormTable& forms);
 

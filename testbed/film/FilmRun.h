@@ -57,9 +57,9 @@ private:
     ProcessTime m_before; // when the first frame was begun
     std::optional<VideoWriter> m_writer;
     std::optional<Renderer> m_renderer;
-    std::int64_t m_resumed = 0;      // frames that were there
-    std::int64_t m_filmed = 0;       // and how many there are in the end
-    std::int64_t m_encoded = 0;      // in this run
+    std::int64_t m_resumed = 0; // frames that were there
+    std::int64_t m_filmed = 0;  // and how many there are in the end
+    std::int64_t m_encoded = 0; // in this run
 };
 
 } // namespace boxreel

@@ -44,8 +44,8 @@ public:
     /// What is shown lies between two steps.
     bool IsBetweenSteps() const { return m_isBetween; }
 
-    /// Says on standard error what the film has missed, after its last frame. Returns the exit code,
-    /// or the Error of what goes along: the film is there, not what was asked.
+    /// Says on standard error what the film has missed, after its last frame. Returns the exit
+    /// code, or the Error of what goes along: the film is there, not what was asked.
     Result<int> Conclude(std::int64_t frames) const;
 
     SceneSession& Session() { return *m_session; }

@@ -64,8 +64,8 @@ FilmReport ReportOf(const RecordOptions& options, std::int64_t frames, double se
 }
 
 /// Appends all frames. Returns their number, which is 0 when a signal asks for a stop.
-Result<std::int64_t> WriteFrames(std::int64_t count, FilmSimulation& simulation,
-                                 PageWriter& writer, Progress& progress)
+Result<std::int64_t> WriteFrames(std::int64_t count, FilmSimulation& simulation, PageWriter& writer,
+                                 Progress& progress)
 {
     for (std::int64_t frame = 0; frame < count; ++frame)
     {
@@ -145,8 +145,7 @@ Result<int> MakePage(const RecordOptions& options, const FilmPlan& plan, Snapsho
         PageWriter::Open(options.output, SettingsOf(options, simulation.Session().Title())));
     simulation.TellMissingBodies();
     simulation.Begin(0);
-    const Result<std::int64_t> written =
-        WriteFrames(plan.frameCount, simulation, writer, progress);
+    const Result<std::int64_t> written = WriteFrames(plan.frameCount, simulation, writer, progress);
     if (!written)
     {
         progress.Clear();

@@ -281,16 +281,11 @@ std::vector<Include> IncludesOf(const fs::path& file)
 /// exist when its first folder already says whose it would be.
 std::string Resolve(const fs::path& root, const std::string& from, const std::string& text)
 {
-    static const std::vector<std::string> searched{"engine/include",
-                                                   "base/include",
-                                                   "debugdraw/include",
-                                                   "page/include",
-                                                   "render/include",
-                                                   "recorder/include",
-                                                   "golden/include",
-                                                   ".",
-                                                   "testbed",
-                                                   "tests"};
+    static const std::vector<std::string> searched{"engine/include",    "base/include",
+                                                   "debugdraw/include", "page/include",
+                                                   "render/include",    "recorder/include",
+                                                   "golden/include",    ".",
+                                                   "testbed",           "tests"};
     const fs::path module = *fs::path(from).begin();
     std::vector<fs::path> candidates{fs::path(from).parent_path() / text, module / "src" / text,
                                      module / "include" / text, module / text};

@@ -30,12 +30,12 @@ Outcome LoadInChromium(const std::string& browser, const std::string& page,
     std::ofstream(folder / "page.html") << page.substr(0, at) << "<script>\n"
                                         << script << "</script>\n"
                                         << page.substr(at);
-    return RunTool(
-        {browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-         "--no-first-run", "--enable-logging=stderr", "--window-size=1300,900",
-         "--user-data-dir=" + (folder / "profile").string(), "--virtual-time-budget=20000",
-         "--dump-dom", "file://" + (folder / "page.html").string()},
-        folder.Path());
+    return RunTool({browser, "--headless", "--no-sandbox", "--disable-gpu",
+                    "--disable-dev-shm-usage", "--no-first-run", "--enable-logging=stderr",
+                    "--window-size=1300,900", "--user-data-dir=" + (folder / "profile").string(),
+                    "--virtual-time-budget=20000", "--dump-dom",
+                    "file://" + (folder / "page.html").string()},
+                   folder.Path());
 }
 
 std::string ResultsOf(const Outcome& outcome)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pages of scenes in Chromium: the pixels of `boxreel shot`, the positions of the draw list, and the
-// controls.
+// Pages of scenes in Chromium: the pixels of `boxreel shot`, the positions of the draw list, and
+// the controls.
 #include "Browser.h"
 
 #include <Box2D/Dynamics/b2Body.h>
@@ -24,7 +24,8 @@ namespace
 using testing::HasSubstr;
 using testing::Not;
 
-// As the page shows a resting picture on a screen of one pixel per CSS pixel: two samples per pixel.
+// As the page shows a resting picture on a screen of one pixel per CSS pixel: two samples per
+// pixel.
 constexpr const char* kDrawScript = R"(
 function drawExactly(player, frame) {
   const {film} = player;
@@ -112,8 +113,7 @@ protected:
 
     std::string Run(const std::string& page, const std::string& script)
     {
-        const Outcome outcome =
-            LoadInChromium(browser, page, kDrawScript + script, folder);
+        const Outcome outcome = LoadInChromium(browser, page, kDrawScript + script, folder);
         EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
         return ResultsOf(outcome);
     }
@@ -156,14 +156,13 @@ TEST_P(PagePixels, AreThoseOfARenderer)
     EXPECT_TRUE(comparison.equal) << comparison.Text();
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Scenes, PagePixels,
-    testing::Values(Shown{"dominos", "shapes,joints", "classic"},
-                    Shown{"pyramid", "shapes,joints,contacts", "classic"},
-                    Shown{"tumbler", "shapes,joints", "dark"},
-                    Shown{"car", "shapes,joints,centers,velocities", "print"},
-                    Shown{"web", "shapes,joints,aabbs", "okabe-ito"}),
-    [](const auto& shown) { return shown.param.scene; });
+INSTANTIATE_TEST_SUITE_P(Scenes, PagePixels,
+                         testing::Values(Shown{"dominos", "shapes,joints", "classic"},
+                                         Shown{"pyramid", "shapes,joints,contacts", "classic"},
+                                         Shown{"tumbler", "shapes,joints", "dark"},
+                                         Shown{"car", "shapes,joints,centers,velocities", "print"},
+                                         Shown{"web", "shapes,joints,aabbs", "okabe-ito"}),
+                         [](const auto& shown) { return shown.param.scene; });
 
 TEST_F(PageInBrowser, PlacesItemsOfEveryStepAsTheList)
 {
@@ -297,7 +296,8 @@ TEST_F(PageInBrowser, SaysThatADamagedPageIsDamaged)
     page.replace(page.find("\"forms\":\"") + 9, 8, "AAAAAAAA");
     const Outcome outcome = LoadInChromium(browser, page, R"(
 opened.catch(() => leave(document.getElementById("message").textContent));
-)" + std::string(kDrawScript), folder);
+)" + std::string(kDrawScript),
+                                           folder);
     EXPECT_THAT(ResultsOf(outcome), HasSubstr("This page is damaged"));
 }
 

@@ -146,7 +146,7 @@ struct Form
 {
     bool isRigid = false;
     bool hasOrigin = false;
-    std::vector<PageItem> items;   // their points are the form's
+    std::vector<PageItem> items;     // their points are the form's
     std::vector<std::size_t> counts; // of points
     std::vector<double> points;
     double originX = 0.0;
@@ -285,10 +285,9 @@ void Reader::Place(const Track& track, const std::vector<std::int64_t>& numbers,
         item.owner = track.owner;
         for (std::size_t k = 0; k < form.counts[i]; ++k, at += 2)
         {
-            const auto [px, py] =
-                form.isRigid ? placed(form.points[at], form.points[at + 1])
-                             : std::pair(double(numbers[at]) * m_quantum,
-                                         double(numbers[at + 1]) * m_quantum);
+            const auto [px, py] = form.isRigid ? placed(form.points[at], form.points[at + 1])
+                                               : std::pair(double(numbers[at]) * m_quantum,
+                                                           double(numbers[at + 1]) * m_quantum);
             item.points.insert(item.points.end(), {px, py});
         }
         frame.items.push_back(std::move(item));
@@ -315,8 +314,9 @@ void Reader::ReadGroup(const std::string& text, std::vector<PageFrame>& frames)
         ReadSequence(sequence);
         for (int k = 0; k < 3; ++k)
         {
-            (k == 0 ? frame.viewX : k == 1 ? frame.viewY : frame.viewHeight) =
-                double(columns[5].Next(view[k])) * m_quantum / 16;
+            (k == 0   ? frame.viewX
+             : k == 1 ? frame.viewY
+                      : frame.viewHeight) = double(columns[5].Next(view[k])) * m_quantum / 16;
         }
         for (Track& track : m_tracks)
         {
@@ -372,7 +372,8 @@ ReadPage ReadPageFile(const std::filesystem::path& path)
     page.forms = reader.FormCount();
     for (at = 0;;)
     {
-        const std::string_view group = Between(page.html, "class=\"frames\" data-frames=\"", "<", at);
+        const std::string_view group =
+            Between(page.html, "class=\"frames\" data-frames=\"", "<", at);
         if (group.empty())
         {
             break;

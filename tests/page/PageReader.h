@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-/// Reads the frames of a page, as page/player/decode.js does. Written from docs/notes/page-format.md
-/// and not from the encoder.
+/// Reads the frames of a page, as page/player/decode.js does. Written from
+/// docs/notes/page-format.md and not from the encoder.
 namespace boxreel::test
 {
 
@@ -21,7 +21,7 @@ struct PageItem
     std::uint32_t owner = kNoOwner;
     float size = 0.0f;
     std::string text{};
-    std::string stroke{}; ///< colour of the first theme, as CSS
+    std::string stroke{};         ///< colour of the first theme, as CSS
     std::vector<double> points{}; ///< x and y by turns [m]
 };
 
@@ -45,10 +45,10 @@ struct PageFrame
 
 struct ReadPage
 {
-    double fullScale = 0.0;  ///< [px/m]
-    double firstTime = 0.0;  ///< [s]
-    std::string html;        ///< all of it
-    std::size_t forms = 0;   ///< their number
+    double fullScale = 0.0; ///< [px/m]
+    double firstTime = 0.0; ///< [s]
+    std::string html;       ///< all of it
+    std::size_t forms = 0;  ///< their number
     std::vector<PageFrame> frames;
 };
 

@@ -14,8 +14,8 @@ namespace boxreel
 namespace
 {
 
-constexpr const char* kAllLayers =
-    "shapes,joints,aabbs,pairs,contacts,normals,impulses,friction,centers,masses,velocities,forces,glyphs,names";
+constexpr const char* kAllLayers = "shapes,joints,aabbs,pairs,contacts,normals,impulses,friction,"
+                                   "centers,masses,velocities,forces,glyphs,names";
 
 SceneSession Open(const std::string& scene, const std::string& layers)
 {

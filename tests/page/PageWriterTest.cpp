@@ -19,8 +19,8 @@ namespace
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr Camera kCamera{.width = 640, .height = 360, .centerX = 1.0, .centerY = 2.0,
-                         .pixelsPerMeter = 20.0};
+constexpr Camera kCamera{
+    .width = 640, .height = 360, .centerX = 1.0, .centerY = 2.0, .pixelsPerMeter = 20.0};
 /// Two bodies that move, a joint, contacts that come and go, a text and an axis.
 DrawList ListAt(int frame)
 {
@@ -37,7 +37,8 @@ DrawList ListAt(int frame)
     list.owner = 1;
     const Vec2 box[] = {place(-1, -0.5f), place(1, -0.5f), place(1, 0.5f), place(-1, 0.5f)};
     list.AddSolidPolygon(box, 4, frame < 20 ? ColorRole::AwakeBody : ColorRole::AsleepBody);
-    list.AddSolidCircle(place(2, 0), 0.5f, {c, s}, frame < 20 ? ColorRole::AwakeBody : ColorRole::AsleepBody);
+    list.AddSolidCircle(place(2, 0), 0.5f, {c, s},
+                        frame < 20 ? ColorRole::AwakeBody : ColorRole::AsleepBody);
     if (frame > 5)
     {
         list.owner = 2;
@@ -133,7 +134,8 @@ TEST_F(PageWriterTest, KnowsOriginsAndAnglesOfBodies)
     for (int frame = 0; frame < 10; ++frame)
     {
         const float angle = 0.05f * float(frame);
-        const PageBody body{1, {0.1f * float(frame), 5.0f - 0.001f * float(frame * frame)}, angle, "\"b\" <1>"};
+        const PageBody body{
+            1, {0.1f * float(frame), 5.0f - 0.001f * float(frame * frame)}, angle, "\"b\" <1>"};
         ASSERT_TRUE(writer.Append(ListAt(frame), kCamera, {&body, 1}));
     }
     ASSERT_TRUE(writer.Close());

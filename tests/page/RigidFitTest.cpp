@@ -10,7 +10,7 @@ namespace boxreel
 namespace
 {
 
-constexpr double kQuantum = 1e-5;   // [m]
+constexpr double kQuantum = 1e-5;      // [m]
 constexpr double kTolerance = 1.25e-5; // rounding of place and angle [m]
 
 const RigidForm kBar{{{-1.0, -0.25}, {1.0, -0.25}, {1.0, 0.25}, {-1.0, 0.25}}, kQuantum};
@@ -37,7 +37,8 @@ TEST(RigidFit, FindsPlaceAndAngle)
 
 TEST(RigidFit, CountsTurnsFromTheGuess)
 {
-    const auto place = FitPlace(kBar, Turned(kBar, 0.0, 0.0, 20.0), kQuantum, 1'990'000, kTolerance);
+    const auto place =
+        FitPlace(kBar, Turned(kBar, 0.0, 0.0, 20.0), kQuantum, 1'990'000, kTolerance);
     ASSERT_TRUE(place);
     EXPECT_EQ(place->angle, 2'000'000);
 }

@@ -19,7 +19,10 @@ constexpr double kNear = 0.3;
 class Tracks : public testing::Test
 {
 protected:
-    std::vector<boxreel::Run> Split(const DrawList& list) { return SplitRuns(list, kFar, styles, forms); }
+    std::vector<boxreel::Run> Split(const DrawList& list)
+    {
+        return SplitRuns(list, kFar, styles, forms);
+    }
     std::vector<std::ptrdiff_t> Match(const DrawList& before, const DrawList& after)
     {
         std::vector<Track> tracks;

@@ -9,8 +9,8 @@
 
 /// @file
 /// Text to and from the gzip format (RFC 1952), so that `zcat` reads what is stored. Only Gzip.cpp
-/// knows zlib. Works in memory and touches no files; `name` is the culprit of an Error. The target is
-/// boxreel::gzip, so that boxreel::base needs no library.
+/// knows zlib. Works in memory and touches no files; `name` is the culprit of an Error. The target
+/// is boxreel::gzip, so that boxreel::base needs no library.
 namespace boxreel
 {
 

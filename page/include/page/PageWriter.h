@@ -33,16 +33,16 @@ inline constexpr double kPagePixelError = 0.01;
 /// Rate, colours and title of a page.
 struct PageSettings
 {
-    int width = 1280;                ///< of the cameras, 1 to 8192 [px]
-    int height = 720;                ///< of the cameras, 1 to 8192 [px]
-    double framesPerSecond = 60.0;   ///< at normal speed, above 0, at most 1000
-    double speed = 1.0;              ///< simulated seconds per second, above 0
-    double firstTime = 0.0;          ///< simulated time of the first frame [s]
-    std::string title = "boxreel";   ///< UTF-8
-    Theme theme = Theme::Classic();  ///< colours at first; the page has those of the themes Print
-                                     ///< or Dark too, whichever is the opposite
-    LayerSet shown;                  ///< layers that are on at first; the others can be switched on
-    bool overwrite = false;          ///< false: an existing file is an Error
+    int width = 1280;               ///< of the cameras, 1 to 8192 [px]
+    int height = 720;               ///< of the cameras, 1 to 8192 [px]
+    double framesPerSecond = 60.0;  ///< at normal speed, above 0, at most 1000
+    double speed = 1.0;             ///< simulated seconds per second, above 0
+    double firstTime = 0.0;         ///< simulated time of the first frame [s]
+    std::string title = "boxreel";  ///< UTF-8
+    Theme theme = Theme::Classic(); ///< colours at first; the page has those of the themes Print
+                                    ///< or Dark too, whichever is the opposite
+    LayerSet shown;                 ///< layers that are on at first; the others can be switched on
+    bool overwrite = false;         ///< false: an existing file is an Error
 };
 
 /// A body that the page describes when it is pointed at.
