@@ -46,14 +46,9 @@ class Player {
     }
     this.setTheme(0);
   }
-  // Pixels of the canvas for one of the screen, in a row. Browsers draw near-horizontal edges to a
-  // quarter of a pixel; two make lines of a resting picture exact, one keeps a moving one smooth.
-  get samples() {
-    return this.isPlaying || window.devicePixelRatio >= 2 ? 1 : 2;
-  }
   // Pixels of the canvas for one of CSS.
   get ratio() {
-    return (window.devicePixelRatio || 1) * this.samples;
+    return window.devicePixelRatio || 1;
   }
   resize() {
     const box = this.canvas.getBoundingClientRect();
@@ -63,7 +58,7 @@ class Player {
       this.canvas.width = width;
       this.canvas.height = height;
     }
-    this.view.resize(width, height, this.samples);
+    this.view.resize(width, height);
     this.redraw();
   }
   // Soon, once for all that changes until then.
@@ -97,7 +92,8 @@ class Player {
       this.view.track(frame);
     }
     const look = {view: this.view.of(frame), ratio: this.ratio, theme: this.film.themes[this.theme], hidden: this.hidden};
-    this.painter.draw(this.canvas, frame, look);
+    const isExact = !this.isPlaying && this.ratio < 2; // smaller pixels hide it
+    isExact ? this.painter.drawExactly(this.canvas, frame, look) : this.painter.draw(this.canvas, frame, look);
     this.showBody(look.view);
   }
   showClock() {
@@ -165,7 +161,6 @@ class Player {
   showPlaying() {
     $("play").textContent = this.isPlaying ? "❚❚" : "▶";
     $("play").setAttribute("aria-label", this.isPlaying ? "Pause" : "Play");
-    this.resize();
   }
   step(frames) {
     this.pause(this.number + frames);

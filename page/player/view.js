@@ -10,12 +10,10 @@ class View {
     this.lastPlace = null; // where it was when it was last drawn [m]
     this.width = film.width; // of the canvas [its px]
     this.height = film.height;
-    this.samples = 1; // pixels of the canvas for one of the screen, in a row
   }
-  resize(width, height, samples) {
+  resize(width, height) {
     this.width = width;
     this.height = height;
-    this.samples = samples;
   }
   // {x, y: of the middle [m], scale [px/m]}
   of(frame) {
@@ -25,7 +23,7 @@ class View {
     return {x: filmed.x, y: filmed.y, scale: filmed.scale * fit};
   }
   limited(scale) {
-    const full = this.film.fullScale * this.samples;
+    const full = this.film.fullScale;
     return Math.min(Math.max(scale, full * kLeastScale), full);
   }
   toWorld(view, x, y) {
