@@ -4,6 +4,8 @@ const kSpeeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4, 8];
 const kZoomStep = 1.25;
 const kContactReach = 24, kBodyReach = 4, kClickReach = 3; // [CSS px]
 
+const kIsFramed = parent !== window;
+
 const $ = id => document.getElementById(id);
 
 class Player {
@@ -23,6 +25,7 @@ class Player {
     this.pointer = null;  // [CSS px]; null: not over the picture
     this.isAsked = false; // to draw
     this.fingers = new Map(); // places of those that are down [CSS px]
+    this.leads = false;   // players beside this one show what it shows
     this.build();
     this.listen();
     this.resize();
@@ -35,6 +38,7 @@ class Player {
     for (const layer of this.film.layers.filter(known => known.isThere)) {
       const box = document.createElement("input");
       box.type = "checkbox";
+      box.value = layer.number;
       box.checked = layer.isOn;
       box.addEventListener("change", () => {
         box.checked ? this.hidden.delete(layer.number) : this.hidden.add(layer.number);
@@ -44,6 +48,7 @@ class Player {
       label.append(box, layer.label);
       $("layers").lastElementChild.append(label);
     }
+    $("link").hidden = kIsFramed; // it has no address
     this.setTheme(0);
   }
   // Pixels of the canvas for one of CSS.
@@ -95,12 +100,29 @@ class Player {
     const isExact = !this.isPlaying && this.ratio < 2; // smaller pixels hide it
     isExact ? this.painter.drawExactly(this.canvas, frame, look) : this.painter.draw(this.canvas, frame, look);
     this.showBody(look.view);
+    if (this.leads) this.lead();
   }
   showClock() {
     const seconds = this.film.secondsOf(this.number);
     $("time").value = this.number;
     $("time").setAttribute("aria-valuetext", `${seconds.toFixed(3)} seconds`);
     $("clock").textContent = `${seconds.toFixed(3)} s · frame ${this.number} of ${this.film.frames - 1}`;
+  }
+  // A page that has several players passes the message on to the others.
+  lead() {
+    const {own} = this.view;
+    parent.postMessage({number: this.number, own, theme: this.theme, hidden: [...this.hidden]}, "*");
+  }
+  // Shows what the player that leads shows.
+  match({number, own, theme, hidden}) {
+    this.leads = false;
+    if (this.isPlaying) this.pause();
+    if (this.view.followed >= 0) this.follow(-1);
+    this.view.own = own;
+    this.hidden = new Set(hidden);
+    for (const box of $("layers").querySelectorAll("input")) box.checked = !this.hidden.has(Number(box.value));
+    if (theme !== this.theme) this.setTheme(theme);
+    this.show(number);
   }
   bodyAtPointer(view) {
     if (!this.pointer || this.fingers.size > 0) return -1;
@@ -222,7 +244,7 @@ class Player {
   }
   // The address of the page is that of the moment, unless it plays.
   keepLink() {
-    if (this.isPlaying) return;
+    if (this.isPlaying || kIsFramed) return;
     this.ownLink = this.link();
     history.replaceState(null, "", this.ownLink);
   }
@@ -252,6 +274,7 @@ class Player {
   // --------------------------------------------------------------------------------------------- hands
   listen() {
     new ResizeObserver(() => this.resize()).observe(this.canvas);
+    if (kIsFramed) this.listenToOthers();
     addEventListener("hashchange", () => this.openLink());
     $("time").addEventListener("input", () => this.pause(Number($("time").value)));
     $("speed").addEventListener("change", () => this.setSpeed(Number($("speed").value)));
@@ -273,6 +296,14 @@ class Player {
       this.redraw();
     });
     this.canvas.addEventListener("dblclick", event => this.zoomToContact(...this.inCanvas(this.placeOf(event))));
+  }
+  listenToOthers() {
+    for (const name of ["pointerdown", "wheel", "keydown", "input"]) {
+      addEventListener(name, () => this.leads = true, {capture: true, passive: true});
+    }
+    addEventListener("message", event => {
+      if (event.source === parent) this.match(event.data);
+    });
   }
   toggle() {
     this.isPlaying ? this.pause() : this.play();

@@ -106,7 +106,7 @@ Command& Declare(Command& program, GoldenReportOptions& options)
             "Write the report here (report.html in the first folder)", {".html"});
     AddPath(command, "--against", "FILE", options.against,
             "Show also the drawings of another build of boxreel around\n"
-            "the first step that differs");
+            "the first step that differs, and play both worlds");
     AddBackend(command, options.backend);
     AddForce(command, options.force);
     command.notes =

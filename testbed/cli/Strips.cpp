@@ -26,6 +26,8 @@ namespace fs = std::filesystem;
 constexpr int kWidth = kGoldenWidth / 2;
 constexpr int kHeight = kGoldenHeight / 2;
 constexpr std::uintmax_t kLargestPicture = 64u << 20; // [bytes]
+constexpr std::uintmax_t kLargestPage = 64u << 20;    // [bytes]
+constexpr const char* kThisProgram = "/proc/self/exe";
 constexpr double kCloseUpMargin = 0.3; // of the picture's height, on every side of the body
 
 /// Returns the bounds of a body; empty if it draws nothing.
@@ -114,6 +116,19 @@ Result<std::string> PictureBy(const fs::path& program, const std::string& scene,
     return bytes;
 }
 
+/// Records a scene from its start to the step with a program, as a page. Empty if it cannot, as
+/// versions from before there were pages; it says so itself.
+Result<std::string> PageBy(const fs::path& program, const std::string& scene, std::int64_t step)
+{
+    ASSIGN_OR_RETURN(const WorkFolder folder, WorkFolder::Create());
+    const fs::path page = folder.Path() / "page.html";
+    const std::vector<std::string> arguments{
+        "record",     scene,  "--frames", std::to_string(step + 1),
+        "--progress", "none", "-o",       page.string()};
+    const Result<std::string> said = OutputOf(program, arguments, ChildBounds{1u << 20, 600.0});
+    return said ? ReadWhole(page, kLargestPage) : Result<std::string>(std::string());
+}
+
 class StripMaker
 {
 public:
@@ -155,6 +170,7 @@ public:
                                 : AskTheOther(SceneSlug(selection.scene->name), close, picture));
             strip.pictures.push_back(std::move(picture));
         }
+        RETURN_IF_ERROR(AddPages(SceneSlug(selection.scene->name), last, strip));
         return strip;
     }
 
@@ -184,6 +200,21 @@ private:
         }
         picture.expected = *std::move(whole);
         picture.expectedCloseUp = *std::move(part);
+        return {};
+    }
+
+    /// Both worlds to the moment, to be played side by side.
+    Result<void> AddPages(const std::string& scene, std::int64_t last, FilmStrip& strip) const
+    {
+        if (m_against.empty())
+        {
+            return {};
+        }
+        ASSIGN_OR_RETURN(strip.expectedPage, PageBy(m_against, scene, last));
+        if (!strip.expectedPage.empty())
+        {
+            ASSIGN_OR_RETURN(strip.actualPage, PageBy(kThisProgram, scene, last));
+        }
         return {};
     }
 

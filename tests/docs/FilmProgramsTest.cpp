@@ -61,10 +61,22 @@ TEST(FilmPrograms, OfPixelsMakeTheirFilm)
     EXPECT_EQ(frames[10].Pixel(7, 24)[1], 0);
 }
 
+TEST(FilmPrograms, OfPagesMakeTheirPage)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(RunIn(folder, BOXREEL_FILM_PAGE), 0);
+    EXPECT_THAT(TextOf(folder / "ball.html"),
+                testing::AllOf(testing::HasSubstr("\"frames\":240"),
+                               testing::HasSubstr("<title>A ball</title>"),
+                               testing::HasSubstr("\"names\":{\"1\":\"ball\"}")));
+    EXPECT_THAT(folder.Names(), testing::ElementsAre("ball.html"));
+}
+
 TEST(FilmPrograms, AreShownInTheDocumentationAsTheyAre)
 {
     EXPECT_TRUE(IsShown("film_world.cpp", "recording.md"));
     EXPECT_TRUE(IsShown("film_pixels.cpp", "recording.md"));
+    EXPECT_TRUE(IsShown("film_page.cpp", "recording.md"));
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <Box2D/Dynamics/b2Body.h>
 #include <base/AtomicFile.h>
 #include <golden/Compare.h>
+#include <golden/ReportPage.h>
 #include <page/PageWriter.h>
 #include <render/Png.h>
 #include <render/Renderer.h>
@@ -288,6 +289,63 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
 )");
     EXPECT_THAT(results, Not(HasSubstr("WRONG")));
     EXPECT_THAT(results, HasSubstr("right ? shows the keys"));
+}
+
+TEST_F(PageInBrowser, TwoWorldsOfAReportShowTheSameMomentAndView)
+{
+    FilmStrip strip;
+    strip.width = 16;
+    strip.height = 9;
+    strip.expectedPage = PageOf("dominos", "shapes,joints,contacts", 120);
+    strip.actualPage = strip.expectedPage;
+    ReportedMoment moment;
+    moment.shown.name = "dominos/2s";
+    moment.shown.status = "pixels";
+    moment.shown.json = R"({"name":"dominos/2s","status":"pixels"})";
+    const Result<std::string> report = ReportPage({moment}, {{"dominos/2s", strip}});
+    ASSERT_TRUE(report);
+    const std::string results = Run(*report, R"(
+(async () => {
+  const lines = [];
+  const check = (what, is) => lines.push(`${is ? "right" : "WRONG"} ${what}`);
+  const soon = () => new Promise(done => setTimeout(done, 300));
+  dispatchEvent(new KeyboardEvent("keydown", {key: "p", bubbles: true}));
+  document.dispatchEvent(new KeyboardEvent("keydown", {key: "p", bubbles: true}));
+  const windows = [...document.querySelectorAll("iframe")].map(frame => frame.contentWindow);
+  check("two players", windows.length === 2);
+  // Chromium hardly ever draws while its time is virtual, so frames come from a timer.
+  const ready = window => window.document.querySelector("#clock")?.textContent;
+  for (let i = 0; i < 20 && !windows.every(ready); ++i) {
+    await soon();
+    for (const window of windows) window.requestAnimationFrame = draw => window.setTimeout(() => draw(performance.now()), 16);
+    for (const window of windows) window.document.querySelector("#closer")?.click();
+    for (const window of windows) window.document.querySelector("#reset")?.click();
+  }
+  const [left, right] = windows;
+  const picture = window => window.document.querySelector("canvas").toDataURL();
+  const key = (window, name, more = {}) => window.dispatchEvent(new window.KeyboardEvent("keydown", {key: name, ...more}));
+  const clocks = () => windows.map(window => window.document.querySelector("#clock").textContent).join(" and ");
+  key(left, "ArrowRight", {shiftKey: true});
+  await soon(); await soon();
+  check(`the right one shows the moment of the left one: ${clocks()}`, /^1.000 s · frame 60.* and 1.000 s · frame 60/.test(clocks()));
+  key(right, "ArrowRight");
+  key(right, "+"); key(right, "+");
+  await soon(); await soon();
+  check(`the left one shows the moment of the right one: ${clocks()}`, / frame 61 .* frame 61 /.test(clocks()));
+  check("both have the same view", picture(left) === picture(right));
+  key(left, "+");
+  await soon(); await soon();
+  check("a zoom is passed on", picture(left) === picture(right));
+  const box = left.document.querySelector("#layers input");
+  box.dispatchEvent(new left.Event("pointerdown", {bubbles: true}));
+  box.click();
+  await soon(); await soon();
+  check("a layer is passed on", !right.document.querySelector("#layers input").checked && picture(left) === picture(right));
+  leave(lines.join("\n"));
+})().catch(error => leave(`WRONG ${error.stack}`));
+)");
+    EXPECT_THAT(results, Not(HasSubstr("WRONG")));
+    EXPECT_THAT(results, HasSubstr("right a layer is passed on"));
 }
 
 TEST_F(PageInBrowser, SaysThatADamagedPageIsDamaged)

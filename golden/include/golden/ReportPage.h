@@ -32,6 +32,8 @@ struct FilmStrip
     std::string note;    ///< reason why there are none
     std::string earlier; ///< earlier moment of the same scene that shows the first difference;
                          ///< empty: this one
+    std::string actualPage;   ///< HTML that plays the world to the moment; may be empty
+    std::string expectedPage; ///< HTML that plays the world of another program; may be empty
 };
 
 /// Returns the page. `strips`: by the names of moments.

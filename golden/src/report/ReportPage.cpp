@@ -70,7 +70,13 @@ std::string StripJson(const FilmStrip& strip)
         }
         text += "]}";
     }
-    return text + "]}";
+    text += "]";
+    if (!strip.actualPage.empty() && !strip.expectedPage.empty())
+    {
+        text += ",\"actualPage\":" + JsonText(strip.actualPage) +
+                ",\"expectedPage\":" + JsonText(strip.expectedPage);
+    }
+    return text + "}";
 }
 
 /// Returns the data of a moment for the script, as JSON.

@@ -367,6 +367,22 @@ function viewBodies(data, card) {
       "velocity [m/s]"].map(text => make("th", {scope: "col"}, text)))), body));
 }
 
+// Two players of one scene: the one that was touched last leads, the other shows the same moment and view.
+function viewPlay(data) {
+  const {expectedPage, actualPage, width, height} = data.strip;
+  const frames = [["expected", expectedPage], ["actual", actualPage]].map(([side, page]) =>
+    make("iframe", {srcdoc: page, title: `${side}: ${data.verdict.name}`, class: side, style: `aspect-ratio:${width}/${height * 1.25}`}));
+  const pass = event => {
+    if (!frames[0].isConnected) { removeEventListener("message", pass); return; }
+    const from = frames.findIndex(frame => frame.contentWindow === event.source);
+    if (from >= 0) frames[1 - from].contentWindow.postMessage(event.data, "*");
+  };
+  addEventListener("message", pass);
+  return make("div", {}, make("div", {class: "two"}, ...frames.map(frame => make("figure", {},
+    make("figcaption", {class: frame.className}, frame.className === "expected" ? "expected: the other program" : "actual: this program"), frame))),
+    make("p", {class: "message"}, "Both show the same moment and view; use the controls of either."));
+}
+
 const kViews = [
   {id: "three", label: "Side by side", key: "a", needs: d => d.actualPicture && d.expectedPicture, make: viewThree},
   {id: "expected", label: "Expected", needs: d => d.expectedPicture, make: d => figure(d, "expected")},
@@ -376,6 +392,7 @@ const kViews = [
   {id: "blink", label: "Blink", key: "b", needs: d => d.expectedPicture && d.actualPicture, make: viewBlink},
   {id: "slider", label: "Slider", key: "s", needs: d => d.expectedPicture && d.actualPicture, make: viewSlider},
   {id: "overlay", label: "Overlay", key: "o", needs: d => d.expectedList && d.actualList, make: viewOverlay},
+  {id: "play", label: "Play both", key: "p", needs: d => d.strip && d.strip.actualPage, make: viewPlay},
   {id: "lines", label: "Draw list", needs: d => d.expectedList && d.actualList, make: viewLines},
   {id: "bodies", label: "Bodies", needs: d => d.expectedState && d.actualState, make: viewBodies},
 ];
@@ -423,6 +440,9 @@ function divergence(data) {
     const rows = [shot.expected ? "The other program, this program" : "This program",
       !shot.closeUp ? "" : shot.expected ? "and both close to the first body, which is framed above" : "and close to the first body, which is framed above"];
     box.append(film, make("p", {class: "message"}, rows.filter(row => row).join(", ") + "."));
+    if (shot.expected && !strip.actualPage) {
+      box.append(make("p", {class: "message"}, "The other program writes no pages, so the worlds cannot be played side by side."));
+    }
   }
   return box;
 }

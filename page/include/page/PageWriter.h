@@ -41,7 +41,7 @@ struct PageSettings
     std::string title = "boxreel";  ///< UTF-8
     Theme theme = Theme::Classic(); ///< colours at first; the page has those of the themes Print
                                     ///< or Dark too, whichever is the opposite
-    LayerSet shown;                 ///< layers that are on at first; the others can be switched on
+    LayerSet shown{};               ///< layers that are on at first; the others can be switched on
     bool overwrite = false;         ///< false: an existing file is an Error
 };
 

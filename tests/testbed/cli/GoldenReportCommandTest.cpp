@@ -68,9 +68,10 @@ TEST_F(GoldenReport, ShowsFailuresWithFilmStrips)
                 testing::MatchesRegex("1 moment: 1 not as approved; the report is 'o/report.html' "
                                       "\\([0-9.]+ [kM]B\\)\n"));
     const std::string page = ReadFile(folder / "o/report.html");
-    EXPECT_THAT(page, AllOf(HasSubstr("id=\"bridge/0.5s\""), HasSubstr("\"firstStep\":12"),
-                            HasSubstr("\"step\":10,\"actual\":\"data:image/png"),
-                            Not(HasSubstr("\"expected\":\"data:"))));
+    EXPECT_THAT(page,
+                AllOf(HasSubstr("id=\"bridge/0.5s\""), HasSubstr("\"firstStep\":12"),
+                      HasSubstr("\"step\":10,\"actual\":\"data:image/png"),
+                      Not(HasSubstr("\"expected\":\"data:")), Not(HasSubstr("\"actualPage\":"))));
     EXPECT_EQ(Run({"report", "o"}).code, 0) << "a report is replaced by a report";
     EXPECT_EQ(ReadFile(folder / "o/report.html"), page) << "the same folder makes the same page";
 
@@ -78,6 +79,7 @@ TEST_F(GoldenReport, ShowsFailuresWithFilmStrips)
     EXPECT_EQ(both.code, 0) << both.errors;
     const std::string pair = ReadFile(folder / "both.html");
     EXPECT_THAT(pair, HasSubstr("\"expected\":\"data:image/png"));
+    EXPECT_THAT(pair, AllOf(HasSubstr("\"actualPage\":"), HasSubstr("\"expectedPage\":")));
     // The same program draws the same, of all and close to the body.
     for (const char* const names : {"expected actual", "expectedCloseUp closeUp"})
     {
@@ -91,6 +93,19 @@ TEST_F(GoldenReport, ShowsFailuresWithFilmStrips)
             folder.Path());
         EXPECT_EQ(cut.code, 0) << names << cut.output << cut.errors;
     }
+}
+
+TEST_F(GoldenReport, ShowsPicturesOfProgramWithoutPages)
+{
+    PlantADifference();
+    ASSERT_EQ(Verify("o").code, 2);
+    std::ofstream(folder / "older")
+        << "#!/bin/sh\n[ \"$1\" != record ] || exit 1\nexec '" << BOXREEL_PROGRAM << "' \"$@\"\n";
+    fs::permissions(folder / "older", fs::perms::owner_all);
+    const Outcome outcome = Run({"report", "o", "--against", "./older"});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_THAT(ReadFile(folder / "o/report.html"),
+                AllOf(HasSubstr("\"expected\":\"data:image/png"), Not(HasSubstr("Page\":"))));
 }
 
 TEST_F(GoldenReport, VerifyReportsOnlyVerifiedMoments)
