@@ -29,9 +29,9 @@ struct FilmStrip
     };
     int width = 0, height = 0; ///< of each picture [px]
     std::vector<Picture> pictures;
-    std::string note;    ///< reason why there are none
-    std::string earlier; ///< earlier moment of the same scene that shows the first difference;
-                         ///< empty: this one
+    std::string note;         ///< reason why there are none
+    std::string earlier;      ///< earlier moment of the same scene that shows the first difference;
+                              ///< empty: this one
     std::string actualPage;   ///< HTML that plays the world to the moment; may be empty
     std::string expectedPage; ///< HTML that plays the world of another program; may be empty
 };
