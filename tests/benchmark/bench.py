@@ -13,14 +13,14 @@ import tempfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from runner import accuracy, charts, engine, toolkit  # noqa: E402
+from runner import accuracy, against, charts, engine, toolkit  # noqa: E402
 from runner.common import (  # noqa: E402
-    ABSENT, FAILED, TEXTS, UNUSABLE, Benchmark, Problem, Result, cell, check_outputs, columns_table, median_of,
-    note, read_results, table, value_at, write_whole)
+    ABSENT, FAILED, TEXTS, UNUSABLE, Benchmark, Problem, Result, check_outputs,
+    note, read_results, table, write_whole)
 
 BENCHMARKS: dict[str, Benchmark] = {one.name: one for one in (
     engine.Engine(), engine.Curve(), accuracy.Accuracy(), toolkit.Drawing(), toolkit.Recording(), toolkit.Comparing())}
-MEASURING = ("--rounds", "--threads", "--frames", "--size", "--peers", "--against")  # these do not go with --from
+KINDS = BENCHMARKS | {"against": against.Against()}  # what a file of figures may hold
 
 
 class Parser(argparse.ArgumentParser):
@@ -45,17 +45,13 @@ def parse(words: list[str]) -> argparse.Namespace:
     """The options of texts.json, of which none contradicts another."""
     parser = Parser(prog="./boxreel bench", description="Run benchmarks beside peers; `NAME --help` tells more.")
     commands = parser.add_subparsers(dest="benchmark", metavar="NAME", required=True)
-    for name in BENCHMARKS:
+    for name in (*BENCHMARKS, "show"):
         what = TEXTS[name]["what"]
         command = commands.add_parser(name, help=what, description=f"{what[0].upper()}{what[1:]}.", allow_abbrev=False)
-        for flag, how in (TEXTS["options"] | TEXTS[name].get("options", {})).items():
+        own = TEXTS[name].get("options", {})
+        for flag, how in (own | TEXTS["options"] | (TEXTS["measuring"] if name in BENCHMARKS else {})).items():
             command.add_argument(flag, **how | ({"type": numbers(*how["type"])} if "type" in how else {}))
     options = parser.parse_args(words)
-    for word in words if options.source else []:
-        if word.startswith(MEASURING):
-            raise Problem(f"--from runs nothing; leave {word} out, or --from")
-    if options.against and options.chart:
-        raise Problem("--against prints ratios and draws none; leave --chart out, or --against")
     for chart in options.chart:
         if Path(chart).suffix not in (".png", ".svg"):
             raise Problem(f"unsupported extension of '{chart}'; use .png or .svg")
@@ -63,16 +59,18 @@ def parse(words: list[str]) -> argparse.Namespace:
 
 
 def choose(cases: list[Result], options: argparse.Namespace) -> list[Result]:
-    """The cases that were named, else those that are run by default."""
-    known = {one["case"]: one for one in cases}
+    """The cases that were named, else those that are run by default; a file may hold several results of a case."""
+    shown, known = options.benchmark == "show", [one["case"] for one in cases]
     for name in options.cases:
-        if name not in known and (options.source or options.benchmark != "golden"):  # which takes any scene
+        if name not in known and options.benchmark != "golden":  # which takes any scene
             near = "".join(f"; did you mean '{word}'?" for word in difflib.get_close_matches(name, known, 1))
-            raise Problem(f"unknown case '{name}'; `./boxreel bench {options.benchmark} --list` shows all{near}")
+            place = options.source if shown else options.benchmark
+            raise Problem(f"unknown case '{name}'; `./boxreel bench {'show ' * shown}{place} --list` shows all{near}")
         if options.cases.count(name) > 1:
             raise Problem(f"'{name}' is named twice; give it once")
-    return [known.get(name, {"case": name, "what": "this scene"}) for name in options.cases] or [
-        one for one in cases if options.source or not one.get("onlyNamed")]
+    return [one for name in options.cases for one in ([one for one in cases if one["case"] == name] or
+                                                      [{"case": name, "what": "this scene"}])] or [
+        one for one in cases if shown or not one.get("onlyNamed")]
 
 
 def measured(benchmark: Benchmark, build: Path, case: Result, options: argparse.Namespace) -> Result:
@@ -83,37 +81,17 @@ def measured(benchmark: Benchmark, build: Path, case: Result, options: argparse.
     return result
 
 
-def compared(benchmark: Benchmark, build: Path, case: Result, options: argparse.Namespace) -> list[Result]:
-    """Both builds alternately: the median of the rounds' ratios, their spread, and whether both compute the same."""
-    builds, results = (build, Path(options.against)), []
-    runs: tuple[list, list] = ([], [])  # of both builds: the methods of each round
-    once = argparse.Namespace(**{**vars(options), "rounds": 1})
-    for number in range(options.rounds):
-        for which in (0, 1) if number % 2 == 0 else (1, 0):
-            runs[which].append(measured(benchmark, builds[which], case, once)[benchmark.key])
-    texts = TEXTS[benchmark.name]
-    for index, one in enumerate(runs[0][0]):
-        name = " ".join(cell(one, path, kind) for _, path, kind in texts["columns"] if kind == "name").strip()
-        same = all(value_at(run[index], key) == value_at(one, key) for run in sum(runs, []) for key in texts["same"])
-        for head, path, kind in texts["columns"]:
-            if kind == "time" and value_at(one, path):
-                pairs = [(value_at(ours[index], path), value_at(other[index], path)) for ours, other in zip(*runs)]
-                ratios = [other / ours for ours, other in pairs]
-                results.append({"case": case["case"], "method": name, "figure": head, "seconds": pairs,
-                                "this": median_of([ours for ours, _ in pairs]),
-                                "other": median_of([other for _, other in pairs]), "ratio": median_of(ratios),
-                                "lowest": min(ratios), "highest": max(ratios), "sameResults": same})
-    return results
-
-
 def measure_all(benchmark: Benchmark, build: Path, cases: list[Result], options: argparse.Namespace) -> list[Result]:
     """The results of all cases, or of those before a signal to stop."""
     results: list[Result] = []
+    once = argparse.Namespace(**{**vars(options), "rounds": 1})
     try:
         for case in cases:
             note(f"{case['case']}: {case['what']}")
-            results += compared(benchmark, build, case, options) if options.against else [
-                measured(benchmark, build, case, options)]
+            results += against.compared(
+                benchmark, case, options.rounds, (build, Path(options.against)),
+                lambda which, case=case: measured(benchmark, which, case, once)
+            ) if options.against else [measured(benchmark, build, case, options)]
     except KeyboardInterrupt:
         if not results:
             raise
@@ -121,12 +99,8 @@ def measure_all(benchmark: Benchmark, build: Path, cases: list[Result], options:
     return results
 
 
-def perform(benchmark: Benchmark, options: argparse.Namespace) -> None:
-    """Lists or measures cases, or reads their results; prints, writes and draws them."""
-    build = Path(os.environ.get("BOXREEL_BUILD_DIR") or Path(__file__).resolve().parents[2] / "build" / "release")
-    known = read_results(options.source, benchmark) if options.source else benchmark.cases(build)
-    cases = choose(known, options)
-    # The part and theme of each chart by its file: error.svg becomes error-A-projectile-dark.svg.
+def outputs(benchmark: Benchmark, cases: list[Result], options: argparse.Namespace) -> dict[Path, tuple[str, str]]:
+    """The part and theme of each chart by its file: error.svg becomes error-A-projectile-dark.svg."""
     parts = dict.fromkeys(part.format(**case) for case in cases for part in benchmark.parts)
     suffixes = {f"-{theme}": theme for theme in charts.THEMES} if options.theme == "both" else {"": options.theme}
     pictures = {path.with_name(f"{path.stem}{'-' * bool(part)}{part}{suffix}{path.suffix}"): (part, theme)
@@ -134,15 +108,13 @@ def perform(benchmark: Benchmark, options: argparse.Namespace) -> None:
     check_outputs([*pictures, *([] if options.json in (None, "-") else [Path(options.json)])], options.force)
     if options.chart and importlib.util.find_spec("matplotlib") is None:
         raise Problem("charts need matplotlib; install python3-matplotlib", ABSENT)
-    if options.list:
-        print(table("<<", [[one["case"], one["what"]] for one in known]), end="")
-        return
-    results = cases if options.source else measure_all(benchmark, build, cases, options)
-    shown = columns_table(TEXTS["against"]["columns"], results) if options.against else benchmark.text(results)
-    drawn = benchmark.drawn(results) if options.chart else {}
-    # Times are in seconds, memory of the engine is in kB, that of films in bytes.
-    data = {"benchmark": "against" if options.against else benchmark.name, "results": results}
-    data = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+    return pictures
+
+
+def present(kind: Benchmark, results: list[Result], options: argparse.Namespace, pictures: dict) -> None:
+    """Prints, writes and draws results. Times are in seconds, memory of the engine is in kB, that of films in bytes."""
+    shown, drawn = kind.text(results), kind.drawn(results) if options.chart else {}
+    data = json.dumps({"benchmark": kind.name, "results": results}, indent=1, ensure_ascii=False) + "\n"
     print(data if options.json == "-" else shown, end="")
     if options.json not in (None, "-"):
         write_whole(Path(options.json), data.encode())
@@ -151,12 +123,29 @@ def perform(benchmark: Benchmark, options: argparse.Namespace) -> None:
             write_whole(path, charts.draw(drawn[part], theme, path.suffix[1:]))
 
 
+def perform(options: argparse.Namespace) -> None:
+    """Lists or measures cases, or reads their results, and presents them."""
+    build = Path(os.environ.get("BOXREEL_BUILD_DIR") or Path(__file__).resolve().parents[2] / "build" / "release")
+    if options.benchmark == "show":
+        kind, known = read_results(options.source, KINDS)
+    else:
+        benchmark = BENCHMARKS[options.benchmark]
+        kind, known = KINDS["against"] if options.against else benchmark, benchmark.cases(build)
+    cases = choose(known, options)
+    pictures = outputs(kind, cases, options)
+    if options.list:
+        print(table("<<", list(dict.fromkeys((one["case"], one["what"]) for one in known))), end="")
+        return
+    present(kind, cases if options.benchmark == "show" else measure_all(benchmark, build, cases, options), options,
+            pictures)
+
+
 def main(words: list[str]) -> int:
     """Runs the command; its exit code."""
-    options = argparse.Namespace(source=None)
+    options = argparse.Namespace(benchmark="")
     try:
         options = parse(words)
-        perform(BENCHMARKS[options.benchmark], options)
+        perform(options)
         return 0
     except Problem as problem:
         note(f"{problem}.".replace("?.", "?"))
@@ -169,10 +158,9 @@ def main(words: list[str]) -> int:
         return 0
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, StopIteration,
             RecursionError) as error:
-        if not options.source:
+        if options.benchmark != "show":
             raise
-        note(f"'{options.source}' is not what `./boxreel bench {options.benchmark} --json FILE` writes ({error}); "
-             "make it again.")
+        note(f"'{options.source}' is not what `./boxreel bench NAME --json FILE` writes ({error}); make it again.")
         return UNUSABLE
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The command: options, errors, files, --from, --against, signals, and charts."""
+"""The command: options, errors, files, show, --against, signals, and charts."""
 from __future__ import annotations
 
 import importlib.util
@@ -38,8 +38,8 @@ class Command(BuildCase):
         for culprit, words in (("'large'", ["large"]), ("--curves", ["engine", "--curves"]), ("'rian'", ["engine", "rian"]),
                                ("'rain'", ["engine", "rain", "rain"]), ("--rounds", ["engine", "--rounds", "0"]),
                                ("1,1", ["engine", "--threads", "1,1"]), ("640x361", ["record", "--size", "640x361"]),
-                               ("chart.pdf", ["engine", "--chart", "chart.pdf"]), ("--rounds", ["engine", "--from", "a", "--rounds", "2"]),
-                               ("--threads", ["engine", "--from", "a", "--threads", "2"]), ("NAME", [])):
+                               ("chart.pdf", ["engine", "--chart", "chart.pdf"]), ("--rounds", ["show", "a", "--rounds", "2"]),
+                               ("--against", ["show", "a", "--against", "b"]), ("FILE", ["show"]), ("NAME", [])):
             with self.subTest(words=words):
                 self.assert_refused(1, culprit, *words)
 
@@ -55,27 +55,30 @@ class Command(BuildCase):
 
     def test_reads_what_it_wrote(self) -> None:
         self.assertEqual(self.bench("engine", "snow", "--json", "a.json").returncode, 0)
-        shown = self.bench("engine", "--from", "a.json", "--json", "-")
+        shown = self.bench("show", "a.json", "--json", "-")
         self.assertEqual(shown.stdout, (self.folder / "a.json").read_text(encoding="utf-8"))
-        self.assertEqual(self.bench("engine", "--from", "a.json", "--list").stdout.split()[0], "snow")
+        self.assertEqual(self.bench("show", "a.json", "--list").stdout.split()[0], "snow")
+        self.assertEqual(self.bench("show", "a.json", "snow").stdout, self.bench("show", "a.json").stdout)
+        self.assert_refused(1, "'rain'", "show", "a.json", "rain")
 
     def test_refuses_files_that_it_did_not_write(self) -> None:
         self.bench("engine", "--json", "good.json")
         good = (self.folder / "good.json").read_text(encoding="utf-8")
-        for name, text in (("empty", ""), ("words", "words"), ("list", "[1]"), ("other", good.replace('"engine"', '"render"', 1)),
+        for name, text in (("empty", ""), ("words", "words"), ("list", "[1]"), ("other", good.replace('"engine"', '"render"', 1)), ("unknown", good.replace('"engine"', '"snow"', 1)),
+                           ("ratios", good.replace('"engine"', '"against"', 1)),
                            ("nan", good.replace("0.002", "NaN", 1)), ("text", good.replace("0.002", '"x"')), ("deep", "[" * 99999),
                            ("none", '{"benchmark": "engine", "results": []}'), ("zero", good.replace("0.002", "0")),
                            ("methods", '{"benchmark": "engine", "results": [{"case": "a", "what": "b", "methods": []}]}')):
             with self.subTest(name=name):
                 (self.folder / f"{name}.json").write_text(text, encoding="utf-8")
-                self.assert_refused(1, f"'{name}.json'", "engine", "--from", f"{name}.json")
-        self.assert_refused(1, "'absent.json'", "engine", "--from", "absent.json")
+                self.assert_refused(1, f"'{name}.json'", "show", f"{name}.json")
+        self.assert_refused(1, "'absent.json'", "show", "absent.json")
 
     def test_leaves_no_control_character_for_the_terminal(self) -> None:
         self.bench("engine", "--json", "a.json")
         path = self.folder / "a.json"
         path.write_text(path.read_text(encoding="utf-8").replace("Box2D", "\\u001b[31m\\u009bBox"), encoding="utf-8")
-        shown = self.bench("engine", "--from", "a.json").stdout
+        shown = self.bench("show", "a.json").stdout
         self.assertFalse([sign for sign in shown if sign != "\n" and not sign.isprintable()])
 
     def test_keeps_existing_files_unless_it_is_forced(self) -> None:
@@ -141,6 +144,16 @@ class Against(BuildCase):
         self.assertAlmostEqual(figures["CPU"]["ratio"], 1.5)
         self.assertEqual(figures["CPU"]["seconds"], [[0.002, 0.003]] * 3)
         self.assertAlmostEqual(figures["mean"]["ratio"], 1.0)
+        self.assertEqual(self.bench("show", "a.json").stdout, done.stdout)
+
+    @unittest.skipUnless(HAS_MATPLOTLIB, "matplotlib is not installed (Debian: python3-matplotlib)")
+    def test_draws_the_ratios_at_once_or_from_a_file(self) -> None:
+        words = ("engine", "--against", "other", "--rounds", "1", "--json", "a.json", "--chart", "a.svg", "--theme", "dark")
+        self.assertEqual(self.bench(*words).returncode, 0)
+        self.assertEqual(self.bench("show", "a.json", "--chart", "b.svg", "--theme", "dark").returncode, 0)
+        drawn = [(self.folder / name).read_bytes() for name in ("a.svg", "b.svg")]
+        self.assertIn(b"<svg", drawn[0])
+        self.assertEqual(drawn[0], drawn[1])
 
     def test_says_where_results_differ(self) -> None:
         self.program("boxreel_bench", ENGINE.replace('"bits": "ab"', '"bits": "cd"'), build="other")
@@ -148,7 +161,6 @@ class Against(BuildCase):
 
     def test_refuses_a_folder_that_is_no_build(self) -> None:
         self.assert_refused(3, "nowhere", "engine", "--against", "nowhere")
-        self.assert_refused(1, "--chart", "engine", "--against", "other", "--chart", "a.png")
 
 
 class Numbers(unittest.TestCase):

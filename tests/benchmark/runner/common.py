@@ -141,17 +141,18 @@ def is_met(goal: str, value: float | None) -> bool:
     return is_number(value) and (value >= bound if goal.startswith(">=") else value <= bound)
 
 
-def read_results(path: str, benchmark: Benchmark) -> list[Result]:
-    """The results in a file that --json wrote, judged again. A ValueError or the like if it wrote another file."""
+def read_results(path: str, kinds: dict[str, Benchmark]) -> tuple[Benchmark, list[Result]]:
+    """The kind and the results of a file that --json wrote, judged again. A ValueError or the like for another file."""
     try:
         data = json.loads(Path(path).read_text("utf-8"), parse_constant=int)  # which refuses NaN and Infinity
     except OSError as error:
         raise Problem(f"cannot read '{path}': {error.strerror}; name another file") from error
-    if data["benchmark"] != benchmark.name or not data["results"]:
-        raise ValueError(f"it holds no results of '{benchmark.name}'")
+    kind = kinds[data["benchmark"]]
+    if not data["results"]:
+        raise ValueError("it holds no results")
     for result in data["results"]:
-        benchmark.judge(result)
-    return data["results"]
+        kind.judge(result)
+    return kind, data["results"]
 
 
 def check_outputs(paths: list[Path], force: bool) -> None:
