@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <tuple>
 #include <vector>
 
 namespace boxreel
@@ -56,14 +55,23 @@ CompareSettings CompareSettings::CrossMachine()
     return settings;
 }
 
+std::vector<std::string> DifferentLimits(const CompareSettings& one, const CompareSettings& other)
+{
+    std::vector<std::string> names;
+    VisitLimits(
+        [&names](const char* name, const auto& a, const auto& b) {
+            if (a != b)
+            {
+                names.emplace_back(name);
+            }
+        },
+        one, other);
+    return names;
+}
+
 std::optional<CompareSettings> ForOtherRenderer(const CompareSettings& settings)
 {
-    const CompareSettings usual;
-    const auto limits = [](const CompareSettings& s) {
-        return std::tie(s.tolerance, s.edgeShift, s.maxPixels, s.maxRatio, s.densityWindow,
-                        s.maxInWindow);
-    };
-    if (!settings.adaptsToRenderer || limits(settings) != limits(usual))
+    if (!settings.adaptsToRenderer || !DifferentLimits(settings, CompareSettings()).empty())
     {
         return std::nullopt;
     }

@@ -34,13 +34,11 @@ void AddLimits(ordered_json& object, const CompareSettings& limits)
     object["limits"] = DescribeLimits(limits);
     object["preset"] = limits.preset;
     object["options"] = limits.options;
-    object["tolerance"] = limits.tolerance;
-    object["edgeShift"] = limits.edgeShift;
-    object["maxPixels"] = limits.maxPixels == kAnyNumberOfPixels ? ordered_json(nullptr)
-                                                                 : ordered_json(limits.maxPixels);
-    object["maxRatio"] = limits.maxRatio;
-    object["maxInWindow"] = limits.maxInWindow;
-    object["window"] = limits.densityWindow;
+    VisitLimits([&object](const char* name, auto value) { object[name] = value; }, limits);
+    if (limits.maxPixels == kAnyNumberOfPixels)
+    {
+        object["maxPixels"] = nullptr;
+    }
     object["ignored"] = Regions(limits.ignored);
     object["ignoredBodies"] = limits.ignoredBodies;
 }
@@ -48,12 +46,7 @@ void AddLimits(ordered_json& object, const CompareSettings& limits)
 void AddPixels(ordered_json& object, const Comparison& pixels)
 {
     object["pixels"] = pixels.Text();
-    object["compared"] = pixels.compared;
-    object["different"] = pixels.differentPixels;
-    object["overTolerance"] = pixels.overTolerance;
-    object["excusedAtEdges"] = pixels.excusedAtEdges;
-    object["worstWindow"] = pixels.worstWindow;
-    object["largestDistance"] = pixels.largestDistance;
+    VisitCounts([&object](const char* name, auto value) { object[name] = value; }, pixels);
 }
 
 void AddSteps(ordered_json& object, const VerdictRecord& record)

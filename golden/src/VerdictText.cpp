@@ -127,27 +127,16 @@ std::string Origin(const CompareSettings& settings)
     {
         return settings.preset + ", with " + JoinedBy(", ", settings.options) + ",";
     }
-    std::string changed;
     for (const CompareSettings& preset : {CompareSettings::Exact(), CompareSettings::SameMachine(),
                                           CompareSettings::CrossMachine()})
     {
-        if (preset.preset != settings.preset)
+        const std::vector<std::string> changed = DifferentLimits(preset, settings);
+        if (preset.preset == settings.preset && !changed.empty())
         {
-            continue;
-        }
-        for (const auto& [isOther, member] :
-             {std::pair(preset.tolerance != settings.tolerance, "tolerance"),
-              std::pair(preset.edgeShift != settings.edgeShift, "edgeShift"),
-              std::pair(preset.maxPixels != settings.maxPixels, "maxPixels"),
-              std::pair(preset.maxRatio != settings.maxRatio, "maxRatio"),
-              std::pair(preset.densityWindow != settings.densityWindow, "densityWindow"),
-              std::pair(preset.maxInWindow != settings.maxInWindow, "maxInWindow")})
-        {
-            changed +=
-                !isOther ? "" : (changed.empty() ? ", with another " : ", ") + std::string(member);
+            return settings.preset + ", with another " + JoinedBy(", ", changed) + ",";
         }
     }
-    return settings.preset + changed + (changed.empty() ? "" : ",");
+    return settings.preset;
 }
 
 std::string Exact(float value)

@@ -516,7 +516,7 @@ TEST(CompareVerdict, NamesWhatAProgramChangedOfAPreset)
     own.maxInWindow = 9;
     EXPECT_EQ(
         DescribeLimits(own),
-        "cross-machine, with another edgeShift, maxRatio, densityWindow, maxInWindow, allows 50 % "
+        "cross-machine, with another edgeShift, maxRatio, maxInWindow, window, allows 50 % "
         "over a distance of 0.01 and edges 0.4 px elsewhere, 9 in any 8x8");
 }
 

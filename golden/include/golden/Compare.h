@@ -71,6 +71,22 @@ struct CompareSettings
     static std::vector<std::string> PresetNames();
 };
 
+/// Calls `visit` with the name of each limit and its value in all `settings`. Verdicts, messages
+/// and the choice of limits read this table.
+template <class Visit, class... Settings>
+void VisitLimits(Visit&& visit, const Settings&... settings)
+{
+    visit("tolerance", settings.tolerance...);
+    visit("edgeShift", settings.edgeShift...);
+    visit("maxPixels", settings.maxPixels...);
+    visit("maxRatio", settings.maxRatio...);
+    visit("maxInWindow", settings.maxInWindow...);
+    visit("window", settings.densityWindow...);
+}
+
+/// Returns the names of the limits that differ.
+std::vector<std::string> DifferentLimits(const CompareSettings& one, const CompareSettings& other);
+
 /// The value of CompareSettings::maxPixels that sets no limit.
 inline constexpr std::int64_t kAnyNumberOfPixels = std::numeric_limits<std::int64_t>::max();
 
@@ -110,6 +126,18 @@ struct Comparison
     /// One line for a person, with the limits and where they came from.
     std::string Text() const;
 };
+
+/// Calls `visit` with the name and value of each number that verdict files contain.
+template <class Visit>
+void VisitCounts(Visit&& visit, const Comparison& comparison)
+{
+    visit("compared", comparison.compared);
+    visit("different", comparison.differentPixels);
+    visit("overTolerance", comparison.overTolerance);
+    visit("excusedAtEdges", comparison.excusedAtEdges);
+    visit("worstWindow", comparison.worstWindow);
+    visit("largestDistance", comparison.largestDistance);
+}
 
 /// Compares two pictures, the first of which is the reference. Never fails: different sizes are a
 /// difference.

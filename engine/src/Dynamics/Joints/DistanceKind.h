@@ -15,6 +15,7 @@ struct JointAccess::Kind<b2DistanceJoint> : NoMotor
     static constexpr JointHold kHold = JointHold::kLine;
     static constexpr bool kHoldsToWorld = false;
     static constexpr JointLines kLines = JointLines::kLink;
+    static constexpr uint32 kFormat = 0;
 
     static bool IsSound(const Definition& d)
     {

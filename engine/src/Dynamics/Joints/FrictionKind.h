@@ -15,6 +15,7 @@ struct JointAccess::Kind<b2FrictionJoint> : NoMotor, NoSpring
     static constexpr JointHold kHold = JointHold::kPoint;
     static constexpr bool kHoldsToWorld = false;
     static constexpr JointLines kLines = JointLines::kToOrigins;
+    static constexpr uint32 kFormat = 0;
 
     static bool IsSound(const Definition& d)
     {

@@ -32,6 +32,7 @@ struct JointAccess::Kind<b2GearJoint> : NoMotor, NoSpring
     static constexpr JointHold kHold = JointHold::kPoint;
     static constexpr bool kHoldsToWorld = true;
     static constexpr JointLines kLines = JointLines::kToOrigins;
+    static constexpr uint32 kFormat = 0;
 
     static bool IsSound(const Definition& d);
 

@@ -13,6 +13,8 @@
 ///   IsSound        true if a definition can be made into a joint; asserts report the error
 ///   HasSpring, SpringOf, HasMotor, IsDriven, MaxPower   see JointEnergy.h
 ///   Visit          saves and restores it; see Snapshot/Archive.h
+///   kFormat        part of a snapshot's version: 1 higher with every change of what Visit stores,
+///                  of its order or meaning, or of how a step uses it
 /// and that of hinges IsFree (RevoluteKind.h). None of them has a default: a kind without a motor
 /// or a spring uses NoMotor and NoSpring.
 namespace box2d

@@ -87,6 +87,19 @@ b2Joint& ConstructJoint(const b2JointDef& def, b2BlockAllocator& allocator);
 /// Gives its memory back; it must be out of every list.
 void DestructJoint(b2Joint& joint, b2BlockAllocator& allocator);
 
+/// Returns the sum of the kinds' formats, which a snapshot's version contains.
+constexpr uint32 JointFormats()
+{
+    uint32 sum = 0;
+    for (int type = e_revoluteJoint; IsJointType(b2JointType(type)); ++type)
+    {
+        sum += WithType(b2JointType(type), []<class Joint>(JointTag<Joint>) {
+            return JointAccess::Kind<Joint>::kFormat;
+        });
+    }
+    return sum;
+}
+
 inline JointHold HoldOf(const b2Joint& joint)
 {
     return WithType(joint.GetType(),

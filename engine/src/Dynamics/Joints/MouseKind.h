@@ -15,6 +15,7 @@ struct JointAccess::Kind<b2MouseJoint> : NoMotor
     static constexpr JointHold kHold = JointHold::kTarget;
     static constexpr bool kHoldsToWorld = true;
     static constexpr JointLines kLines = JointLines::kLink;
+    static constexpr uint32 kFormat = 0;
 
     static bool IsSound(const Definition& d)
     {

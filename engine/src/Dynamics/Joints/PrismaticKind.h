@@ -16,6 +16,7 @@ struct JointAccess::Kind<b2PrismaticJoint>
     static constexpr JointHold kHold = JointHold::kSlide;
     static constexpr bool kHoldsToWorld = false;
     static constexpr JointLines kLines = JointLines::kToOrigins;
+    static constexpr uint32 kFormat = 0;
 
     static bool IsSound(const Definition& d)
     {

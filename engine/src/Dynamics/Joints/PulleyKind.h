@@ -15,6 +15,7 @@ struct JointAccess::Kind<b2PulleyJoint> : NoMotor, NoSpring
     static constexpr JointHold kHold = JointHold::kLine;
     static constexpr bool kHoldsToWorld = true;
     static constexpr JointLines kLines = JointLines::kOverPulley;
+    static constexpr uint32 kFormat = 0;
 
     static bool IsSound(const Definition& d)
     {

@@ -15,6 +15,7 @@ struct JointAccess::Kind<b2WheelJoint> : SpeedMotor<b2WheelJoint, &b2WheelJoint:
     static constexpr JointHold kHold = JointHold::kSlide;
     static constexpr bool kHoldsToWorld = false;
     static constexpr JointLines kLines = JointLines::kToOrigins;
+    static constexpr uint32 kFormat = 0;
 
     static bool IsSound(const Definition& d)
     {

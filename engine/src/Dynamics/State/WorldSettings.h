@@ -13,6 +13,10 @@ inline constexpr int32 kMaxSubSteps = 64;
 
 struct WorldSettings
 {
+    /// Part of a snapshot's version: 1 higher with every change of Visit, or of what a step does
+    /// with a setting.
+    static constexpr uint32 kFormat = 0;
+
     b2Vec2 gravity;                                      ///< [m/s^2]
     float32 restitutionThreshold = b2_velocityThreshold; ///< slower impacts do not bounce [m/s]
     int32 subStepCount = 1;                              ///< of a step, at most kMaxSubSteps
