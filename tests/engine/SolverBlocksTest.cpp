@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "DynamicsScene.h"
+#include "ReferenceContacts.h"
 
 #include <Common/WideInstructions.h>
 #include <Dynamics/Solver/ContactBlocks.h>

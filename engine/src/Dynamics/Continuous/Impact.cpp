@@ -11,6 +11,7 @@
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2Fixture.h>
+#include <Box2D/Dynamics/b2WorldCallbacks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,10 +40,25 @@ bool IsWithGround(const ContactData& c)
     return !Data(*c.bodyA).IsDynamic() || !Data(*c.bodyB).IsDynamic();
 }
 
-bool Bounces(const ContactConstraint& c)
+bool Bounces(const ContactBlock& c)
 {
     return std::any_of(c.points, c.points + c.pointCount,
-                       [](const ContactPoint& p) { return p.bias > 0.0f; });
+                       [](const PointLanes& p) { return p.bias[0] > 0.0f; });
+}
+
+/// Position correction then does not move the bodies but these two.
+void HoldOthers(OverlapBlock& o, int32 indexA, int32 indexB)
+{
+    if (o.bodyA[0] != indexA && o.bodyA[0] != indexB)
+    {
+        o.invMassA[0] = o.invInertiaA[0] = 0.0f;
+        o.movesA = 0;
+    }
+    if (o.bodyB[0] != indexA && o.bodyB[0] != indexB)
+    {
+        o.invMassB[0] = o.invInertiaB[0] = 0.0f;
+        o.movesB = 0;
+    }
 }
 
 } // namespace
@@ -51,7 +67,7 @@ Impact::Impact(World& world, float32 timeStep, int32 velocityIterations)
     : m_world(world), m_memory(*world.impacts), m_solver(*world.solver),
       m_velocityIterations(velocityIterations), m_context(MakeContext(world, timeStep)),
       m_bodies(m_memory.bodies), m_contacts(m_memory.contacts), m_bounced(m_memory.bounced),
-      m_bouncedImpulses(m_memory.bouncedImpulses), m_depths(m_memory.depths)
+      m_depths(m_memory.depths)
 {
     m_context.warmStarting = false;
 }
@@ -120,22 +136,36 @@ void Impact::LoadBodies()
     }
 }
 
+/// Contacts of an impact share a body, so each is a block of its own.
 void Impact::Prepare()
 {
     LoadBodies();
-    m_memory.impulses.resize(m_contacts.size());
-    m_memory.overlaps.resize(m_contacts.size());
+    if (m_memory.impulses.size() < m_contacts.size())
+    {
+        m_memory.impulses.resize(m_contacts.size());
+        m_memory.overlaps.resize(m_contacts.size());
+    }
     for (std::size_t i = 0; i < m_contacts.size(); ++i)
     {
-        PrepareContact(*m_contacts[i], m_context, m_memory.impulses[i], m_memory.overlaps[i]);
+        PrepareAlone(*m_contacts[i], m_memory.impulses[i], m_memory.overlaps[i], m_context);
     }
+}
+
+std::span<ContactBlock> Impact::Impulses() const
+{
+    return std::span(m_memory.impulses).first(m_contacts.size());
+}
+
+std::span<OverlapBlock> Impact::Overlaps() const
+{
+    return std::span(m_memory.overlaps).first(m_contacts.size());
 }
 
 /// Returns the depth of a point of an event's contact below the surfaces [m]; negative above. The
 /// skins of polygons and edges are not included.
 float32 Impact::DepthOf(std::size_t contact, int32 point) const
 {
-    const OverlapConstraint& o = m_memory.overlaps[contact];
+    const OverlapConstraint o = OverlapOf(m_memory.overlaps[contact], 0);
     const ContactData& c = Data(*m_contacts[contact]);
     float32 skins = 0.0f;
     for (const b2Fixture* fixture : {c.fixtureA, c.fixtureB})
@@ -176,13 +206,13 @@ double Impact::CorrectBounces()
 double Impact::CorrectBounce(std::size_t index)
 {
     double added = 0.0;
-    ContactConstraint& c = m_memory.impulses[index];
+    ContactBlock& c = m_memory.impulses[index];
     const ContactData& data = Data(*m_contacts[index]);
     const b2Vec2 apart = AccelerationOf(Data(*data.bodyB)) - AccelerationOf(Data(*data.bodyA));
-    const float32 a = -b2Dot(apart, c.normal);
+    const float32 a = -b2Dot(apart, b2Vec2(c.normalX[0], c.normalY[0]));
     for (int32 k = 0; k < c.pointCount; ++k)
     {
-        float32& bias = c.points[k].bias;
+        float32& bias = c.points[k].bias[0];
         if (bias > 0.0f && a != 0.0f)
         {
             const float32 e = data.restitution;
@@ -190,7 +220,7 @@ double Impact::CorrectBounce(std::size_t index)
             const float32 met =
                 b2Max(v * v - 2.0f * a * m_depths[2 * index + std::size_t(k)], 0.0f);
             const float32 square = b2Max(e * e * met + 2.0f * a * DepthOf(index, k), 0.0f);
-            added += 0.5 * double(c.points[k].normalMass * b2Max(square - bias * bias, 0.0f));
+            added += 0.5 * double(c.points[k].normalMass[0] * b2Max(square - bias * bias, 0.0f));
             bias = b2Sqrt(square);
         }
     }
@@ -226,12 +256,17 @@ void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
     }
 }
 
-void Impact::PushApart(std::span<const OverlapConstraint> overlaps) const
+/// From this contact on.
+void Impact::PushApart(std::size_t first) const
 {
+    const std::span<OverlapBlock> overlaps = Overlaps().subspan(first);
     for (int32 i = 0; i < kImpactPositionIterations; ++i)
     {
-        if (SolveOverlaps(overlaps, m_context.bodies, {b2_toiBaugarte}, DirectionOf(i)) >=
-            -1.5f * b2_linearSlop)
+        float32 smallest = 0.0f;
+        ForEach(overlaps, DirectionOf(i), [&](const OverlapBlock& block) {
+            smallest = b2Min(smallest, SolveBlock(block, m_context.bodies, {b2_toiBaugarte}));
+        });
+        if (smallest >= -1.5f * b2_linearSlop)
         {
             break;
         }
@@ -250,19 +285,12 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
     NoteDepths();
     const int32 indexA = Data(bodyA).SolverIndex();
     const int32 indexB = Data(bodyB).SolverIndex();
-    for (OverlapConstraint& o : m_memory.overlaps)
+    for (OverlapBlock& block : Overlaps())
     {
-        if (o.bodyA != indexA && o.bodyA != indexB)
-        {
-            o.invMassA = o.invInertiaA = 0.0f;
-        }
-        if (o.bodyB != indexA && o.bodyB != indexB)
-        {
-            o.invMassB = o.invInertiaB = 0.0f;
-        }
+        HoldOthers(block, indexA, indexB);
     }
-    PushApart(m_memory.overlaps);
-    PushApart(std::span(m_memory.overlaps).subspan(m_ground));
+    PushApart(0);
+    PushApart(m_ground);
     for (b2Body* body : {&bodyA, &bodyB})
     {
         BodyData& data = Data(*body);
@@ -289,7 +317,7 @@ bool Impact::IsInCorner() const
     return m_world.settings.subStepCount > 1 && m_contacts.size() > 1 &&
            std::count_if(m_bodies.begin(), m_bodies.end(),
                          [](const b2Body* body) { return Data(*body).IsDynamic(); }) == 1 &&
-           std::any_of(m_memory.impulses.begin(), m_memory.impulses.end(), Bounces);
+           std::ranges::any_of(Impulses(), Bounces);
 }
 
 void Impact::Sweep()
@@ -298,7 +326,11 @@ void Impact::Sweep()
         IsInCorner() ? b2Max(m_velocityIterations, kCornerIterations) : m_velocityIterations;
     for (int32 i = 0; i < count; ++i)
     {
-        if (!SolveContactVelocities(m_memory.impulses, m_context.bodies, DirectionOf(i)))
+        bool changed = false;
+        ForEach(Impulses(), DirectionOf(i), [&](ContactBlock& block) {
+            changed = SolveBlock(block, m_context.bodies) || changed;
+        });
+        if (!changed)
         {
             break;
         }
@@ -335,9 +367,9 @@ bool Impact::KeepsEnergy() const
         return !data.IsDynamic() &&
                (data.linearVelocity != b2Vec2_zero || data.angularVelocity != 0.0f);
     });
-    return !driven &&
-           std::all_of(m_memory.impulses.begin(), m_memory.impulses.end(),
-                       [](const ContactConstraint& c) { return c.tangentSpeed == 0.0f; });
+    return !driven && std::ranges::all_of(Impulses(), [](const ContactBlock& c) {
+        return c.tangentSpeed[0] == 0.0f;
+    });
 }
 
 /// Newton's restitution together with friction can add energy (Kane and Levinson, "Dynamics: Theory
@@ -352,11 +384,11 @@ void Impact::BounceLess(double maximum)
     m_bounced.resize(m_bodies.size());
     ForMoved(
         [this](const BodyData&, const SolverBody& state, std::size_t i) { m_bounced[i] = state; });
-    m_bouncedImpulses = m_memory.impulses;
+    m_memory.bouncedImpulses.assign(Impulses().begin(), Impulses().end());
     Prepare();
-    for (ContactConstraint& c : m_memory.impulses)
+    for (ContactBlock& c : Impulses())
     {
-        c.points[0].bias = c.points[1].bias = 0.0f;
+        c.points[0].bias[0] = c.points[1].bias[0] = 0.0f;
     }
     Sweep();
     const double energy = KineticEnergyOfAll();
@@ -378,14 +410,14 @@ void Impact::BounceLess(double maximum)
         state.v += share * (m_bounced[i].v - state.v);
         state.w += share * (m_bounced[i].w - state.w);
     });
-    for (std::size_t i = 0; i < m_memory.impulses.size(); ++i)
+    for (std::size_t i = 0; i < m_contacts.size(); ++i)
     {
-        for (int32 k = 0; k < 2; ++k)
+        for (int32 k = 0; k < m_memory.impulses[i].pointCount; ++k)
         {
-            ContactPoint& p = m_memory.impulses[i].points[k];
-            const ContactPoint& bounced = m_bouncedImpulses[i].points[k];
-            p.normalImpulse += share * (bounced.normalImpulse - p.normalImpulse);
-            p.tangentImpulse += share * (bounced.tangentImpulse - p.tangentImpulse);
+            PointLanes& p = m_memory.impulses[i].points[k];
+            const PointLanes& bounced = m_memory.bouncedImpulses[i].points[k];
+            p.normalImpulse[0] += share * (bounced.normalImpulse[0] - p.normalImpulse[0]);
+            p.tangentImpulse[0] += share * (bounced.tangentImpulse[0] - p.tangentImpulse[0]);
         }
     }
 }
@@ -458,11 +490,12 @@ void Impact::SolveVelocities(float32 time)
             m_world.energyGuard->NoteImpact(data, path);
         }
     }
-    if (m_world.listener)
+    for (const ContactBlock& block : Impulses())
     {
-        for (const ContactConstraint& c : m_memory.impulses)
+        if (m_world.listener != nullptr) // it may remove itself
         {
-            ReportImpulse(*m_world.listener, c);
+            const b2ContactImpulse impulse = ImpulseOf(block, 0);
+            m_world.listener->PostSolve(block.contact[0], &impulse);
         }
     }
 }

@@ -6,14 +6,18 @@
 
 #include <Box2D/Common/Array.h>
 
+#include <span>
+
 /// One impact within a step. Its bodies have been moved to its time; their contacts get separating
 /// velocities, and the bodies advance for the rest of the step. Continuous collision fills it again
 /// for each impact.
 namespace box2d
 {
 
+struct ContactBlock;
 struct ContactData;
 struct ImpactMemory;
+struct OverlapBlock;
 struct SolverMemory;
 class World;
 
@@ -39,6 +43,8 @@ private:
     void PutGroundLast();
     void LoadBodies();
     void Prepare();
+    std::span<ContactBlock> Impulses() const;
+    std::span<OverlapBlock> Overlaps() const;
     float32 DepthOf(std::size_t contact, int32 point) const;
     void NoteDepths();
     void LimitPush(SolverBody& pushed, float32 maxExtent) const;
@@ -47,7 +53,7 @@ private:
     template <class Function>
     void ForMoved(Function&& function) const;
     bool IsInCorner() const;
-    void PushApart(std::span<const OverlapConstraint> overlaps) const;
+    void PushApart(std::size_t first) const;
     void Sweep();
     bool KeepsEnergy() const;
     double KineticEnergyOfAll() const;
@@ -64,7 +70,6 @@ private:
     Array<b2Body*>& m_bodies;
     Array<b2Contact*>& m_contacts;
     Array<SolverBody>& m_bounced; // scratch of BounceLess: by body
-    Array<ContactConstraint>& m_bouncedImpulses;
     std::size_t m_ground = 0; // the first contact with the ground, if that comes after others
     Array<float32>& m_depths; // two of each contact, when they matter
 };

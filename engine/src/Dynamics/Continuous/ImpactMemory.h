@@ -67,11 +67,11 @@ struct ImpactMemory
     Array<b2Body*> bodies;             ///< of one impact
     Array<ImpactBackup> before;        ///< backup of these bodies
     Array<b2Contact*> contacts;        ///< of one impact
-    Array<ContactConstraint> impulses; ///< of one impact
-    Array<OverlapConstraint> overlaps;
+    Array<ContactBlock> impulses;      ///< one for each contact, and more of earlier impacts
+    Array<OverlapBlock> overlaps;      ///< one for each block above
     Array<float32> depths;
     Array<SolverBody> bounced;
-    Array<ContactConstraint> bouncedImpulses;
+    Array<ContactBlock> bouncedImpulses;
 };
 
 } // namespace box2d

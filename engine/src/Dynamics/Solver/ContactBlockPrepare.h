@@ -4,9 +4,8 @@
 #include "ContactBlockSolver.h"
 #include "Restitution.h"
 
-/// Computes both sides of a block from the gathered data of eight contacts, for numbers F of 4 or 8
-/// lanes. It matches PrepareContact of ContactSolver.cpp line by line, in the same order of
-/// operations. Included like ContactBlockSolver.h, so it has no external linkage either.
+/// Computes both sides of a block from the gathered data of its contacts, for numbers F of 1, 4 or 8
+/// lanes. Included like ContactBlockSolver.h, so it has no external linkage either.
 namespace box2d
 {
 namespace

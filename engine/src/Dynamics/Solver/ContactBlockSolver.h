@@ -5,9 +5,8 @@
 
 #include "../State/BodyLanes.h"
 
-/// The contact solver on blocks, for numbers F of 4 or 8 lanes. It matches ContactSolver.cpp line
-/// by line, in the same order of operations. One source per instruction set includes it, so it has
-/// no external linkage.
+/// The contact solver on blocks, for numbers F of 1, 4 or 8 lanes. One source per instruction set
+/// includes it, so it has no external linkage.
 namespace box2d
 {
 namespace
@@ -15,8 +14,9 @@ namespace
 
 constexpr float32 kMinLength = b2_epsilon; ///< a shorter vector has no direction
 
-/// The relative motion of each contact's bodies, along its normal and tangent: see
-/// ContactSolver.cpp.
+/// The motion of each contact's bodies along its normal and tangent. Only the difference of the
+/// centre velocities matters. The change of each velocity is computed once, from the sums of
+/// impulses.
 template <class F>
 struct MotionLanes
 {

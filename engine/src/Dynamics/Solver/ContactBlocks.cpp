@@ -9,6 +9,7 @@
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2WorldCallbacks.h>
 
 namespace box2d
 {
@@ -26,6 +27,7 @@ namespace
 {
 
 /// A single contact is cheaper in one lane; two are slower one after the other than side by side.
+/// The other lanes are then never read.
 template <class Block>
 bool IsAlone(const Block& block)
 {
@@ -160,7 +162,7 @@ public:
         {
             GatherLane(lane, Data(*m_block.contact[lane]));
         }
-        for (int lane = m_block.count; lane < kBlockLanes; ++lane)
+        for (int lane = m_block.count; lane < kBlockLanes && !IsAlone(m_block); ++lane)
         {
             PadLane(lane);
         }
@@ -255,7 +257,8 @@ private:
 void FinishCoupling(ContactBlock& block)
 {
     block.allCoupled = block.pointCount == 2;
-    for (int lane = 0; lane < kBlockLanes && block.pointCount == 2; ++lane)
+    const int lanes = block.pointCount != 2 ? 0 : IsAlone(block) ? 1 : kBlockLanes;
+    for (int lane = 0; lane < lanes; ++lane)
     {
         if (lane >= block.count)
         {
@@ -288,6 +291,17 @@ void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContex
 #endif
     PrepareBlock<simd::Float4>(lanes, block, overlap, context);
     FinishCoupling(block);
+}
+
+void PrepareAlone(b2Contact& contact, ContactBlock& block, OverlapBlock& overlap,
+                  const SolverContext& context)
+{
+    const b2Manifold& manifold = Data(contact).manifold;
+    block.contact[0] = &contact;
+    block.count = 1;
+    block.pointCount = overlap.pointCount = manifold.pointCount;
+    overlap.kind = KindOf(manifold);
+    PrepareBlock(block, overlap, context);
 }
 
 void WarmStartBlock(ContactBlock& block, SolverBody* bodies)
@@ -346,6 +360,18 @@ void StoreImpulses(const ContactBlock& block)
             manifold.points[i].tangentImpulse = block.points[i].tangentImpulse[lane];
         }
     }
+}
+
+b2ContactImpulse ImpulseOf(const ContactBlock& block, int lane)
+{
+    b2ContactImpulse impulse;
+    impulse.count = block.pointCount;
+    for (int32 i = 0; i < block.pointCount; ++i)
+    {
+        impulse.normalImpulses[i] = block.points[i].normalImpulse[lane];
+        impulse.tangentImpulses[i] = block.points[i].tangentImpulse[lane];
+    }
+    return impulse;
 }
 
 OverlapConstraint OverlapOf(const OverlapBlock& block, int lane)

@@ -3,9 +3,13 @@
 
 #include "../State/Solver.h"
 
+struct b2ContactImpulse;
+
 /// Contacts of one colour in blocks of eight lanes, for SIMD. A block is prepared and solved with 8
-/// lanes, twice 4 lanes or 8 times one lane, with the same bits. The scalar solver of
-/// ContactSolver.cpp, which solves impacts and serves as the reference, gives them too.
+/// lanes, twice 4 lanes or 8 times one lane, with the same bits. tests/engine/ReferenceContacts.cpp
+/// is the same solver without lanes. The method is that of sequential impulses (Catto, "Iterative
+/// Dynamics with Temporal Coherence", GDC 2005): accumulated, clamped impulses on velocities, then
+/// nonlinear projection of positions.
 namespace box2d
 {
 
@@ -13,7 +17,9 @@ struct SnapshotAccess;
 
 inline constexpr int kBlockLanes = 8;
 
-/// See ContactPoint.
+/// The levers are the moments about the centres of mass of a unit impulse at the point [m]: arm x
+/// direction. The tangent is the normal rotated clockwise. The masses are effective masses, the
+/// bias is the target separation speed from restitution [m/s].
 struct PointLanes
 {
     float32 normalLeverA[kBlockLanes], normalLeverB[kBlockLanes];
@@ -23,8 +29,9 @@ struct PointLanes
     float32 bias[kBlockLanes];
 };
 
-/// See ContactConstraint. All lanes have the same number of points. Unused lanes contain zero
-/// impulses between bodies 0, and are never stored.
+/// The velocity constraints of touching contacts. All lanes have the same number of points. k is
+/// the response of the normal speeds to an impulse at either point. Unused lanes contain zero
+/// impulses between bodies 0, and are never stored; those of a single contact contain anything.
 struct alignas(kCacheLine) ContactBlock
 {
     int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
@@ -120,18 +127,25 @@ private:
 
 // The following use the widest instructions of this processor.
 
-/// Fills both sides of a block, as PrepareContact does.
+/// Fills both sides of a block from the current poses. Velocities come from the bodies' solver
+/// entries (for restitution).
 void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContext& context);
+/// Fills both sides of a block with this contact alone, which may share bodies with other blocks.
+void PrepareAlone(b2Contact& contact, ContactBlock& block, OverlapBlock& overlap,
+                  const SolverContext& context);
 void WarmStartBlock(ContactBlock& block, SolverBody* bodies);
 /// One iteration. False when no impulse changed: when none of all contacts does, no other iteration
 /// over them would change one.
 bool SolveBlock(ContactBlock& block, SolverBody* bodies);
-/// One position iteration; see SolveOverlaps.
+/// One position iteration: moves overlapping bodies apart. Returns the smallest separation that was
+/// met [m].
 float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, PushPace pace);
 /// Stores the impulses in the manifolds.
 void StoreImpulses(const ContactBlock& block);
 
-/// Returns one lane of a block for the scalar solver.
+/// Returns the impulses of a lane for a listener.
+b2ContactImpulse ImpulseOf(const ContactBlock& block, int lane);
+/// Returns one lane of a block, to measure it.
 OverlapConstraint OverlapOf(const OverlapBlock& block, int lane);
 /// Pushes two nearly coincident points of a lane one after the other.
 float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, PushPace pace);

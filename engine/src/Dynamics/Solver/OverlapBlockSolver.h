@@ -3,9 +3,8 @@
 
 #include "ContactBlockSolver.h"
 
-/// The position solver on blocks, for numbers F of 4 or 8 lanes. It matches OverlapSolver.cpp, in
-/// the same order of operations. Included like ContactBlockSolver.h, so it has no external linkage
-/// either.
+/// The position solver on blocks, for numbers F of 1, 4 or 8 lanes: contacts are measured again
+/// before each push. Included like ContactBlockSolver.h, so it has no external linkage either.
 namespace box2d
 {
 namespace

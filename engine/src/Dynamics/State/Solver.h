@@ -81,39 +81,11 @@ struct SolverContext
     bool warmStarting = true; ///< that of the settings; false at impacts
 };
 
-/// The levers are the moments about the centres of mass of a unit impulse at the point [m]: arm x
-/// direction. The tangent is the normal rotated clockwise.
-struct ContactPoint
-{
-    float32 normalLeverA, normalLeverB;
-    float32 tangentLeverA, tangentLeverB;
-    float32 normalImpulse;
-    float32 tangentImpulse;
-    float32 normalMass;  ///< effective mass
-    float32 tangentMass; ///< effective mass
-    float32 bias;        ///< target separation speed from restitution [m/s]
-};
-
 /// True if the solver may move the body of a constraint.
 inline bool Moves(float32 invMass, float32 invInertia)
 {
     return invMass > 0.0f || invInertia > 0.0f;
 }
-
-/// The velocity constraint of a touching contact.
-struct ContactConstraint
-{
-    ContactPoint points[2];
-    b2Vec2 normal; ///< from A to B
-    float32 friction;
-    float32 tangentSpeed;
-    float32 invMassA, invInertiaA, invMassB, invInertiaB;
-    int32 bodyA, bodyB; ///< solver index
-    int32 pointCount;
-    bool coupled;          ///< both points are solved together
-    float32 k11, k12, k22; ///< response of the normal speeds to an impulse at either point
-    b2Contact* contact;
-};
 
 /// Two points are solved together while k11^2 < kMaxCondition * det. With c = k12 / k11 and equal
 /// points the ratio is 1 / (1 - c^2). The condition number is (1 + c) / (1 - c), four times as
@@ -174,7 +146,7 @@ inline Direction ColorDirectionOf(int32 iteration, int32 count, bool turned)
 }
 
 template <class List, class Function>
-void ForEach(List& list, Direction direction, Function&& function)
+void ForEach(List&& list, Direction direction, Function&& function)
 {
     if (direction == Direction::Forward)
     {
@@ -206,11 +178,10 @@ inline constexpr MaxMove kMaxSmallMove = {10.0f * b2_maxTranslation, 40.0f * b2_
 /// Moves and rotates a body for `timeStep`, limiting its velocity.
 void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& maximum);
 
-// ContactSolver.cpp
+// ContactPoints.cpp
 
-/// Calls the listener with the impulses of a contact's manifold or constraint.
+/// Calls the listener with the impulses of a contact's manifold.
 void ReportImpulse(b2ContactListener& listener, b2Contact& contact);
-void ReportImpulse(b2ContactListener& listener, const ContactConstraint& constraint);
 
 /// Returns 1 / value, or 0 for 0.
 inline float32 Inverse(float32 value)
@@ -224,18 +195,6 @@ inline float32 Inverse(float32 value)
 bool EnumerateImpulses(float32 k11, float32 k12, float32 k22, float32 b1, float32 b2, float32& x1,
                        float32& x2);
 
-/// Fills both constraints of a touching contact from the current poses; velocities come from the
-/// bodies' solver entries (for restitution).
-void PrepareContact(b2Contact& contact, const SolverContext& context, ContactConstraint& constraint,
-                    OverlapConstraint& overlap);
-/// Applies the impulses of the last step (warm starting).
-void WarmStart(Array<ContactConstraint>& contacts, const SolverContext& context);
-/// One iteration: friction, then the normal impulses. False when no impulse has changed: then none
-/// will in the next.
-bool SolveContactVelocities(std::span<ContactConstraint> contacts, SolverBody* bodies,
-                            Direction direction);
-/// Stores the impulses in the manifold.
-void StoreImpulses(const ContactConstraint& contact);
 // OverlapSolver.cpp
 
 /// Depth, normal and position of a point's overlap, after the displacements so far in this step.
@@ -267,11 +226,6 @@ float32 PushOf(const SolverBody& before, const SolverBody& after, float32 maxExt
 
 /// Reduces a push to a fraction of itself in the same direction.
 void ShortenPush(const SolverBody& before, SolverBody& after, float32 share);
-
-/// One iteration of moving overlapping bodies apart. Returns the smallest separation that was met
-/// [m].
-float32 SolveOverlaps(std::span<const OverlapConstraint> overlaps, SolverBody* bodies,
-                      PushPace pace, Direction direction);
 
 /// Pushes two nearly coincident points one after the other.
 float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, PushPace pace);

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "../State/Solver.h"
+#include "ReferenceContacts.h"
 
-#include "../State/World.h"
-#include "Restitution.h"
+#include <Dynamics/Solver/Restitution.h>
+#include <Dynamics/State/World.h>
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2Fixture.h>
 
-/// Contact constraints by sequential impulses (Catto, "Iterative Dynamics with Temporal Coherence",
-/// GDC 2005, and "Fast and Simple Physics using Sequential Impulses", GDC 2006): accumulated,
-/// clamped impulses on velocities, then nonlinear projection of positions.
 namespace box2d
 {
 
@@ -224,32 +221,6 @@ void SolvePair(ContactConstraint& c, Motion& m)
 
 } // namespace
 
-bool EnumerateImpulses(float32 k11, float32 k12, float32 k22, float32 b1, float32 b2, float32& x1,
-                       float32& x2)
-{
-    const float32 inverse = 1.0f / (k11 * k22 - k12 * k12);
-    x1 = inverse * (k12 * b2 - k22 * b1);
-    x2 = inverse * (k12 * b1 - k11 * b2);
-    if (x1 >= 0.0f && x2 >= 0.0f)
-    {
-        return true;
-    }
-    x1 = -b1 / k11;
-    x2 = 0.0f;
-    if (x1 >= 0.0f && k12 * x1 + b2 >= 0.0f)
-    {
-        return true;
-    }
-    x1 = 0.0f;
-    x2 = -b2 / k22;
-    if (x2 >= 0.0f && k12 * x2 + b1 >= 0.0f)
-    {
-        return true;
-    }
-    x2 = 0.0f;
-    return b1 >= 0.0f && b2 >= 0.0f;
-}
-
 void PrepareContact(b2Contact& contact, const SolverContext& context, ContactConstraint& c,
                     OverlapConstraint& o)
 {
@@ -344,42 +315,62 @@ bool SolveContactVelocities(std::span<ContactConstraint> contacts, SolverBody* b
 namespace
 {
 
-template <class Points>
-b2ContactImpulse ImpulseOf(const Points& points, int32 count)
+/// Both points together, as for velocities, so that a box that lands flat stays flat.
+void ApplyPair(Push& push, const Overlap& p, float32 x1, const Overlap& q, float32 x2)
 {
-    b2ContactImpulse impulse;
-    impulse.count = count;
-    for (int32 i = 0; i < count; ++i)
+    const float32 sum = x1 + x2;
+    push.a.d -= (push.o.invMassA * sum) * p.normal;
+    push.b.d += (push.o.invMassB * sum) * p.normal;
+    Push::Turn(push.a, push.o.invInertiaA,
+         -push.o.invInertiaA * (b2Cross(p.armA, p.normal) * x1 + b2Cross(q.armA, q.normal) * x2));
+    Push::Turn(push.b, push.o.invInertiaB,
+         push.o.invInertiaB * (b2Cross(p.armB, p.normal) * x1 + b2Cross(q.armB, q.normal) * x2));
+}
+
+float32 PushPair(Push& push, PushPace pace)
+{
+    const Overlap p = MeasureOverlap(push.o, 0, push.a, push.b);
+    const Overlap q = MeasureOverlap(push.o, 1, push.a, push.b);
+    const float32 smaller = b2Min(p.separation, q.separation);
+    const float32 outP = PushOut(p, pace);
+    const float32 outQ = PushOut(q, pace);
+    if (outP <= 0.0f && outQ <= 0.0f)
     {
-        impulse.normalImpulses[i] = points[i].normalImpulse;
-        impulse.tangentImpulses[i] = points[i].tangentImpulse;
+        return smaller;
     }
-    return impulse;
+    const float32 k11 = push.Mass(p, p);
+    const float32 k12 = push.Mass(p, q);
+    const float32 k22 = push.Mass(q, q);
+    float32 x1 = 0.0f;
+    float32 x2 = 0.0f;
+    if (k11 * k11 < kMaxCondition * (k11 * k22 - k12 * k12))
+    {
+        if (EnumerateImpulses(k11, k12, k22, -outP, -outQ, x1, x2))
+        {
+            ApplyPair(push, p, x1, q, x2);
+        }
+        return smaller;
+    }
+    // Separate statements: the evaluation order of arguments is unspecified.
+    const float32 first = PushPoint(push, 0, pace);
+    const float32 second = PushPoint(push, 1, pace);
+    return b2Min(first, second);
 }
 
 } // namespace
 
-void ReportImpulse(b2ContactListener& listener, b2Contact& contact)
+float32 SolveOverlaps(std::span<const OverlapConstraint> overlaps, SolverBody* bodies,
+                      PushPace pace, Direction direction)
 {
-    const b2Manifold& manifold = Data(contact).manifold;
-    const b2ContactImpulse impulse = ImpulseOf(manifold.points, manifold.pointCount);
-    listener.PostSolve(&contact, &impulse);
-}
-
-void ReportImpulse(b2ContactListener& listener, const ContactConstraint& constraint)
-{
-    const b2ContactImpulse impulse = ImpulseOf(constraint.points, constraint.pointCount);
-    listener.PostSolve(constraint.contact, &impulse);
-}
-
-void StoreImpulses(const ContactConstraint& c)
-{
-    b2Manifold& m = Data(*c.contact).manifold;
-    for (int32 i = 0; i < c.pointCount; ++i)
-    {
-        m.points[i].normalImpulse = c.points[i].normalImpulse;
-        m.points[i].tangentImpulse = c.points[i].tangentImpulse;
-    }
+    float32 smallest = 0.0f;
+    ForEach(overlaps, direction, [&](const OverlapConstraint& o) {
+        Push push{o, bodies[o.bodyA], bodies[o.bodyB]};
+        const float32 separation =
+            o.pointCount == 2 ? PushPair(push, pace) : PushPoint(push, 0, pace);
+        smallest = b2Min(smallest, separation);
+        push.Store(bodies);
+    });
+    return smallest;
 }
 
 } // namespace box2d
