@@ -433,6 +433,38 @@ TEST(DynamicsContinuous, UpdatesBoxOfPlatformMovedByListener)
     EXPECT_TRUE(fixture->GetAABB(0).Contains(tight));
 }
 
+/// Removes itself when it is first called.
+struct OnceOnly : public b2ContactListener
+{
+    void PostSolve(b2Contact*, const b2ContactImpulse*) override
+    {
+        ++calls;
+        world->SetContactListener(nullptr);
+    }
+    b2World* world = nullptr;
+    int calls = 0;
+};
+
+TEST(DynamicsContinuous, ListenerThatRemovesItselfInAnImpactIsNotCalledAgain)
+{
+    Scene scene(b2Vec2(0.0f, 0.0f));
+    b2Body* walls = scene.Body(b2_staticBody, 0.0f, 0.0f);
+    for (const float32 y : {-0.1f, 0.1f}) // the ball meets both in one impact
+    {
+        b2EdgeShape shape;
+        shape.Set(b2Vec2(0.0f, y), b2Vec2(1.0f, 9.0f * y));
+        walls->CreateFixture(&shape, 0.0f);
+    }
+    b2Body* bullet = scene.Ball(-1.0f, 0.0f, 0.15f);
+    bullet->SetBullet(true);
+    bullet->SetLinearVelocity(b2Vec2(110.0f, 0.0f));
+    OnceOnly listener;
+    listener.world = &scene.world;
+    scene.world.SetContactListener(&listener);
+    scene.Step(2);
+    EXPECT_EQ(listener.calls, 1);
+}
+
 // The parts of a step that stops at each impact may be of different lengths.
 TEST(DynamicsContinuous, BoxHoldsTurningPlatformWithinStep)
 {
