@@ -203,6 +203,92 @@ struct BlockSolver
     }
 };
 
+/// Scales the impulses of a kick for one that is `share` times as long. The change by iterations
+/// stops two motions: the approach before the kick, and the part that the kick added. The former
+/// does not grow with the kick's length, so the change is passed on unscaled. After the half kick
+/// at the start, doubling it would over-relax by 2. Beyond that, iterations diverge, and tall
+/// stacks did.
+template <class F>
+void PassOn(float32* impulse, float32* first, float32 share)
+{
+    const F ofFirst = F::Set(share > 1.0f ? share - 1.0f : 0.0f);
+    const F ofLast = F::Set(share > 1.0f ? 1.0f : share);
+    const F scaled = ofLast * F::Load(impulse) + ofFirst * F::Load(first);
+    scaled.Store(first);
+    scaled.Store(impulse);
+}
+
+template <class F>
+void AddTo(float32* total, const float32* impulse)
+{
+    (F::Load(total) + F::Load(impulse)).Store(total);
+}
+
+template <class F>
+void AddToTotals(const ContactBlock& block, BlockTotals& totals)
+{
+    for (int lane = 0; lane < block.count; lane += F::kLanes)
+    {
+        for (int i = 0; i < block.pointCount; ++i)
+        {
+            AddTo<F>(totals.normal[i] + lane, block.points[i].normalImpulse + lane);
+            AddTo<F>(totals.tangent[i] + lane, block.points[i].tangentImpulse + lane);
+        }
+    }
+}
+
+template <class F>
+void KickBlock(ContactBlock& block, BlockTotals& totals, float32* bodies, float32 share,
+               bool addsLast)
+{
+    if (addsLast)
+    {
+        AddToTotals<F>(block, totals);
+    }
+    for (int lane = 0; lane < block.count; lane += F::kLanes)
+    {
+        BlockSolver<F> solver(block, lane, bodies);
+        for (int i = 0; i < block.pointCount; ++i)
+        {
+            PointLanes& p = block.points[i];
+            PassOn<F>(p.normalImpulse + lane, totals.firstNormal[i] + lane, share);
+            PassOn<F>(p.tangentImpulse + lane, totals.firstTangent[i] + lane, share);
+            solver.WarmStart(p);
+        }
+        solver.Store(bodies);
+    }
+}
+
+template <class F>
+void FindErrors(const ContactBlock& block, const float32* bodies, float32 sticks, float32* off)
+{
+    const F zero = F::Set(0.0f);
+    for (int lane = 0; lane < block.count; lane += F::kLanes)
+    {
+        const auto at = [lane](const float32* field) { return F::Load(field + lane); };
+        F a[4], b[4]; // vx, vy, w
+        LoadRows(bodies, kBodyStride, block.bodyA + lane, a);
+        LoadRows(bodies, kBodyStride, block.bodyB + lane, b);
+        const F x = b[0] - a[0];
+        const F y = b[1] - a[1];
+        const F along = x * at(block.normalX) + y * at(block.normalY);
+        const F across = x * at(block.normalY) - y * at(block.normalX) - at(block.tangentSpeed);
+        F largest = F::Load(off + lane);
+        for (int i = 0; i < block.pointCount; ++i)
+        {
+            const PointLanes& p = block.points[i];
+            const F speed = along + b[2] * at(p.normalLeverB) - a[2] * at(p.normalLeverA);
+            const F slip = across + b[2] * at(p.tangentLeverB) - a[2] * at(p.tangentLeverA);
+            const F push = at(p.normalImpulse);
+            const F limit = F::Set(sticks) * at(block.friction) * push;
+            const F normal = Select(Less(zero, push), Abs(speed), -speed);
+            const F tangent = Select(Less(Abs(at(p.tangentImpulse)), limit), Abs(slip), zero);
+            largest = Max(largest, Max(normal, tangent));
+        }
+        largest.Store(off + lane);
+    }
+}
+
 template <class F>
 void WarmStartBlock(ContactBlock& block, float32* bodies)
 {

@@ -19,6 +19,10 @@ namespace box2d
 void PrepareBlockAvx2(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
                       const SolverContext& context);
 void WarmStartBlockAvx2(ContactBlock& block, float32* bodies);
+void KickBlockAvx2(ContactBlock& block, BlockTotals& totals, float32* bodies, float32 share,
+                   bool addsLast);
+void AddToTotalsAvx2(const ContactBlock& block, BlockTotals& totals);
+void FindErrorsAvx2(const ContactBlock& block, const float32* bodies, float32 sticks, float32* off);
 bool SolveBlockAvx2(ContactBlock& block, float32* bodies);
 float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, PushPace pace);
 #endif
@@ -317,6 +321,53 @@ void WarmStartBlock(ContactBlock& block, SolverBody* bodies)
     }
 #endif
     WarmStartBlock<simd::Float4>(block, Numbers(bodies));
+}
+
+void KickBlock(ContactBlock& block, BlockTotals& totals, SolverBody* bodies, float32 share,
+               bool addsLast)
+{
+    if (IsAlone(block))
+    {
+        return KickBlock<simd::Float1>(block, totals, Numbers(bodies), share, addsLast);
+    }
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        return KickBlockAvx2(block, totals, Numbers(bodies), share, addsLast);
+    }
+#endif
+    KickBlock<simd::Float4>(block, totals, Numbers(bodies), share, addsLast);
+}
+
+void AddToTotals(const ContactBlock& block, BlockTotals& totals)
+{
+    if (IsAlone(block))
+    {
+        return AddToTotals<simd::Float1>(block, totals);
+    }
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        return AddToTotalsAvx2(block, totals);
+    }
+#endif
+    AddToTotals<simd::Float4>(block, totals);
+}
+
+void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sticks,
+                float32 (&off)[kBlockLanes])
+{
+    if (IsAlone(block))
+    {
+        return FindErrors<simd::Float1>(block, reinterpret_cast<const float32*>(bodies), sticks, off);
+    }
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        return FindErrorsAvx2(block, reinterpret_cast<const float32*>(bodies), sticks, off);
+    }
+#endif
+    FindErrors<simd::Float4>(block, reinterpret_cast<const float32*>(bodies), sticks, off);
 }
 
 bool SolveBlock(ContactBlock& block, SolverBody* bodies)

@@ -134,6 +134,17 @@ void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContex
 void PrepareAlone(b2Contact& contact, ContactBlock& block, OverlapBlock& overlap,
                   const SolverContext& context);
 void WarmStartBlock(ContactBlock& block, SolverBody* bodies);
+/// Starts a kick of sub-steps, `share` times as long as the last one: scales the last impulses and
+/// applies them. With `addsLast`, those of the last kick are added to the totals before.
+void KickBlock(ContactBlock& block, BlockTotals& totals, SolverBody* bodies, float32 share,
+               bool addsLast);
+/// Adds the impulses of the last kick to the totals of the step.
+void AddToTotals(const ContactBlock& block, BlockTotals& totals);
+/// Raises `off` to the error of each contact's speeds [m/s]. A normal error is an approach, or any
+/// speed of a point that pushes; tangential errors count while friction is below `sticks` times its
+/// limit.
+void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sticks,
+                float32 (&off)[kBlockLanes]);
 /// One iteration. False when no impulse changed: when none of all contacts does, no other iteration
 /// over them would change one.
 bool SolveBlock(ContactBlock& block, SolverBody* bodies);

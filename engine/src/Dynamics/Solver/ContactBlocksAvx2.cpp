@@ -19,6 +19,22 @@ void WarmStartBlockAvx2(ContactBlock& block, float32* bodies)
     WarmStartBlock<simd::Float8>(block, bodies);
 }
 
+void KickBlockAvx2(ContactBlock& block, BlockTotals& totals, float32* bodies, float32 share,
+                   bool addsLast)
+{
+    KickBlock<simd::Float8>(block, totals, bodies, share, addsLast);
+}
+
+void AddToTotalsAvx2(const ContactBlock& block, BlockTotals& totals)
+{
+    AddToTotals<simd::Float8>(block, totals);
+}
+
+void FindErrorsAvx2(const ContactBlock& block, const float32* bodies, float32 sticks, float32* off)
+{
+    FindErrors<simd::Float8>(block, bodies, sticks, off);
+}
+
 bool SolveBlockAvx2(ContactBlock& block, float32* bodies)
 {
     return SolveBlock<simd::Float8>(block, bodies);

@@ -43,11 +43,6 @@ Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody
     return result;
 }
 
-float32 PushOf(const SolverBody& before, const SolverBody& after, float32 maxExtent)
-{
-    return (after.d - before.d).Length() + b2Abs(after.angle - before.angle) * maxExtent;
-}
-
 void ShortenPush(const SolverBody& before, SolverBody& after, float32 share)
 {
     const float32 turn = after.angle - before.angle;

@@ -222,7 +222,10 @@ struct PushPace
 inline constexpr float32 kFarthestPush = 12.0f;
 
 /// Returns the maximum displacement of any point of a body by a push [m].
-float32 PushOf(const SolverBody& before, const SolverBody& after, float32 maxExtent);
+inline float32 PushOf(const SolverBody& before, const SolverBody& after, float32 maxExtent)
+{
+    return (after.d - before.d).Length() + b2Abs(after.angle - before.angle) * maxExtent;
+}
 
 /// Reduces a push to a fraction of itself in the same direction.
 void ShortenPush(const SolverBody& before, SolverBody& after, float32 share);

@@ -134,45 +134,6 @@ private:
     int32 m_lane;
 };
 
-/// Velocities at the normal and tangent of each contact of a block.
-struct Speeds
-{
-    float32 along[kBlockLanes], across[kBlockLanes], wA[kBlockLanes], wB[kBlockLanes];
-
-    Speeds(const ContactBlock& block, const SolverBody* bodies)
-    {
-        for (int32 i = 0; i < kBlockLanes; ++i)
-        {
-            const SolverBody& a = bodies[block.bodyA[i]];
-            const SolverBody& b = bodies[block.bodyB[i]];
-            const float32 x = b.v.x - a.v.x;
-            const float32 y = b.v.y - a.v.y;
-            along[i] = x * block.normalX[i] + y * block.normalY[i];
-            across[i] = x * block.normalY[i] - y * block.normalX[i] - block.tangentSpeed[i];
-            wA[i] = a.w;
-            wB[i] = b.w;
-        }
-    }
-};
-
-/// Raises `off` to the error of each contact's speeds; tangential errors count while friction is
-/// below its limit. Without branches, so that the compiler uses wide instructions.
-void AddErrors(const ContactBlock& block, const PointLanes& p, const Speeds& speeds,
-               float32 (&off)[kBlockLanes])
-{
-    for (int32 i = 0; i < kBlockLanes; ++i)
-    {
-        const float32 speed =
-            speeds.along[i] + speeds.wB[i] * p.normalLeverB[i] - speeds.wA[i] * p.normalLeverA[i];
-        const float32 slip = speeds.across[i] + speeds.wB[i] * p.tangentLeverB[i] -
-                             speeds.wA[i] * p.tangentLeverA[i];
-        const float32 limit = float32(kSticks) * block.friction[i] * p.normalImpulse[i];
-        const float32 normal = p.normalImpulse[i] > 0.0f ? b2Abs(speed) : -speed;
-        const float32 tangent = b2Abs(p.tangentImpulse[i]) < limit ? b2Abs(slip) : 0.0f;
-        off[i] = b2Max(off[i], b2Max(normal, tangent));
-    }
-}
-
 /// With the friction limits of the first `contacts` items, which follow from the solution.
 template <class Holds>
 void MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Holds& holds,
@@ -464,12 +425,8 @@ void ContactSystem::FindResiduals(const SolverMemory& solver, const SolverBody* 
         for (int32 k = 0; k < blocks.Count(); ++k)
         {
             const ContactBlock& block = blocks.Contacts(k);
-            const Speeds speeds(block, bodies);
             float32 off[kBlockLanes] = {};
-            for (int32 point = 0; point < block.pointCount; ++point)
-            {
-                AddErrors(block, block.points[point], speeds, off);
-            }
+            FindErrors(block, bodies, float32(kSticks), off);
             for (int32 lane = 0; lane < block.count; ++lane)
             {
                 const int32 island = IslandOf(solver.islands, block, lane);

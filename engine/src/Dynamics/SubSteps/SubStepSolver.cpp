@@ -54,10 +54,10 @@ bool TakeBias(ContactBlock& block)
     bool any = false;
     for (int32 i = 0; i < block.pointCount; ++i)
     {
-        for (float32& bias : block.points[i].bias)
+        for (int32 lane = 0; lane < block.count; ++lane)
         {
-            any = any || bias > 0.0f;
-            bias = 0.0f;
+            any = any || block.points[i].bias[lane] > 0.0f;
+            block.points[i].bias[lane] = 0.0f;
         }
     }
     return any;
@@ -78,7 +78,7 @@ void ScaleToLastShare(ContactBlock& block)
     }
 }
 
-/// Stores that fraction; see ScaleImpulses: it includes half of the last kick's change.
+/// Stores that fraction. As in a kick's start, it includes half of the last kick's change.
 void NoteLastShare(const ContactBlock& block, const BlockTotals& totals)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
@@ -92,45 +92,6 @@ void NoteLastShare(const ContactBlock& block, const BlockTotals& totals)
         }
         Data(*block.contact[lane]).lastShare = all > 0.0f ? b2Min(last / all, 1.0f) : 0.0f;
     }
-}
-
-/// Calls the function with each point of a block and its totals.
-template <class Function>
-void ForPoints(ContactBlock& block, BlockTotals& totals, Function&& function)
-{
-    for (int32 i = 0; i < block.pointCount; ++i)
-    {
-        PointLanes& p = block.points[i];
-        function(p.normalImpulse, totals.normal[i], totals.firstNormal[i]);
-        function(p.tangentImpulse, totals.tangent[i], totals.firstTangent[i]);
-    }
-}
-
-/// Scales the impulses of a kick for one that is `share` times as long. The change by iterations
-/// stops two motions: the approach before the kick, and the part that the kick added. The former
-/// does not grow with the kick's length, so the change is passed on unscaled. After the half kick
-/// at the start, doubling it would over-relax by 2. Beyond that, iterations diverge, and tall
-/// stacks did.
-void ScaleImpulses(ContactBlock& block, BlockTotals& totals, float32 share)
-{
-    ForPoints(block, totals, [share](float32* impulse, const float32*, float32* first) {
-        const float32 ofFirst = share > 1.0f ? share - 1.0f : 0.0f;
-        const float32 ofLast = share > 1.0f ? 1.0f : share;
-        for (int32 lane = 0; lane < kBlockLanes; ++lane)
-        {
-            first[lane] = impulse[lane] = ofLast * impulse[lane] + ofFirst * first[lane];
-        }
-    });
-}
-
-void AddImpulses(ContactBlock& block, BlockTotals& totals)
-{
-    ForPoints(block, totals, [](const float32* impulse, float32* total, const float32*) {
-        for (int32 lane = 0; lane < kBlockLanes; ++lane)
-        {
-            total[lane] += impulse[lane];
-        }
-    });
 }
 
 void TakeTotals(ContactBlock& block, const BlockTotals& totals)
@@ -314,12 +275,7 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     }
     joints.WarmStart(kick, share);
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
-        if (m_kick > 0)
-        {
-            AddImpulses(blocks.Contacts(i), blocks.Totals(i)); // those of the last kick
-        }
-        ScaleImpulses(blocks.Contacts(i), blocks.Totals(i), share);
-        WarmStartBlock(blocks.Contacts(i), m_context.bodies);
+        KickBlock(blocks.Contacts(i), blocks.Totals(i), m_context.bodies, share, m_kick > 0);
     });
     Iterate(iterations);
     if (AnyHeld() && guard.HasGained(m_memory, joints))
@@ -355,9 +311,11 @@ void SubStepSolver::FindFlying()
 {
     const std::size_t count = m_world.awakeBodies.size();
     m_subSteps.modes.resize(count);
+    m_subSteps.largestExtent = 0.0f;
     for (std::size_t i = 0; i < count; ++i)
     {
         const BodyData& body = Data(*m_world.awakeBodies[i]);
+        m_subSteps.largestExtent = b2Max(m_subSteps.largestExtent, body.maxExtent);
         const bool flies = body.IsDynamic() && body.colorMask == 0 && body.jointList == nullptr &&
                            body.linearDamping == 0.0f && body.angularDamping == 0.0f;
         m_subSteps.modes[i] = flies ? BodyMode::Flies : BodyMode::Together;
@@ -436,10 +394,26 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
     }
 }
 
+/// False if no push exceeds `maximum`, by a bound that reads no body. Nearly always.
+bool SubStepSolver::MayExceed(float32 maximum) const
+{
+    bool any = false;
+    for (std::size_t i = 1; i < m_memory.bodies.size(); ++i)
+    {
+        any = any || PushOf(m_subSteps.beforePushes[i], m_memory.bodies[i],
+                            m_subSteps.largestExtent) > maximum;
+    }
+    return any;
+}
+
 /// Scales all pushes of an island equally, so that no point of its bodies moves further than
 /// `maximum` [m]. Directions are kept, and points that separate still do.
 void SubStepSolver::LimitPushes(float32 maximum)
 {
+    if (!MayExceed(maximum))
+    {
+        return;
+    }
     m_subSteps.farthestPushes.assign(std::size_t(m_memory.islands.Count()), 0.0f);
     const auto forPushed = [this](auto&& function) {
         for (const b2Body* body : m_world.awakeBodies)
@@ -486,7 +460,7 @@ void SubStepSolver::End()
         FindDeep();
     }
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
-        AddImpulses(blocks.Contacts(i), blocks.Totals(i));
+        AddToTotals(blocks.Contacts(i), blocks.Totals(i));
         NoteLastShare(blocks.Contacts(i), blocks.Totals(i));
         TakeTotals(blocks.Contacts(i), blocks.Totals(i));
         StoreImpulses(blocks.Contacts(i));

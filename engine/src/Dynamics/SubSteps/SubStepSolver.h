@@ -31,6 +31,7 @@ private:
     bool AnyHeld() const;
     void Bounce();
     void Iterate(int32 iterations);
+    bool MayExceed(float32 maximum) const;
     void LimitPushes(float32 maximum);
     void FindFlying();
     void Fly(std::size_t index);
