@@ -53,6 +53,13 @@ class Command(BuildCase):
         done = self.bench("engine", "--list")
         self.assertEqual([line.split()[0] for line in done.stdout.splitlines()], ["rain", "snow"])
 
+    def test_passes_sub_steps_on_and_holds_no_goals_then(self) -> None:
+        done = self.bench("engine", "--sub-steps", "4", "--rounds", "1", "--json", "a.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.calls()[0].split()[-4:], ["run", "rain", "1", "4"])
+        result = json.loads((self.folder / "a.json").read_text(encoding="utf-8"))["results"][0]
+        self.assertEqual((result["subSteps"], result["reached"]), (4, {}))
+
     def test_reads_what_it_wrote(self) -> None:
         self.assertEqual(self.bench("engine", "snow", "--json", "a.json").returncode, 0)
         shown = self.bench("show", "a.json", "--json", "-")

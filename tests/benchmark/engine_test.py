@@ -10,7 +10,7 @@ from support import ENGINE, SCENE, BuildCase, engine_line
 
 from runner import common, engine
 
-OPTIONS = argparse.Namespace(rounds=2, threads=[1], against=None)
+OPTIONS = argparse.Namespace(rounds=2, threads=[1], sub_steps=None, against=None)
 
 
 def method(name: str = "boxreel 1", ours: bool = True, **figures: object) -> dict:
