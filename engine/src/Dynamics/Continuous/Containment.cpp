@@ -92,17 +92,32 @@ void Containment::NoteTurn(const BodyData& body)
     }
 }
 
+bool Containment::IsConcerned(const ContactData& c)
+{
+    const bool letThrough = c.IsTouching() && !c.IsEnabled(); // listeners see touching contacts only
+    return (c.flags & kContactObstacle) != 0 && !letThrough && !c.IsSensor();
+}
+
 bool Containment::Hold(ImpactJoints& joints)
 {
     bool any = false;
     for (b2Contact* contact : m_world.awakeContacts)
     {
         const ContactData& c = Data(*contact);
-        // A listener was called only for touching contacts.
-        const bool letThrough = c.IsTouching() && !c.IsEnabled();
-        if ((c.flags & kContactObstacle) != 0 && !letThrough && !c.IsSensor())
+        any = (IsConcerned(c) && Hold(c, joints)) || any;
+    }
+    return any;
+}
+
+bool Containment::Hold(ImpactJoints& joints, const Array<float32>& times)
+{
+    bool any = false;
+    for (std::size_t i = 0; i < times.size(); ++i)
+    {
+        if (times[i] != kNoObstacle)
         {
-            any = Hold(c, joints) || any;
+            const ContactData& c = Data(*m_world.awakeContacts[i]);
+            any = (IsConcerned(c) && Hold(c, joints)) || any;
         }
     }
     return any;

@@ -4,6 +4,7 @@
 #include "../Contacts/Boxes.h"
 #include "../Contacts/Contacts.h"
 #include "../Contacts/Narrowphase.h"
+#include "../Contacts/ReadAhead.h"
 #include "../Contacts/Sweeps.h"
 #include "../Energy/EnergyGuard.h"
 #include "../Islands/Sleep.h"
@@ -132,7 +133,8 @@ void ContinuousCollision::Run()
         AddEvent(*contacts[i], m_memory.times[i]);
     }
     m_world.stepComplete = true;
-    if (!m_events.empty())
+    const bool anyImpact = !m_events.empty();
+    if (anyImpact)
     {
         m_containment.NoteStarts();
         m_joints.NoteStarts();
@@ -156,7 +158,7 @@ void ContinuousCollision::Run()
         }
     }
     // Closing joints may move bodies through a wall, and containment may open joints.
-    (void)m_containment.Hold(m_joints);
+    (void)(anyImpact ? m_containment.Hold(m_joints) : m_containment.Hold(m_joints, m_memory.times));
     for (int32 i = 0; i < kMaxRounds && m_joints.Close(); ++i)
     {
         FindNewContacts(m_world);
@@ -184,12 +186,15 @@ void ContinuousCollision::FindImpactTimes()
                     SearchCounts counts;
                     for (auto i = std::size_t(begin); i < std::size_t(end); ++i)
                     {
+                        ReadContactAhead(contacts, i);
                         ContactData& c = Data(*contacts[i]);
                         if (m_world.stepComplete && c.toiCount != 0)
                         {
                             c.toiCount = 0;
                         }
-                        m_memory.times[i] = IsCandidate(c) ? TimeOfImpact(c, counts) : 1.0f;
+                        m_memory.times[i] = IsCandidate(c)                ? TimeOfImpact(c, counts)
+                                            : Containment::IsConcerned(c) ? 1.0f
+                                                                          : kNoObstacle;
                     }
                     if (counts.toiCalls > 0)
                     {

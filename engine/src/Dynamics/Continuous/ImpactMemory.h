@@ -10,6 +10,9 @@
 namespace box2d
 {
 
+/// The time of impact of a contact without an obstacle that could hold a body.
+inline constexpr float32 kNoObstacle = 2.0f;
+
 /// A future impact.
 struct ImpactEvent
 {
@@ -59,7 +62,7 @@ struct ImpactBackup
 /// Scratch memory of the search for impacts, and of one impact.
 struct ImpactMemory
 {
-    Array<float32> times;              ///< by awake contact
+    Array<float32> times;              ///< by awake contact; 1 without an impact, or kNoObstacle
     Array<ImpactEvent> events;         ///< a heap, earliest first
     Array<ImpactFate> fates;           ///< by awake body, with sub-steps: see ImpactJoints
     Array<ImpactStart> starts;         ///< by awake body: before all impacts

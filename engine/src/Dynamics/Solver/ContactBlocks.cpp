@@ -2,6 +2,7 @@
 #include "ContactBlocks.h"
 
 #include "../../Common/WideInstructions.h"
+#include "../Contacts/ReadAhead.h"
 #include "../State/Access.h"
 #include "../State/World.h"
 #include "ContactBlockPrepare.h"
@@ -164,6 +165,12 @@ public:
         m_block.movesA = m_block.movesB = 0;
         for (int lane = 0; lane < m_block.count; ++lane)
         {
+            const ContactData& c = Data(*m_block.contact[lane]);
+            Prefetch(&Data(*c.bodyA).pose);
+            Prefetch(&Data(*c.bodyB).pose);
+        }
+        for (int lane = 0; lane < m_block.count; ++lane)
+        {
             GatherLane(lane, Data(*m_block.contact[lane]));
         }
         for (int lane = m_block.count; lane < kBlockLanes && !IsAlone(m_block); ++lane)
@@ -274,6 +281,16 @@ void FinishCoupling(ContactBlock& block)
 }
 
 } // namespace
+
+void ReadAhead(const ContactBlock& block)
+{
+    for (int lane = 0; lane < block.count; ++lane)
+    {
+        const ContactData& c = Data(*block.contact[lane]);
+        Prefetch(&c.bodyA);
+        Prefetch(&c.manifold.localPoint);
+    }
+}
 
 void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContext& context)
 {

@@ -127,6 +127,8 @@ private:
 
 // The following use the widest instructions of this processor.
 
+/// Prefetches the contacts of a block.
+void ReadAhead(const ContactBlock& block);
 /// Fills both sides of a block from the current poses. Velocities come from the bodies' solver
 /// entries (for restitution).
 void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContext& context);

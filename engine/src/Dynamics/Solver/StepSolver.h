@@ -99,6 +99,10 @@ void StepSolver::ForBlocks(Function&& function)
     ForColors(Direction::Forward, [&](ContactBlocks& blocks, int32 begin, int32 end) {
         for (int32 i = begin; i < end; ++i)
         {
+            if (i + 1 < end)
+            {
+                ReadAhead(blocks.Contacts(i + 1));
+            }
             function(blocks.Contacts(i), blocks.Overlaps(i));
         }
     });

@@ -38,16 +38,4 @@ void SynchronizePlace(BodyData& body)
     body.transform.p = body.worldCenter;
 }
 
-b2Vec2 CenterOffset(const BodyData& a, const BodyData& b)
-{
-    return b2Vec2(float32(b.pose.x - a.pose.x), float32(b.pose.y - a.pose.y));
-}
-
-b2Transform RelativeTransform(const BodyData& a, const BodyData& b)
-{
-    const b2Vec2 originOffset = CenterOffset(a, b) - b2Mul(b.rotation, b.localCenter);
-    return b2Transform(b2MulT(a.rotation, originOffset) + a.localCenter,
-                       b2MulT(a.rotation, b.rotation));
-}
-
 } // namespace box2d

@@ -11,9 +11,19 @@ namespace box2d
 void SynchronizePose(BodyData& body);
 /// Same as above, if the angle is unchanged.
 void SynchronizePlace(BodyData& body);
+
 /// Returns the vector from centre of mass A to B [m], exact at any distance from the origin.
-b2Vec2 CenterOffset(const BodyData& a, const BodyData& b);
+inline b2Vec2 CenterOffset(const BodyData& a, const BodyData& b)
+{
+    return b2Vec2(float32(b.pose.x - a.pose.x), float32(b.pose.y - a.pose.y));
+}
+
 /// Returns body B's frame relative to body A's.
-b2Transform RelativeTransform(const BodyData& a, const BodyData& b);
+inline b2Transform RelativeTransform(const BodyData& a, const BodyData& b)
+{
+    const b2Vec2 originOffset = CenterOffset(a, b) - b2Mul(b.rotation, b.localCenter);
+    return b2Transform(b2MulT(a.rotation, originOffset) + a.localCenter,
+                       b2MulT(a.rotation, b.rotation));
+}
 
 } // namespace box2d
