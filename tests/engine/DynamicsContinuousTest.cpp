@@ -445,7 +445,7 @@ struct OnceOnly : public b2ContactListener
     int calls = 0;
 };
 
-TEST(DynamicsContinuous, ListenerThatRemovesItselfInAnImpactIsNotCalledAgain)
+TEST(DynamicsContinuous, DoesNotCallListenerRemovedInImpact)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* walls = scene.Body(b2_staticBody, 0.0f, 0.0f);

@@ -322,9 +322,11 @@ void ApplyPair(Push& push, const Overlap& p, float32 x1, const Overlap& q, float
     push.a.d -= (push.o.invMassA * sum) * p.normal;
     push.b.d += (push.o.invMassB * sum) * p.normal;
     Push::Turn(push.a, push.o.invInertiaA,
-         -push.o.invInertiaA * (b2Cross(p.armA, p.normal) * x1 + b2Cross(q.armA, q.normal) * x2));
+               -push.o.invInertiaA *
+                   (b2Cross(p.armA, p.normal) * x1 + b2Cross(q.armA, q.normal) * x2));
     Push::Turn(push.b, push.o.invInertiaB,
-         push.o.invInertiaB * (b2Cross(p.armB, p.normal) * x1 + b2Cross(q.armB, q.normal) * x2));
+               push.o.invInertiaB *
+                   (b2Cross(p.armB, p.normal) * x1 + b2Cross(q.armB, q.normal) * x2));
 }
 
 float32 PushPair(Push& push, PushPace pace)

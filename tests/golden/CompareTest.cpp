@@ -514,10 +514,9 @@ TEST(CompareVerdict, NamesWhatAProgramChangedOfAPreset)
     own.maxRatio = 0.5;
     own.densityWindow = 8;
     own.maxInWindow = 9;
-    EXPECT_EQ(
-        DescribeLimits(own),
-        "cross-machine, with another edgeShift, maxRatio, maxInWindow, window, allows 50 % "
-        "over a distance of 0.01 and edges 0.4 px elsewhere, 9 in any 8x8");
+    EXPECT_EQ(DescribeLimits(own),
+              "cross-machine, with another edgeShift, maxRatio, maxInWindow, window, allows 50 % "
+              "over a distance of 0.01 and edges 0.4 px elsewhere, 9 in any 8x8");
 }
 
 TEST(CompareVerdict, RoundsNoLimit)

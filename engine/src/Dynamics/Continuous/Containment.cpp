@@ -94,7 +94,8 @@ void Containment::NoteTurn(const BodyData& body)
 
 bool Containment::IsConcerned(const ContactData& c)
 {
-    const bool letThrough = c.IsTouching() && !c.IsEnabled(); // listeners see touching contacts only
+    const bool letThrough =
+        c.IsTouching() && !c.IsEnabled(); // listeners see touching contacts only
     return (c.flags & kContactObstacle) != 0 && !letThrough && !c.IsSensor();
 }
 

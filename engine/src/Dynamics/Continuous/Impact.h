@@ -70,8 +70,8 @@ private:
     Array<b2Body*>& m_bodies;
     Array<b2Contact*>& m_contacts;
     Array<SolverBody>& m_bounced; // scratch of BounceLess: by body
-    std::size_t m_ground = 0; // the first contact with the ground, if that comes after others
-    Array<float32>& m_depths; // two of each contact, when they matter
+    std::size_t m_ground = 0;     // the first contact with the ground, if that comes after others
+    Array<float32>& m_depths;     // two of each contact, when they matter
 };
 
 } // namespace box2d

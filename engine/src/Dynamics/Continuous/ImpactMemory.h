@@ -62,16 +62,16 @@ struct ImpactBackup
 /// Scratch memory of the search for impacts, and of one impact.
 struct ImpactMemory
 {
-    Array<float32> times;              ///< by awake contact; 1 without an impact, or kNoObstacle
-    Array<ImpactEvent> events;         ///< a heap, earliest first
-    Array<ImpactFate> fates;           ///< by awake body, with sub-steps: see ImpactJoints
-    Array<ImpactStart> starts;         ///< by awake body: before all impacts
-    Array<ImpactTurn> turns;           ///< of all bodies, by time
-    Array<b2Body*> bodies;             ///< of one impact
-    Array<ImpactBackup> before;        ///< backup of these bodies
-    Array<b2Contact*> contacts;        ///< of one impact
-    Array<ContactBlock> impulses;      ///< one for each contact, and more of earlier impacts
-    Array<OverlapBlock> overlaps;      ///< one for each block above
+    Array<float32> times;         ///< by awake contact; 1 without an impact, or kNoObstacle
+    Array<ImpactEvent> events;    ///< a heap, earliest first
+    Array<ImpactFate> fates;      ///< by awake body, with sub-steps: see ImpactJoints
+    Array<ImpactStart> starts;    ///< by awake body: before all impacts
+    Array<ImpactTurn> turns;      ///< of all bodies, by time
+    Array<b2Body*> bodies;        ///< of one impact
+    Array<ImpactBackup> before;   ///< backup of these bodies
+    Array<b2Contact*> contacts;   ///< of one impact
+    Array<ContactBlock> impulses; ///< one for each contact, and more of earlier impacts
+    Array<OverlapBlock> overlaps; ///< one for each block above
     Array<float32> depths;
     Array<SolverBody> bounced;
     Array<ContactBlock> bouncedImpulses;

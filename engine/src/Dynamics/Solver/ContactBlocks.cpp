@@ -376,7 +376,8 @@ void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sti
 {
     if (IsAlone(block))
     {
-        return FindErrors<simd::Float1>(block, reinterpret_cast<const float32*>(bodies), sticks, off);
+        return FindErrors<simd::Float1>(block, reinterpret_cast<const float32*>(bodies), sticks,
+                                        off);
     }
 #if defined(BOX2D_AVX2)
     if (UsesWideInstructions())

@@ -29,7 +29,7 @@ struct SubStepMemory
     Array<BodyMode> modes;          ///< by awake body
     Array<BodyKick> kicks;          ///< by awake body
     Array<SolverBody> beforePushes; ///< by solver index: see MoveApart
-    float32 largestExtent = 0.0f;  ///< of the awake bodies [m]
+    float32 largestExtent = 0.0f;   ///< of the awake bodies [m]
     Array<float32> farthestPushes;  ///< by number of AwakeIslands: maximum of its bodies [m]
 };
 
