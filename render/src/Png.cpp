@@ -246,18 +246,6 @@ void OnWrite(png_structp png, png_bytep bytes, std::size_t count)
 
 void OnFlush(png_structp) {}
 
-bool IsOpaque(const Frame& frame)
-{
-    for (std::size_t i = 3; i < frame.rgba.size(); i += 4)
-    {
-        if (frame.rgba[i] != 255)
-        {
-            return false;
-        }
-    }
-    return true;
-}
-
 void PackRow(const std::uint8_t* from, int width, bool isOpaque, std::uint8_t* to)
 {
     for (int x = 0; x < width; ++x, from += 4)
@@ -380,7 +368,7 @@ Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionL
             "draw it first"};
     }
     Writer writer;
-    const bool isOpaque = IsOpaque(frame);
+    const bool isOpaque = frame.IsOpaque();
     writer.row.resize(std::size_t(frame.width) * (isOpaque ? 3 : 4));
     writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.error, OnError, OnWarning);
     writer.info = writer.png ? png_create_info_struct(writer.png) : nullptr;
