@@ -184,8 +184,9 @@ void PngSequenceWriter::Work()
 Result<std::vector<std::uint8_t>> PngSequenceWriter::Encode(const Frame& frame)
 {
     const StageTimer timer(m_stages, Stage::Encode);
-    return frame.IsOpaque() ? Result<std::vector<std::uint8_t>>(EncodeOpaquePng(frame))
-                            : EncodePng(frame, kFastest);
+    std::optional<std::vector<std::uint8_t>> opaque = EncodeOpaquePng(frame);
+    return opaque ? Result<std::vector<std::uint8_t>>(*std::move(opaque))
+                  : EncodePng(frame, kFastest);
 }
 
 Result<void> PngSequenceWriter::Write(const Job& job)

@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -88,15 +89,16 @@ struct Token
 struct Rows
 {
     std::unique_ptr<std::uint8_t[]> bytes;
-    std::size_t size;
+    std::size_t size = 0;
 };
 
-/// Returns the rows as RGB, each after a zero: it is not filtered.
+/// Returns the rows as RGB, each after a zero: it is not filtered. Null if a pixel is transparent.
 Rows RowsOf(const Frame& frame)
 {
     const std::size_t stride = std::size_t(frame.width) * kColors + 1;
     const std::size_t size = stride * std::size_t(frame.height);
     Rows rows{std::make_unique_for_overwrite<std::uint8_t[]>(size + 1), size};
+    std::uint8_t opaque = 255;
     for (int y = 0; y < frame.height; ++y)
     {
         const std::uint8_t* from = frame.Pixel(0, y);
@@ -105,9 +107,10 @@ Rows RowsOf(const Frame& frame)
         for (int x = 0; x < frame.width; ++x, from += 4, to += kColors)
         {
             std::memcpy(to, from, 4); // the next pixel overwrites the last byte
+            opaque = std::uint8_t(opaque & from[3]);
         }
     }
-    return rows;
+    return opaque == 255 ? std::move(rows) : Rows{};
 }
 
 // ------------------------------------------------------------------------------------ matches
@@ -452,10 +455,14 @@ std::uint32_t Adler32(const std::uint8_t* bytes, std::size_t size)
 
 } // namespace
 
-std::vector<std::uint8_t> EncodeOpaquePng(const Frame& frame)
+std::optional<std::vector<std::uint8_t>> EncodeOpaquePng(const Frame& frame)
 {
-    assert(frame.width > 0 && frame.height > 0 && frame.IsOpaque());
+    assert(frame.width > 0 && frame.height > 0);
     const Rows rows = RowsOf(frame);
+    if (rows.bytes == nullptr)
+    {
+        return std::nullopt;
+    }
     Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     AppendChunk(file, "IHDR", [&] {
         AppendNumber(file, std::uint32_t(frame.width));

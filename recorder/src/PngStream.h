@@ -4,6 +4,7 @@
 #include <render/Frame.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 /// PNG files of opaque frames, for sequences: three times as fast as zlib's fastest level and about
@@ -12,8 +13,8 @@
 namespace boxreel
 {
 
-/// Returns the bytes of a PNG file (RGB, 8 bits). `frame` is opaque and has pixels. Same frame,
-/// same bytes; thread-safe.
-std::vector<std::uint8_t> EncodeOpaquePng(const Frame& frame);
+/// Returns the bytes of a PNG file (RGB, 8 bits), or nothing if a pixel is transparent. `frame` has
+/// pixels. Same frame, same bytes; thread-safe.
+std::optional<std::vector<std::uint8_t>> EncodeOpaquePng(const Frame& frame);
 
 } // namespace boxreel

@@ -100,6 +100,7 @@ struct Reader
     png_uint_32 width = 0;
     png_uint_32 height = 0;
     std::size_t rowBytes = 0; // size of a stored row before compression
+    bool hasAlpha = false;
 
     Reader() = default;
     Reader(const Reader&) = delete;
@@ -142,6 +143,8 @@ void ReadHeader(Reader& reader, bool readsTexts)
 void ReadPixels(Reader& reader, png_bytep* rows)
 {
     const png_structp png = reader.png;
+    reader.hasAlpha = (png_get_color_type(png, reader.info) & PNG_COLOR_MASK_ALPHA) != 0 ||
+                      png_get_valid(png, reader.info, PNG_INFO_tRNS) != 0;
     png_set_expand(png);
     png_set_scale_16(png);
     png_set_gray_to_rgb(png);
@@ -246,6 +249,18 @@ void OnWrite(png_structp png, png_bytep bytes, std::size_t count)
 
 void OnFlush(png_structp) {}
 
+bool IsOpaque(const Frame& frame)
+{
+    for (std::size_t i = 3; i < frame.rgba.size(); i += 4)
+    {
+        if (frame.rgba[i] != 255)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
 void PackRow(const std::uint8_t* from, int width, bool isOpaque, std::uint8_t* to)
 {
     for (int x = 0; x < width; ++x, from += 4)
@@ -337,7 +352,10 @@ Result<Frame> ReadPng(const std::filesystem::path& path)
     {
         return Damaged(reader, path);
     }
-    PremultiplyAll(frame);
+    if (reader.hasAlpha)
+    {
+        PremultiplyAll(frame);
+    }
     return frame;
 }
 
@@ -368,7 +386,7 @@ Result<std::vector<std::uint8_t>> EncodePng(const Frame& frame, int compressionL
             "draw it first"};
     }
     Writer writer;
-    const bool isOpaque = frame.IsOpaque();
+    const bool isOpaque = IsOpaque(frame);
     writer.row.resize(std::size_t(frame.width) * (isOpaque ? 3 : 4));
     writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer.error, OnError, OnWarning);
     writer.info = writer.png ? png_create_info_struct(writer.png) : nullptr;

@@ -7,6 +7,8 @@
 #include <base/Terminal.h>
 #include <render/Png.h>
 
+#include <future>
+
 namespace boxreel
 {
 namespace
@@ -44,8 +46,11 @@ Result<int> Run(const DiffOptions& options)
             }
         }
     }
-    ASSIGN_OR_RETURN(Frame expected, ReadPng(options.expected));
-    ASSIGN_OR_RETURN(Frame actual, ReadPng(options.actual));
+    // Side by side: reading takes longer than comparing.
+    std::future<Result<Frame>> other =
+        std::async(std::launch::async, [&options] { return ReadPng(options.actual); });
+    ASSIGN_OR_RETURN(const Frame expected, ReadPng(options.expected));
+    ASSIGN_OR_RETURN(const Frame actual, other.get());
     CompareSettings settings = Effective(options.compare);
     settings.paintsDifference = !options.output.empty();
     const Comparison comparison = Compare(expected, actual, settings);

@@ -90,7 +90,7 @@ TEST_P(PngStream, IsReadPixelByPixelAtEverySize)
     {
         SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
         const Frame frame = Drawn(width, height, GetParam());
-        const std::vector<std::uint8_t> bytes = EncodeOpaquePng(frame);
+        const std::vector<std::uint8_t> bytes = EncodeOpaquePng(frame).value();
         std::ofstream(path, std::ios::binary)
             .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
         const Result<Frame> read = ReadPng(path);
@@ -105,24 +105,31 @@ INSTANTIATE_TEST_SUITE_P(Of, PngStream, testing::ValuesIn(kPatterns),
 TEST(PngStreams, AreNoLargerThanAtTheFastestLevelOfZlib)
 {
     const Frame frame = Drawn(640, 360, {"Discs", Discs});
-    EXPECT_LT(EncodeOpaquePng(frame).size(), EncodePng(frame, 1)->size());
+    EXPECT_LT(EncodeOpaquePng(frame)->size(), EncodePng(frame, 1)->size());
 }
 
 TEST(PngStreams, OfNoiseAreHardlyLargerThanTheirPixels)
 {
     const Frame frame = Drawn(640, 360, {"Noise", Noise});
-    EXPECT_LT(EncodeOpaquePng(frame).size(), 640u * 360u * 3u * 101u / 100u);
+    EXPECT_LT(EncodeOpaquePng(frame)->size(), 640u * 360u * 3u * 101u / 100u);
+}
+
+TEST(PngStreams, AreNotOfATransparentFrame)
+{
+    Frame frame = Drawn(20, 10, {"Discs", Discs});
+    frame.Pixel(19, 9)[3] = 254;
+    EXPECT_FALSE(EncodeOpaquePng(frame));
 }
 
 TEST(PngStreams, HaveTheSameBytesInEveryThread)
 {
     const Frame frame = Drawn(320, 180, {"Discs", Discs});
-    const std::vector<std::uint8_t> expected = EncodeOpaquePng(frame);
+    const std::vector<std::uint8_t> expected = EncodeOpaquePng(frame).value();
     std::vector<std::thread> threads;
     std::vector<std::vector<std::uint8_t>> found(4);
     for (std::vector<std::uint8_t>& bytes : found)
     {
-        threads.emplace_back([&] { bytes = EncodeOpaquePng(frame); });
+        threads.emplace_back([&] { bytes = EncodeOpaquePng(frame).value(); });
     }
     for (std::thread& thread : threads)
     {

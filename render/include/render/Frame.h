@@ -54,16 +54,6 @@ struct Frame
     {
         return rgba.data() + (std::size_t(y) * std::size_t(width) + std::size_t(x)) * 4;
     }
-    /// True if no pixel is transparent.
-    bool IsOpaque() const
-    {
-        std::uint8_t all = 255;
-        for (std::size_t i = 3; i < rgba.size(); i += 4)
-        {
-            all = std::uint8_t(all & rgba[i]);
-        }
-        return all == 255;
-    }
     /// True if all members are equal.
     friend bool operator==(const Frame&, const Frame&) = default;
 };
