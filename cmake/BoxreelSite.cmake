@@ -1,10 +1,10 @@
-# The documentation as pages: `api` (Doxygen) and `site` (pandoc, and the API where there is a Doxygen). Both
-# are for those who want them, so what is missing is said when the target is built and not before. A public name
+# The documentation as pages: `api` (Doxygen) and `site` (MkDocs with its theme Material, the API where there is a
+# Doxygen, and pages that play scenes). Missing programs are reported when a target is built, not before. A public name
 # without a comment fails `api`, as any other warning of Doxygen's does.
 find_program(BOXREEL_DOXYGEN doxygen DOC "Makes the API reference (Debian: doxygen)")
-find_program(BOXREEL_PANDOC pandoc DOC "Makes pages of the documentation (Debian: pandoc)")
+find_program(BOXREEL_MKDOCS mkdocs DOC "Makes the site (Debian: mkdocs and mkdocs-material)")
 find_program(BOXREEL_SITE_PYTHON python3 DOC "Puts the site together (Debian: python3)")
-mark_as_advanced(BOXREEL_DOXYGEN BOXREEL_PANDOC BOXREEL_SITE_PYTHON)
+mark_as_advanced(BOXREEL_DOXYGEN BOXREEL_MKDOCS BOXREEL_SITE_PYTHON)
 set(BOXREEL_SITE_DIR ${PROJECT_BINARY_DIR}/site)
 
 # boxreel_missing(TARGET PACKAGE): a target that only says what to install.
@@ -24,13 +24,14 @@ if(BOXREEL_DOXYGEN)
 else()
   boxreel_missing(api doxygen)
 endif()
-if(NOT BOXREEL_PANDOC)
-  boxreel_missing(site pandoc)
+if(NOT BOXREEL_MKDOCS)
+  boxreel_missing(site "mkdocs mkdocs-material")
 elseif(NOT BOXREEL_SITE_PYTHON)
   boxreel_missing(site python3)
 else()
   add_custom_target(site
-    COMMAND ${BOXREEL_SITE_PYTHON} ${PROJECT_SOURCE_DIR}/docs/site/site.py ${PROJECT_SOURCE_DIR} ${BOXREEL_SITE_DIR} VERBATIM)
+    COMMAND ${BOXREEL_SITE_PYTHON} ${PROJECT_SOURCE_DIR}/docs/site/site.py ${PROJECT_SOURCE_DIR} ${BOXREEL_SITE_DIR}
+      $<TARGET_FILE:boxreel> VERBATIM)
   if(BOXREEL_DOXYGEN)
     add_dependencies(site api)
   endif()

@@ -27,6 +27,9 @@ COLUMNS = 3
 COLORS = 48
 README_PICTURES = [f"{name}-{page}.{end}" for name, end in (("film", "webp"), ("window", "png"), ("report", "png")) for page in THEMES]
 
+# Scenes that the site lets one play, as pages of `boxreel record NAME -o NAME.html`.
+INTERACTIVE = ["Pyramid", "Dominos", "Theo Jansen's Walker", "Newton's Cradle", "Ragdoll", "Wrecking Ball"]
+
 # The moment of a scene's picture, 2.5s unless named, and the camera, unless it is the scene's own.
 MOMENTS = {
     "Pyramid": ("1s", "fit"),
@@ -172,7 +175,8 @@ def page_of(scenes):
         "# Gallery",
         "",
         f"All {len(scenes)} scenes of `boxreel list`. The name leads to the source. The command makes the film; `boxreel ui NAME`",
-        "opens the scene in [the window](window.md).",
+        "opens the scene in [the window](window.md). With a name that ends in `.html`, the command makes a page in which one can",
+        f"stop, zoom and point at bodies ([recording.md](recording.md#a-page-to-play)). The site has these pages of {len(INTERACTIVE)} scenes.",
         "",
     ]
     categories = list(dict.fromkeys(category for category, _, _ in scenes))

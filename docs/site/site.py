@@ -1,21 +1,24 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""site.py CHECKOUT OUTPUT_FOLDER
+"""site.py CHECKOUT OUTPUT_FOLDER [PROGRAM]
 
-Makes a static site of the Markdown pages (docs/, and those at the top) with pandoc, one template and one
-style sheet. Links between pages become links between the site's pages; a file that a page links to or
-shows is copied beside it, a folder without a page of its own is named and not linked. The chapters of the manual
-come in the order of its contents (docs/manual/README.md), each with the way to the one before and the next. Called
-by the target `site`, which puts the API reference into OUTPUT_FOLDER/api first. Exit codes: 0, or 1 with a sentence for
-each link that leads nowhere.
+Makes a static site of the Markdown pages (docs/, and those at the top) with MkDocs and its theme Material, which bring
+the search, the lists of pages and the dark colours. PROGRAM, boxreel, records the scenes that the gallery lets one
+play. What this file adds: the order of the pages, files that pages link to or show, links from the manual's chapters into
+the API reference, which the target `site` puts into OUTPUT_FOLDER/api first. Exit codes: 0, or 1 with one line for each
+link that leads nowhere.
 """
 import html
+import importlib.util
+import json
 import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
+import xml.etree.ElementTree
 
 # Title, and the pages below it in this order; chapters in that of the contents.
 CONTENTS = pathlib.Path("docs/manual/README.md")
@@ -28,10 +31,13 @@ GROUPS = [
     ("Project", ["ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"]),
     ("Decisions", ["docs/notes/*.md"]),
 ]
+API = "https://api.invalid/"  # in the list of pages, until the depth of a page is known
 ELSEWHERE = re.compile(r"^([a-z][a-z0-9+.-]*:|//|#)", re.IGNORECASE)
-LINK = re.compile(r'<a href="([^"]*)"[^>]*>(.*?)</a>', re.DOTALL)
+LINK = re.compile(r'<a ([^>]*?)href="([^"]*)"([^>]*)>(.*?)</a>', re.DOTALL)
 CHAPTER = re.compile(r"^(\d+\.) \[([^]]*)\]\(([^)]+)\)", re.MULTILINE)
 PICTURE = re.compile(r'\b(src|srcset)="([^"]*)"')
+CODE = re.compile(r"<code>([A-Za-z_]\w*(?:::\w+)?)(\(\))?</code>")
+ITEM = re.compile(r"^( *)([-*]|\d+\.)( +)(?=\S)")
 
 
 def title_of(page):
@@ -55,11 +61,46 @@ def chapters_of(checkout):
     return {pathlib.Path(os.path.normpath(CONTENTS.parent / link)): f"{number} {name}" for number, name, link in found}
 
 
+def for_mkdocs(text):
+    """What GitHub reads and MkDocs does not: lists within lists by less than four spaces, lists right after a line."""
+    lines, levels, in_code, before = [], [], False, ""
+    for line in text.splitlines():
+        indent, was_list = len(line) - len(line.lstrip(" ")), bool(levels)
+        while levels and line.strip() and indent < levels[-1]:
+            levels.pop()
+        item = None if in_code else ITEM.match(line)
+        if item and not was_list and before.strip():
+            lines.append("")
+        base = levels[-1] if levels else 0
+        lines.append(" " * (4 * len(levels)) + line[base:] if levels and line.strip() else line)
+        if item:
+            levels.append(len(item[0]))
+        if line.strip().startswith("```"):
+            in_code = not in_code
+        before = line
+    return "\n".join(lines) + "\n"
+
+
+def api_of(folder):
+    """Of each public name its page in the API reference, from Doxygen's tag file."""
+    names = {}
+    tags = folder / "boxreel.tag"
+    for compound in xml.etree.ElementTree.parse(tags).getroot() if tags.is_file() else []:
+        kind, name = compound.get("kind"), compound.findtext("name").removeprefix("boxreel::")
+        if kind in ("class", "struct"):
+            names.setdefault(name, compound.findtext("filename"))
+        for member in compound.findall("member"):
+            url = f"{member.findtext('anchorfile')}#{member.findtext('anchor')}"
+            names.setdefault(f"{name}::{member.findtext('name')}" if kind in ("class", "struct") else member.findtext("name"), url)
+    return names
+
+
 class Site:
     def __init__(self, checkout, output):
         self.checkout, self.output = checkout, output
         self.names = chapters_of(checkout)
         self.chapters = list(self.names)
+        self.api = api_of(output / "api")
         places = {page: place for place, page in enumerate([CONTENTS] + self.chapters)}
         self.groups, self.problems = [], []
         seen = set()
@@ -76,31 +117,20 @@ class Site:
                 self.groups.append((title, pages))
         self.pages = seen
 
-    def navigation(self, current):
-        lines = []
-        for title, pages in self.groups:
-            lines.append(f"<p>{html.escape(title)}</p>\n<ul>")
-            for page, name in pages:
-                here = ' aria-current="page"' if page == current else ""
-                name = "Overview" if page == pathlib.Path("README.md") else self.names.get(page, name)
-                lines.append(f'<li><a href="{self.relative(url_of(page), current)}"{here}>{html.escape(name)}</a></li>')
-            lines.append("</ul>")
-        if (self.output / "api" / "index.html").exists():
-            lines.append(f'<p>Reference</p>\n<ul><li><a href="{self.relative("api/index.html", current)}">API</a></li></ul>')
-        return "\n".join(lines)
-
-    def turn(self, page):
-        """At the end of a chapter: the one before and the next."""
-        if page not in self.chapters:
-            return ""
-        place = self.chapters.index(page)
-        links = ""
-        for kind, words, there in (("prev", "Before", place - 1), ("next", "Next", place + 1)):
-            if 0 <= there < len(self.chapters):
-                other = self.chapters[there]
-                links += (f'<a rel="{kind}" href="{self.relative(url_of(other), page)}"><span>{words}</span> '
-                          f'{html.escape(self.names[other])}</a>\n')
-        return f'<p class="turn">\n{links}</p>\n'
+    def configuration(self, sources):
+        """Of MkDocs, as YAML; slugs as GitHub makes them."""
+        groups = [{title: [{"Overview" if page.name == "README.md" and page.parent.name == "" else self.names.get(page, name):
+                            page.as_posix()} for page, name in pages]} for title, pages in self.groups]
+        groups += [{"API reference": API}] if self.api else []
+        schemes = (("light", "default", "weather-night", "Dark"), ("dark", "slate", "weather-sunny", "Light"))
+        return json.dumps({
+            "site_name": "boxreel", "docs_dir": str(sources), "site_dir": str(self.output), "use_directory_urls": False,
+            "nav": groups, "plugins": ["search"], "extra_css": ["style.css"],
+            "theme": {"name": "material", "font": False, "features": ["navigation.top", "search.highlight"],
+                      "palette": [{"media": f"(prefers-color-scheme: {media})", "scheme": scheme, "primary": "blue grey", "accent": "deep orange",
+                                   "toggle": {"icon": f"material/{icon}", "name": name}} for media, scheme, icon, name in schemes]},
+            "markdown_extensions": ["tables", "pymdownx.superfences", "pymdownx.highlight", "pymdownx.tilde", {"toc": {"slugify": "SLUGIFY"}}],
+        }).replace('"SLUGIFY"', "!!python/name:site_slug.github ")
 
     @staticmethod
     def relative(target, page):
@@ -108,19 +138,21 @@ class Site:
 
     def target(self, link, page):
         """Where a link of a page leads in the site; None: to a folder that has no page."""
+        if link.startswith(API):
+            return self.relative("api/index.html", page)
         if ELSEWHERE.match(link) or not link:
             return link
         path, mark, anchor = html.unescape(link).partition("#")
         found = pathlib.Path(os.path.normpath(page.parent / path))
+        if (self.output / found).is_file():
+            return link
         source = self.checkout / found
         if source.is_dir() and found / "README.md" in self.pages:
-            found /= "README.md"
-        if found in self.pages:
-            return html.escape(self.relative(url_of(found), page) + mark + anchor)
+            return html.escape(self.relative(url_of(found / "README.md"), page) + mark + anchor)
         if source.is_dir():
             return None
         if found.parts[0] == ".." or not source.is_file():
-            self.problems.append(f"{page} links to {path}, which is not there; mend the link.")
+            self.problems.append(f"{page} links to {path}, which is not there; correct the link.")
             return None
         copy = self.output / found
         copy.parent.mkdir(parents=True, exist_ok=True)
@@ -128,24 +160,68 @@ class Site:
         return html.escape(self.relative(found, page) + mark + anchor)
 
     def link(self, match, page):
-        target = self.target(match[1], page)
-        return match[2] if target is None else match[0].replace(f'"{match[1]}"', f'"{target}"', 1)
+        target = self.target(match[2], page)
+        return match[4] if target is None else f'<a {match[1]}href="{target}"{match[3]}>{match[4]}</a>'
 
-    def make(self, page, title):
-        made = subprocess.run(
-            ["pandoc", "--from=gfm", "--to=html5", "--standalone", "--toc", "--toc-depth=2", "--wrap=preserve",
-             f"--template={self.checkout}/docs/site/template.html", f"--metadata=pagetitle:{title}",
-             f"--variable=root:{self.relative('.', page)}/", f"--variable=navigation:{self.navigation(page)}",
-             str(self.checkout / page)],
-            check=True, capture_output=True, text=True, encoding="utf-8").stdout
-        head, start, body = made.partition("<main>")
-        body = LINK.sub(lambda match: self.link(match, page), body)
-        body = PICTURE.sub(lambda match: f'{match[1]}="{self.target(match[2], page)}"', body)
-        body, end, tail = body.rpartition("</main>")
-        body += self.turn(page) + end + tail
-        target = self.output / url_of(page)
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(head + start + body, encoding="utf-8")
+    def referred(self, body, page):
+        """The body with a link into the API reference at the first mention of each name, outside of other links."""
+        seen = set()
+
+        def code(match):
+            url = self.api.get(match[1])
+            if url is None or match[1] in seen:
+                return match[0]
+            seen.add(match[1])
+            return f'<a class="api" href="{self.relative(f"api/{url}", page)}">{match[0]}</a>'
+
+        parts = re.split(r"(<(?:a|h\d|pre)\b.*?</(?:a|h\d|pre)>)", body, flags=re.DOTALL)
+        return "".join(part if place % 2 else CODE.sub(code, part) for place, part in enumerate(parts))
+
+    def finish(self, page):
+        """Files that the page links to and shows come beside it, and its links lead there."""
+        file = self.output / url_of(page)
+        text = LINK.sub(lambda match: self.link(match, page), file.read_text(encoding="utf-8"))
+        text = PICTURE.sub(lambda match: f'{match[1]}="{self.target(match[2], page)}"', text)
+        head, start, body = text.partition("<article")
+        body, end, tail = body.partition("</article>")
+        if page in self.chapters:
+            body = self.referred(body, page)
+        file.write_text(head + start + body + end + tail, encoding="utf-8")
+
+    def make(self):
+        with tempfile.TemporaryDirectory() as name:
+            sources = pathlib.Path(name) / "docs"
+            for page in self.pages:
+                copy = sources / page
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                copy.write_text(for_mkdocs((self.checkout / page).read_text(encoding="utf-8")), encoding="utf-8")
+            shutil.copyfile(self.checkout / "docs/site/style.css", sources / "style.css")
+            settings = pathlib.Path(name) / "mkdocs.yml"
+            settings.write_text(self.configuration(sources), encoding="utf-8")
+            search = os.pathsep.join([str(self.checkout / "docs/site"), os.environ.get("PYTHONPATH", "")])
+            subprocess.run(["mkdocs", "build", "--quiet", "--dirty", "--config-file", settings], check=True,
+                           env={**os.environ, "PYTHONPATH": search, "PYTHONDONTWRITEBYTECODE": "1"})
+        (self.output / "404.html").unlink(missing_ok=True)  # its links need the site's address
+        for page in self.pages:
+            self.finish(page)
+
+    def play(self, program):
+        """Records the gallery's interactive scenes, and links them beside their names."""
+        spec = importlib.util.spec_from_file_location("gallery", self.checkout / "docs/gallery/make.py")
+        gallery = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(gallery)
+        page = self.output / "docs/gallery.html"
+        text = page.read_text(encoding="utf-8")
+        for scene in gallery.INTERACTIVE:
+            name = gallery.file_name(scene)
+            film = self.output / f"docs/gallery/{name}.html"
+            subprocess.run([program, "record", scene, "-o", film, "--force", "--progress", "none"], check=True)
+            found = re.search(rf"<strong><a [^>]*>{re.escape(html.escape(scene, quote=False))}</a></strong>", text)
+            if found is None:
+                self.problems.append(f"docs/gallery.md does not show {scene}, which is interactive; name another scene.")
+                continue
+            text = text[:found.end()] + f' (<a href="gallery/{name}.html">play it</a>)' + text[found.end():]
+        page.write_text(text, encoding="utf-8")
 
 
 def mend_api(folder):
@@ -161,14 +237,13 @@ def mend_api(folder):
 
 
 def main():
-    checkout, output = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+    checkout, output = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
     output.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(checkout / "docs/site/style.css", output / "style.css")
     mend_api(output / "api")
     site = Site(checkout, output)
-    for _, pages in site.groups:
-        for page, title in pages:
-            site.make(page, title)
+    site.make()
+    if len(sys.argv) > 3:
+        site.play(sys.argv[3])
     for problem in site.problems:
         print(problem, file=sys.stderr)
     return 1 if site.problems else 0

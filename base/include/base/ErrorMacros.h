@@ -9,7 +9,9 @@
 /// Macros that pass an error on in one line. For our own sources: public headers must not include
 /// this file, because the macros have no prefix.
 
+/// Joins two names, after their macros are expanded.
 #define BOXREEL_JOIN_NAMES(a, b) a##b
+/// Used by ASSIGN_OR_RETURN.
 #define BOXREEL_UNIQUE_NAME(a, b) BOXREEL_JOIN_NAMES(a, b)
 
 /// Returns the error of the expression, a Result, from the enclosing function if it has one.
@@ -27,6 +29,7 @@
 /// around its type, so name the type before.
 #define ASSIGN_OR_RETURN(target, ...)                                                              \
     ASSIGN_OR_RETURN_FROM(BOXREEL_UNIQUE_NAME(resultOfLine, __LINE__), target, (__VA_ARGS__))
+/// Used by ASSIGN_OR_RETURN.
 #define ASSIGN_OR_RETURN_FROM(result, target, expression)                                          \
     auto result = expression;                                                                      \
     if (!result)                                                                                   \

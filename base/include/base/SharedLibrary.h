@@ -16,6 +16,7 @@ namespace boxreel
 class SharedLibrary
 {
 public:
+    /// The time at which symbols are resolved.
     enum class Symbols
     {
         Lazy, ///< resolve each symbol at its first call

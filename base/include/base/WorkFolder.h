@@ -17,6 +17,7 @@ namespace boxreel
 class WorkFolder
 {
 public:
+    /// Creates an empty folder below TMPDIR. An Error (Failed) if it cannot be written.
     static Result<WorkFolder> Create()
     {
         std::error_code error;
@@ -30,6 +31,7 @@ public:
         }
         return WorkFolder(pattern);
     }
+    /// Takes the folder over.
     WorkFolder(WorkFolder&& other) noexcept : m_path(std::exchange(other.m_path, {})) {}
     WorkFolder& operator=(WorkFolder&&) = delete;
     ~WorkFolder()
@@ -40,6 +42,7 @@ public:
             std::filesystem::remove_all(m_path, ignored);
         }
     }
+    /// Returns the folder; empty after a move.
     const std::filesystem::path& Path() const { return m_path; }
 
 private:

@@ -41,7 +41,7 @@ enum class DrawLayer : std::uint8_t
 /// The properties of a layer.
 struct LayerInfo
 {
-    DrawLayer layer;
+    DrawLayer layer;      ///< the layer itself
     const char* name;     ///< name in the text of draw lists and in SVG groups
     const char* option;   ///< name in `--draw` and in the settings of the window; null: none
     const char* label;    ///< label of its check box; null: none
@@ -114,7 +114,9 @@ public:
         none.m_isShown = {};
         return none;
     }
+    /// Access: true if the layer is shown.
     constexpr bool& operator[](DrawLayer layer) { return m_isShown[std::size_t(layer)]; }
+    /// Same as above, read-only.
     constexpr const bool& operator[](DrawLayer layer) const
     {
         return m_isShown[std::size_t(layer)];

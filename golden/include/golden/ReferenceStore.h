@@ -84,7 +84,7 @@ struct LineDifference
     std::optional<std::string> expected; ///< none: the expected text ends before this line
     std::optional<std::string> actual;   ///< none: the actual text ends before this line
     std::size_t expectedLines = 0;       ///< in the whole text
-    std::size_t actualLines = 0;
+    std::size_t actualLines = 0;         ///< in the whole text
 };
 
 /// The difference of two worlds at one moment.

@@ -18,17 +18,19 @@ namespace boxreel
 /// Small pictures of the steps around the first difference.
 struct FilmStrip
 {
+    /// One step.
     struct Picture
     {
-        std::int64_t step = 0;
+        std::int64_t step = 0;       ///< of the simulation
         std::string actual;          ///< bytes of a PNG
         std::string closeUp;         ///< around the first body; may be empty
         std::string expected;        ///< from another program; may be empty
         std::string expectedCloseUp; ///< of the same position
         std::vector<int> mark; ///< of the first body: left, top, width, height [px]; may be empty
     };
-    int width = 0, height = 0; ///< of each picture [px]
-    std::vector<Picture> pictures;
+    int width = 0;                 ///< of each picture [px]
+    int height = 0;                ///< of each picture [px]
+    std::vector<Picture> pictures; ///< by step
     std::string note;         ///< reason why there are none
     std::string earlier;      ///< earlier moment of the same scene that shows the first difference;
                               ///< empty: this one

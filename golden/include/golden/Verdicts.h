@@ -19,20 +19,21 @@ namespace boxreel
 /// One verdict file.
 struct ReportedVerdict
 {
-    std::string name;
+    std::string name;   ///< of the moment
     std::string status; ///< "same", "missing", "state", "drawlist", "pixels", "error", "accepted"
     std::vector<std::string> findings; ///< differences
     std::string accept;                ///< command that accepts the candidate; empty: inspect first
-    std::string renderer;
+    std::string renderer;              ///< of the actual picture
     std::string limits;                    ///< as text; empty: nothing was compared
     std::optional<std::int64_t> firstStep; ///< first step at which the worlds, or a film, differ
-    std::vector<int> firstBodies;
+    std::vector<int> firstBodies;          ///< numbers of the bodies that differ there
     std::optional<std::int64_t> lastStep; ///< step of the moment itself; none: not stored
     std::string firstHash;      ///< hash of the actual world at that step, 8 hex digits; empty: no
                                 ///< world
     std::string json;           ///< the whole file, for the page's script; one line, without '<'
     std::string folder;         ///< folder, for display
     std::filesystem::path base; ///< prefix of the files: base + ".expected.png" and so on
+    /// True if the moment is as approved.
     bool Passed() const { return status == "same"; }
 };
 
