@@ -116,4 +116,9 @@ Result<std::string> Gunzip(const std::string& name, std::string_view bytes, std:
     return out;
 }
 
+std::uint32_t Crc32(std::span<const std::uint8_t> bytes)
+{
+    return std::uint32_t(crc32_z(0, bytes.data(), bytes.size()));
+}
+
 } // namespace boxreel

@@ -3,16 +3,17 @@
 
 #include "HuffmanCode.h"
 
+#include <base/Gzip.h>
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
-
-#include <zlib.h>
 
 namespace boxreel
 {
@@ -412,7 +413,7 @@ void AppendChunk(Bytes& to, std::string_view type, const Data& data)
     {
         to[begin + i] = std::uint8_t(length >> (24 - 8 * i));
     }
-    AppendNumber(to, std::uint32_t(crc32_z(0, to.data() + begin + 4, length + 4)));
+    AppendNumber(to, Crc32(std::span(to).subspan(begin + 4)));
 }
 
 /// Returns the checksum of RFC 1950: 1 plus the sum of the bytes, and the sum of all its values,

@@ -4,6 +4,8 @@
 #include <base/Result.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,5 +23,8 @@ Result<std::string> Gzip(const std::string& name, std::string_view text);
 /// Unpacks a text. An Error (Unusable) when the bytes are not exactly one whole gzip stream or grow
 /// beyond `limit` [bytes].
 Result<std::string> Gunzip(const std::string& name, std::string_view bytes, std::size_t limit);
+
+/// Returns the CRC-32 that gzip and PNG store.
+std::uint32_t Crc32(std::span<const std::uint8_t> bytes);
 
 } // namespace boxreel

@@ -31,7 +31,7 @@ struct FilmStrip
     int width = 0;                 ///< of each picture [px]
     int height = 0;                ///< of each picture [px]
     std::vector<Picture> pictures; ///< by step
-    std::string note;         ///< reason why there are none
+    std::string note;              ///< reason why there are none
     std::string earlier;      ///< earlier moment of the same scene that shows the first difference;
                               ///< empty: this one
     std::string actualPage;   ///< HTML that plays the world to the moment; may be empty

@@ -24,10 +24,10 @@ struct ReportedVerdict
     std::vector<std::string> findings; ///< differences
     std::string accept;                ///< command that accepts the candidate; empty: inspect first
     std::string renderer;              ///< of the actual picture
-    std::string limits;                    ///< as text; empty: nothing was compared
+    std::string limits;                ///< as text; empty: nothing was compared
     std::optional<std::int64_t> firstStep; ///< first step at which the worlds, or a film, differ
     std::vector<int> firstBodies;          ///< numbers of the bodies that differ there
-    std::optional<std::int64_t> lastStep; ///< step of the moment itself; none: not stored
+    std::optional<std::int64_t> lastStep;  ///< step of the moment itself; none: not stored
     std::string firstHash;      ///< hash of the actual world at that step, 8 hex digits; empty: no
                                 ///< world
     std::string json;           ///< the whole file, for the page's script; one line, without '<'
