@@ -71,7 +71,7 @@ boxreel_install_library(page HEADERS page DESCRIPTION "Draw lists become a web p
 boxreel_install_library(render HEADERS render DESCRIPTION "Draw lists become pixels and figures, off-screen"
   NEEDS drawlist PACKAGES libpng imgui stb LIBS ${BOXREEL_LOAD_LIBRARIES})
 boxreel_install_library(recorder HEADERS recorder DESCRIPTION "Frames become films"
-  NEEDS render LIBS ${BOXREEL_LOAD_LIBRARIES} -pthread)
+  NEEDS render gzip LIBS ${BOXREEL_LOAD_LIBRARIES} -pthread)
 boxreel_install_library(golden HEADERS golden DESCRIPTION "Pictures and draw lists against approved ones"
   NEEDS recorder gzip)
 boxreel_install_library(goldenstate HEADERS golden DESCRIPTION "A world's state in 64 bits" NEEDS engine drawlist)
