@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+// NOLINTBEGIN(readability-redundant-declaration): programs declare what headers of 2.3 do not
 // [statistics]
 extern int32 b2_toiCalls, b2_toiIters; // as such programs do; the headers declare them too
 
@@ -13,6 +14,7 @@ void PrintSearches()
     std::printf("%d searches, %d advances\n", b2_toiCalls, b2_toiIters);
 }
 // [/statistics]
+// NOLINTEND(readability-redundant-declaration)
 
 namespace
 {
