@@ -5,6 +5,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstdlib>
+
 /// The module _boxreel. The packages Box2D and boxreel are what programs import.
 namespace boxreel::python
 {
@@ -76,7 +78,10 @@ PYBIND11_MODULE(_boxreel, module)
 {
     using namespace boxreel::python;
     py::options options;
-    options.disable_function_signatures();
+    if (std::getenv("BOXREEL_SIGNATURES") == nullptr) // python/stubs.py reads them
+    {
+        options.disable_function_signatures();
+    }
     module.doc() = "The engine and the toolkit, for the packages Box2D and boxreel.";
     InstallMisuse(module);
     BindConstants(module);
