@@ -9,7 +9,7 @@
 /// Pictures of an H.264 stream that equal the one before, written without an encoder (ITU-T H.264).
 /// Such a picture is a slice in which every macroblock is skipped: a dozen bytes. It is no
 /// reference, so the encoder's pictures do not notice it. Only their places in the order of display
-/// (picture order counts) are written anew, with more bits, because the encoder counts its own
+/// (picture order counts) are written again, with more bits, because the encoder counts its own
 /// pictures alone. Plain bytes, without libav; used by RepeatPackets.
 namespace boxreel
 {

@@ -29,9 +29,9 @@ struct Pairs
     {
         Proxy* pa = static_cast<Proxy*>(a);
         Proxy* pb = static_cast<Proxy*>(b);
-        told.emplace_back(pa->id, pb->id);
+        reported.emplace_back(pa->id, pb->id);
     }
-    std::vector<std::pair<int32, int32>> told;
+    std::vector<std::pair<int32, int32>> reported;
 };
 
 b2AABB RandomBox(Random& random)
@@ -97,7 +97,7 @@ TEST(BroadPhase, TellsEveryPairOfMovedProxiesOnceAndInOrder)
         }
         Pairs pairs;
         broadPhase.UpdatePairs(&pairs);
-        ASSERT_EQ(pairs.told,
+        ASSERT_EQ(pairs.reported,
                   (std::vector<std::pair<int32, int32>>(expected.begin(), expected.end())));
         ASSERT_EQ(broadPhase.GetProxyCount(), static_cast<int32>(proxies.size()));
         for (const auto& proxy : proxies)
@@ -106,7 +106,7 @@ TEST(BroadPhase, TellsEveryPairOfMovedProxiesOnceAndInOrder)
         }
         Pairs again;
         broadPhase.UpdatePairs(&again);
-        ASSERT_TRUE(again.told.empty());
+        ASSERT_TRUE(again.reported.empty());
     }
     EXPECT_GT(broadPhase.GetTreeHeight(), 4);
     EXPECT_GT(broadPhase.GetTreeQuality(), 1.0f);
@@ -129,14 +129,14 @@ TEST(WorldProxies, TellThePairsOfManyThatMoveAtATime)
             all.Create(every[i].aabb, static_cast<box2d::Mobility>(b2Min(i % 10, 2ul)), &every[i]);
     }
     const auto tell = [&] {
-        Pairs told;
+        Pairs reported;
         all.FindPairs(
             nullptr, [](const b2FixtureProxy*, box2d::Mobility) { return true; },
             [](const b2FixtureProxy*, const b2FixtureProxy*) { return false; },
             [&](const b2FixtureProxy* a, const b2FixtureProxy* b) {
-                EXPECT_TRUE(told.insert(inOrder(a, b)).second);
+                EXPECT_TRUE(reported.insert(inOrder(a, b)).second);
             });
-        return told;
+        return reported;
     };
     tell();
     for (const std::size_t share : {1ul, 2ul, 5ul, 1ul, 1ul, 30ul, 2ul})
@@ -183,15 +183,15 @@ TEST(WorldProxies, ReportTheSamePairsAfterTheStaticTreeIsRebuilt)
     const std::span<b2FixtureProxy> fixed(every.begin() + 200, 3000);
     box2d::Proxies all;
     const auto pairs = [&all] {
-        std::set<std::pair<const b2FixtureProxy*, const b2FixtureProxy*>> told;
+        std::set<std::pair<const b2FixtureProxy*, const b2FixtureProxy*>> reported;
         const auto isKnown = [](const b2FixtureProxy*, const b2FixtureProxy*) { return false; };
         const auto isWanted = [](const b2FixtureProxy*, box2d::Mobility) { return true; };
         all.FindPairs(
             nullptr, isWanted, isKnown, [&](const b2FixtureProxy* a, const b2FixtureProxy* b) {
                 const bool isFirst = std::less<>()(a, b); // either may have been the one that moved
-                EXPECT_TRUE(told.emplace(isFirst ? a : b, isFirst ? b : a).second);
+                EXPECT_TRUE(reported.emplace(isFirst ? a : b, isFirst ? b : a).second);
             });
-        return told;
+        return reported;
     };
     for (b2FixtureProxy& m : moving)
     {
@@ -218,13 +218,14 @@ TEST(WorldProxies, ReportTheSamePairsAfterTheStaticTreeIsRebuilt)
                 all.Touch(proxy.proxyId);
             }
             std::size_t expected = 0;
-            const auto told = pairs();
+            const auto reported = pairs();
             for (const b2FixtureProxy& m : moving)
             {
                 for (std::size_t k = 0; k <= i; ++k)
                 {
                     expected += b2TestOverlap(m.aabb, fixed[k].aabb);
-                    ASSERT_EQ(told.contains({&m, &fixed[k]}), b2TestOverlap(m.aabb, fixed[k].aabb));
+                    ASSERT_EQ(reported.contains({&m, &fixed[k]}),
+                              b2TestOverlap(m.aabb, fixed[k].aabb));
                 }
             }
             ASSERT_GT(expected, 0u);

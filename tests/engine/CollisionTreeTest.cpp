@@ -313,9 +313,10 @@ TEST(Tree, TellsEveryPairOnce)
             const b2AABB box = RandomBox(random);
             list[tree.CreateProxyExact(box, i)] = box;
         }
-        std::set<std::pair<int32, int32>> told;
-        tree.ForEachPair(
-            [&](int32 a, int32 b) { EXPECT_TRUE(told.emplace(b2Min(a, b), b2Max(a, b)).second); });
+        std::set<std::pair<int32, int32>> reported;
+        tree.ForEachPair([&](int32 a, int32 b) {
+            EXPECT_TRUE(reported.emplace(b2Min(a, b), b2Max(a, b)).second);
+        });
         std::set<std::pair<int32, int32>> expected;
         for (const auto& [a, boxA] : list)
         {
@@ -327,7 +328,7 @@ TEST(Tree, TellsEveryPairOnce)
                 }
             }
         }
-        ASSERT_EQ(told, expected);
+        ASSERT_EQ(reported, expected);
         EXPECT_TRUE(count < 300 || expected.size() > 100);
     }
 }

@@ -68,15 +68,15 @@ std::uint64_t HashOf(const b2World& world)
 TEST(DynamicsKeptBlocks, GiveTheBitsOfBlocksRebuiltInEveryStep)
 {
     Idle idle; // with a listener they are rebuilt
-    Scene kept, anew;
+    Scene kept, fresh;
     FillHeap(kept);
-    FillHeap(anew);
-    anew.world.SetContactListener(&idle);
+    FillHeap(fresh);
+    fresh.world.SetContactListener(&idle);
     for (int i = 0; i < 400; ++i)
     {
         kept.Step();
-        anew.Step();
-        ASSERT_EQ(HashOf(kept.world), HashOf(anew.world)) << "step " << i;
+        fresh.Step();
+        ASSERT_EQ(HashOf(kept.world), HashOf(fresh.world)) << "step " << i;
     }
 }
 
@@ -84,19 +84,19 @@ TEST(DynamicsKeptBlocks, EnableContactsAgainWithoutListener)
 {
     Idle idle;
     Switcher one, another;
-    Scene kept, anew;
+    Scene kept, fresh;
     FillHeap(kept);
-    FillHeap(anew);
+    FillHeap(fresh);
     for (int i = 0; i < 400; ++i)
     {
         const bool switching = i / 25 % 2 == 1;
         kept.world.SetContactListener(switching ? &one : nullptr);
-        anew.world.SetContactListener(switching ? static_cast<b2ContactListener*>(&another)
-                                                : &idle);
+        fresh.world.SetContactListener(switching ? static_cast<b2ContactListener*>(&another)
+                                                 : &idle);
         one.last = another.last = nullptr;
         kept.Step();
-        anew.Step();
-        ASSERT_EQ(HashOf(kept.world), HashOf(anew.world)) << "step " << i;
+        fresh.Step();
+        ASSERT_EQ(HashOf(kept.world), HashOf(fresh.world)) << "step " << i;
     }
     EXPECT_EQ(WhyBroken(kept.world, true), "");
 }

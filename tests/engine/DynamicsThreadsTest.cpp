@@ -265,7 +265,7 @@ TEST(DynamicsThreads, LeaveCallbacksToTheCallerInTheSameOrder)
 {
     for (const bool meddles : {false, true})
     {
-        std::uint64_t told = 0;
+        std::uint64_t first = 0;
         std::uint64_t ended = 0;
         for (const int32 threads : {1, 2, 4})
         {
@@ -276,9 +276,9 @@ TEST(DynamicsThreads, LeaveCallbacksToTheCallerInTheSameOrder)
             pit.scene.Step(200);
             EXPECT_GT(recorder.count, 10000);
             EXPECT_EQ(recorder.fromElsewhere, 0);
-            told = threads == 1 ? recorder.hash : told;
+            first = threads == 1 ? recorder.hash : first;
             ended = threads == 1 ? pit.Hash() : ended;
-            EXPECT_EQ(recorder.hash, told) << threads << " threads, meddles: " << meddles;
+            EXPECT_EQ(recorder.hash, first) << threads << " threads, meddles: " << meddles;
             EXPECT_EQ(pit.Hash(), ended) << threads << " threads, meddles: " << meddles;
             pit.scene.world.SetContactListener(nullptr); // who sleeps is its doing, for a step
             pit.scene.world.SetContactFilter(nullptr);

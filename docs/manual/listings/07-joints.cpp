@@ -97,7 +97,7 @@ TEST(JointsListing, SwingsOnARodAndBouncesOnASpring)
     stage.Run(0.5f);
     EXPECT_NEAR(b2Distance(ceiling->GetPosition(), bob->GetPosition()), 3.0f, b2_linearSlop);
     stage.Run(9.5f);
-    // A spring of f hertz gives way by g / (2 pi f)^2, whatever hangs on it.
+    // A spring of f hertz stretches by g / (2 pi f)^2 under any mass.
     EXPECT_NEAR(7.0f - load->GetPosition().y, 0.25f, 0.005f);
 
     auto* winch = static_cast<b2DistanceJoint*>(world.CreateJoint(&rod));

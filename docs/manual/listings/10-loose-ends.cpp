@@ -27,7 +27,7 @@ TEST(LooseEndsListing, FindsTheActorOfABodyAndTheBodyOfAnActor)
     def.userData = actor.get();
     actor->body = world.CreateBody(&def);
 
-    // ... and back, from whatever the engine tells about:
+    // ... and back, from a body that the engine reports:
     b2Body* hit = actor->body;
     --static_cast<Actor*>(hit->GetUserData())->health;
     // [/user-data]
@@ -101,7 +101,7 @@ TEST(LooseEndsListing, FreesWhatFixturesOwn)
     }
     b2Fixture* fixture = body->GetFixtureList();
     // [free]
-    Cleaner::Free(fixture); // by hand: nobody is told
+    Cleaner::Free(fixture); // no listener is called for this one
     body->DestroyFixture(fixture);
     // [/free]
     EXPECT_EQ(HowManyHaveAMaterial(world), 2);

@@ -170,8 +170,8 @@ bool RefreshBoxes(BodyData& body, bool swept)
 {
     const bool bullet = swept && (body.flags & kBodyBullet) != 0;
     // The boxes of a bullet's path serve for one step.
-    const bool anew = bullet || (body.flags & kBodyPathBox) != 0;
-    bool left = anew;
+    const bool rebuilds = bullet || (body.flags & kBodyPathBox) != 0;
+    bool left = rebuilds;
     b2Transform before;
     float32 room = b2_maxFloat;
     b2Vec2 displacement(0.0f, 0.0f);
@@ -187,7 +187,7 @@ bool RefreshBoxes(BodyData& body, bool swept)
         {
             b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
             const b2AABB box = BoxOnPath(*f->GetShape(), child, body, swept ? &before : nullptr);
-            if (anew || !proxy.aabb.Contains(box))
+            if (rebuilds || !proxy.aabb.Contains(box))
             {
                 proxy.aabb = bullet ? Widen(box, body.minExtent) : Fatten(box, displacement);
                 left = true;
