@@ -8,6 +8,7 @@
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <base/WorkFolder.h>
+#include <page/PageWriter.h>
 #include <recorder/VideoWriter.h>
 #include <render/Backend.h>
 #include <render/Figure.h>
@@ -94,6 +95,21 @@ Finding LookAtFilm(const fs::path& folder, const std::string& name, const std::s
     }
     const Result<void> closed = writer.Close();
     return closed ? Finding("a film of three frames") : closed.GetError();
+}
+
+Finding LookAtPage(const fs::path& folder)
+{
+    ASSIGN_OR_RETURN(PageWriter page,
+                     PageWriter::Open(folder / "a.html", {.width = 64, .height = 64}));
+    const Camera camera{.width = 64, .height = 64};
+    for (int i = 0; i < 3; ++i)
+    {
+        DrawList list;
+        list.AddSegment({-1.0f, 0.0f}, {1.0f, float(i)}, Color{255, 255, 255, 255});
+        RETURN_IF_ERROR(page.Append(list, camera));
+    }
+    const Result<void> closed = page.Close();
+    return closed ? Finding("a page of three frames") : closed.GetError();
 }
 
 Finding LookAtFigures()
@@ -225,6 +241,10 @@ Result<int> Run(const DoctorOptions&)
         {"apng", film("a.apng", "")},
         {"webp", film("a.webp", "")},
         {"png", film("a-#.png", "")},
+        {"html",
+         [&scratch] {
+             return scratch ? LookAtPage(scratch->Path()) : Finding(scratch.GetError());
+         }},
         {"pdf", LookAtFigures},
         {"disk", LookAtDisk},
         {"display", LookAtDisplay},

@@ -29,7 +29,7 @@ TEST(DoctorCommand, ReportsEachWorkingFeature)
     EXPECT_EQ(outcome.code, 0) << outcome.output;
     EXPECT_EQ(outcome.errors, "");
     for (const char* thing : {"engine", "mp4, H.264", "webm, VP9", "webm, AV1", "mkv, FFV1", "gif",
-                              "apng", "webp", "png", "pdf", "disk", "display"})
+                              "apng", "webp", "png", "html", "pdf", "disk", "display"})
     {
         EXPECT_THAT(outcome.output, HasSubstr("ok    " + std::string(thing)));
     }
