@@ -8,7 +8,7 @@
 # that Python by pip, installs it, and runs the example again.
 #
 # Exit codes: 0 all is well, 77 this machine cannot try it, anything else a failure.
-# shellcheck disable=SC2016,SC2154 # "$@" is the inner shell's; root.sh has the others
+# shellcheck disable=SC2016,SC2034,SC2154 # "$@" is the inner shell's; root.sh has the others
 set -eu
 checkout=$1
 work=$2

@@ -141,6 +141,23 @@ TEST(RandomWorlds, ThatOnceBurstWithOtherSubStepsAreWell)
     }
 }
 
+/// The same, later than after the usual four seconds. The causes were:
+/// - one shape of a body moved back to a wall, and thereby another one beyond it (377, 396, 414, and
+///   1733, which does not take so long);
+/// - joints and contacts that contradicted each other, which nothing noticed because a long soft
+///   spring had a target speed of thousands of metres per second (100).
+TEST(RandomWorlds, ThatOnceBurstLaterAreWell)
+{
+    constexpr std::pair<int, int> kWorlds[] = {{100, 8}, {377, 1}, {377, 2},
+                                               {396, 1}, {414, 1}, {1733, 1}};
+    for (const auto& [number, subSteps] : kWorlds)
+    {
+        WorldPlan plan = Planned(number, subSteps);
+        plan.duration = 12.0f;
+        EXPECT_EQ(WhyFailed(RunWorld(plan)), "") << Replay(plan);
+    }
+}
+
 TEST(RandomWorlds, AreTheSameFromTheirNumbers)
 {
     EXPECT_EQ(Describe(PlanWorld(417)), Describe(PlanWorld(417)));

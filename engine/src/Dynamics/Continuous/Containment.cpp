@@ -27,6 +27,10 @@ namespace box2d
 namespace
 {
 
+/// Rounds over the contacts of a body that is moved back. Few need more than two; between walls
+/// that are nearer to each other than the body is wide there is no end.
+constexpr int32 kMaxRounds = 8;
+
 /// Returns the centre in the body's frame. Edges and chains have no inside and use the centre of
 /// mass.
 b2Vec2 CentreOf(const b2Shape& shape, const BodyData& body)
@@ -191,7 +195,29 @@ bool Containment::FindCrossing(const Part& moved, const Part& still, Crossing& c
     return any;
 }
 
+/// The same for all walls around a body that is moved back: moving back one of its shapes may take
+/// another one, or the same, beyond a wall that was looked at before.
 bool Containment::Hold(const ContactData& c, ImpactJoints& joints)
+{
+    if (!HoldOne(c, joints))
+    {
+        return false;
+    }
+    const b2Body& body = Data(*c.bodyB).IsDynamic() ? *c.bodyB : *c.bodyA;
+    bool any = true;
+    for (int32 round = 0; any && round < kMaxRounds; ++round)
+    {
+        any = false;
+        for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next)
+        {
+            const ContactData& other = Data(*edge->contact);
+            any = (IsConcerned(other) && HoldOne(other, joints)) || any;
+        }
+    }
+    return true;
+}
+
+bool Containment::HoldOne(const ContactData& c, ImpactJoints& joints)
 {
     Part moved{c.bodyB, c.fixtureB->GetShape(), c.childB};
     Part still{c.bodyA, c.fixtureA->GetShape(), c.childA};

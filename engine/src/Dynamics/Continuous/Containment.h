@@ -59,6 +59,7 @@ private:
     };
 
     bool Hold(const ContactData& c, ImpactJoints& joints);
+    bool HoldOne(const ContactData& c, ImpactJoints& joints);
     bool FindCrossing(const Part& moved, const Part& still, Crossing& crossing) const;
     static bool Crosses(const Part& moved, const Part& still, const Moment& from, const Moment& to,
                         Crossing& crossing);

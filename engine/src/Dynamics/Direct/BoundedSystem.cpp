@@ -36,6 +36,30 @@ double SpeedFrom(const JointRows::Column& c, int32 row, const SolverBody& s)
            double(c.w[row]) * double(s.w);
 }
 
+/// Returns the response of a row's speed to an impulse along it.
+double ResponseOf(const JointRows& rows, int32 row)
+{
+    double response = 0.0;
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& c = rows.columns[side];
+        const double x = c.x[row];
+        const double y = c.y[row];
+        const double w = c.w[row];
+        response += double(c.invMass) * (x * x + y * y) + double(c.invInertia) * w * w;
+    }
+    return response;
+}
+
+/// Returns the speed that a row brings its bodies to if nothing else holds them. A soft spring that
+/// is far from its rest has a target speed of thousands of metres per second, and never reaches it.
+double ReachOf(const JointRows& rows, int32 row, double target)
+{
+    const double response = ResponseOf(rows, row);
+    const double soft = double(rows.laws[row].softness);
+    return soft > 0.0 ? std::abs(target) * response / (response + soft) : std::abs(target);
+}
+
 /// Returns the speed that bodies with infinite mass give to a row.
 double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context)
 {
@@ -181,8 +205,8 @@ bool BoundedSystem::HasBurst(const SolverContext& context) const
     return Fastest(context) > kBurst * b2Max(m_markedFastest, kMinSpeedBefore);
 }
 
-/// Returns the maximum speed of all points of the bodies, and of all target and prescribed speeds
-/// [m/s].
+/// Returns the maximum speed of all points of the bodies, and of all prescribed speeds and those
+/// that rows bring bodies to [m/s].
 double BoundedSystem::Fastest(const SolverContext& context) const
 {
     double fastest = FastestGiven(context);
@@ -191,11 +215,12 @@ double BoundedSystem::Fastest(const SolverContext& context) const
         const SolverBody& s = context.bodies[body->SolverIndex()];
         fastest = std::max(fastest, double(s.v.Length() + b2Abs(s.w) * body->maxExtent));
     }
-    for (const Item& item : m_items)
+    for (std::size_t i = 0; i < m_items.size(); ++i)
     {
-        for (const double speed : item.speeds.at)
+        const JointRows& rows = m_system.Rows(i);
+        for (int32 row = 0; row < rows.rows; ++row)
         {
-            fastest = std::max(fastest, std::abs(speed));
+            fastest = std::max(fastest, ReachOf(rows, row, m_items[i].speeds.at[row]));
         }
     }
     return fastest;
