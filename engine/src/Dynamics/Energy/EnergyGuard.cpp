@@ -144,7 +144,7 @@ void EnergyGuard::Begin(const World& world, const SolverMemory& solver, float32 
     m_springs.clear();
     m_motors.clear();
     FindRisks(world.graph);
-    if (m_risky.empty() && m_sliding.empty())
+    if (m_risky.empty() && m_changing.empty())
     {
         return;
     }
@@ -158,9 +158,9 @@ void EnergyGuard::Begin(const World& world, const SolverMemory& solver, float32 
     {
         Open(*joint);
     }
-    for (const b2Joint* joint : m_sliding)
+    for (const b2Joint* joint : m_changing)
     {
-        if (IsAtRisk(*joint))
+        if (IsAtRisk(*joint) || TurnsFar(*joint, timeStep / float32(m_subSteps)))
         {
             Open(*joint);
         }
@@ -193,16 +193,16 @@ void EnergyGuard::FindRisks(const ConstraintGraph& graph)
     }
     m_version = graph.JointVersion();
     m_risky.clear();
-    m_sliding.clear();
+    m_changing.clear();
     for (const b2Joint* joint : graph.Joints())
     {
         if (IsAtRisk(*joint))
         {
             m_risky.push_back(joint);
         }
-        else if (HasChangingLevers(*joint))
+        else if (HasChangingLevers(*joint) || IsLine(*joint))
         {
-            m_sliding.push_back(joint);
+            m_changing.push_back(joint);
         }
     }
 }

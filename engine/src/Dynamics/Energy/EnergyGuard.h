@@ -89,7 +89,7 @@ private:
     void ShareOut(const World& world, const SolverMemory& solver);
 
     Array<const b2Joint*> m_risky;   // joints at risk, whose islands have accounts
-    Array<const b2Joint*> m_sliding; // joints that may become so at any time
+    Array<const b2Joint*> m_changing; // joints that may become so at any time
     int32 m_version = -1;            // of the graph's joint list
     Array<int32> m_accountOf;        // by island; -1: none
     Array<Account> m_accounts;

@@ -49,7 +49,7 @@ bool IsAtRisk(const b2Joint& joint)
     {
         return true;
     }
-    const float32 maximum = HoldOf(joint) == JointHold::kLine ? kLongLeverOfLine : kLongLever;
+    const float32 maximum = IsLine(joint) ? kLongLeverOfLine : kLongLever;
     return HasLeverOnB(joint, maximum) || HasLeverOnA(joint, maximum);
 }
 
@@ -69,6 +69,37 @@ bool HasLeverOnB(const b2Joint& joint, float32 radii)
 bool HasChangingLevers(const b2Joint& joint)
 {
     return HoldOf(joint) == JointHold::kSlide;
+}
+
+bool IsLine(const b2Joint& joint)
+{
+    return HoldOf(joint) == JointHold::kLine;
+}
+
+bool TurnsFar(const b2Joint& joint, float32 time)
+{
+    constexpr float32 kFar = 0.25f; // [rad]
+    if (!IsLine(joint))
+    {
+        return false;
+    }
+    const auto speedOf = [](const b2Body& body, const b2Vec2& anchor) {
+        return body.GetLinearVelocityFromWorldPoint(anchor);
+    };
+    const b2Vec2 anchorA = joint.GetAnchorA();
+    const b2Vec2 anchorB = joint.GetAnchorB();
+    const b2Vec2 speedA = speedOf(*joint.GetBodyA(), anchorA);
+    const b2Vec2 speedB = speedOf(*joint.GetBodyB(), anchorB);
+    const auto turns = [time](const b2Vec2& speed, float32 length) {
+        return time * speed.Length() > kFar * length;
+    };
+    if (joint.GetType() == e_pulleyJoint)
+    {
+        const auto& pulley = static_cast<const b2PulleyJoint&>(joint);
+        return turns(speedA, pulley.GetCurrentLengthA()) ||
+               turns(speedB, pulley.GetCurrentLengthB());
+    }
+    return turns(speedB - speedA, b2Distance(anchorA, anchorB));
 }
 
 bool HasSpring(const b2Joint& joint)

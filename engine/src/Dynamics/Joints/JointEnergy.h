@@ -91,6 +91,11 @@ double StoredBetween(const SpringState& before, const SpringState& after);
 bool IsAtRisk(const b2Joint& joint);
 /// True if that also depends on the pose.
 bool HasChangingLevers(const b2Joint& joint);
+/// True if the joint holds along a line: a rope, a rod or a pulley.
+bool IsLine(const b2Joint& joint);
+/// True if such a line turns so far in that time [s] that a straight move
+/// no longer resembles the arc. A circle at 98 m/s on a pulley gained a quarter of its energy.
+bool TurnsFar(const b2Joint& joint, float32 time);
 /// True if the joint acts on the body further from its centre than `radii` radii of gyration.
 bool HasLeverOnA(const b2Joint& joint, float32 radii);
 bool HasLeverOnB(const b2Joint& joint, float32 radii);
