@@ -177,6 +177,15 @@ void BindBase(py::module_& module)
             py::arg("xf"), py::arg("p"), "True if the world point [m] is inside.")
         .def(
             "RayCast",
+            [](const ShapeObject& s, b2RayCastOutput& output, const b2RayCastInput& input,
+               py::handle xf, py::handle child) {
+                return s.Get().RayCast(&output, input, From<b2Transform>(xf, "transform"),
+                                       Child(s.Get(), child));
+            },
+            py::arg("output"), py::arg("input"), py::arg("transform"), py::arg("childIndex") = 0,
+            "Returns whether the ray hits, and fills the output.")
+        .def(
+            "RayCast",
             [](const ShapeObject& s, py::handle p1, py::handle p2, py::handle fraction,
                py::handle xf, py::handle child) {
                 const b2RayCastInput input{From<b2Vec2>(p1, "p1"), From<b2Vec2>(p2, "p2"),

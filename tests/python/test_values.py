@@ -8,7 +8,7 @@ import unittest
 
 import Box2D
 from Box2D import (b2AABB, b2ChainShape, b2CircleShape, b2Color, b2EdgeShape, b2Error, b2LoopShape, b2Mat22, b2Mat33,
-                   b2PolygonShape, b2Rot, b2Sweep, b2Transform, b2Vec2, b2Vec3)
+                   b2PolygonShape, b2RayCastInput, b2RayCastOutput, b2Rot, b2Sweep, b2Transform, b2Vec2, b2Vec3)
 
 
 class Vectors(unittest.TestCase):
@@ -158,6 +158,11 @@ class Shapes(unittest.TestCase):
         self.assertTrue(hit)
         self.assertEqual(normal, (-1, 0))
         self.assertAlmostEqual(fraction, 1 / 3, 2)
+        output = b2RayCastOutput()
+        ray = b2RayCastInput(p1=(-3, 0), p2=(3, 0), maxFraction=1)
+        self.assertIs(b2CircleShape(radius=1).RayCast(output, ray, b2Transform(), 0), True)
+        self.assertEqual(output.normal, (-1, 0))
+        self.assertIs(b2CircleShape(radius=1, pos=(0, 9)).RayCast(output, ray, b2Transform(), 0), False)
 
     def test_copies_and_pickles(self):
         for shape in (b2PolygonShape(box=(1, 2)), b2CircleShape(radius=1, pos=(2, 3)),

@@ -131,10 +131,10 @@ TEST(RandomWorlds, ThatOnceBurstAreWell)
 /// - a circle that swings on a pulley by 0.5 rad in each of two sub-steps (1300).
 TEST(RandomWorlds, ThatOnceBurstWithOtherSubStepsAreWell)
 {
-    constexpr std::pair<int, int> kWorlds[] = {{55, 4},   {172, 16}, {235, 2}, {299, 2}, {299, 4},
-                                               {314, 1},  {383, 1},  {392, 2}, {396, 4}, {457, 8},
-                                               {457, 16}, {519, 1},  {594, 1}, {596, 4}, {637, 2},
-                                               {789, 1},  {848, 16}, {895, 2}, {953, 8}, {973, 4}, {1300, 2}};
+    constexpr std::pair<int, int> kWorlds[] = {
+        {55, 4},  {172, 16}, {235, 2},  {299, 2},  {299, 4}, {314, 1}, {383, 1},
+        {392, 2}, {396, 4},  {457, 8},  {457, 16}, {519, 1}, {594, 1}, {596, 4},
+        {637, 2}, {789, 1},  {848, 16}, {895, 2},  {953, 8}, {973, 4}, {1300, 2}};
     for (const auto& [number, subSteps] : kWorlds)
     {
         const WorldPlan plan = Planned(number, subSteps);
@@ -143,7 +143,8 @@ TEST(RandomWorlds, ThatOnceBurstWithOtherSubStepsAreWell)
 }
 
 /// The same, later than after the usual four seconds. The causes were:
-/// - one shape of a body moved back to a wall, and thereby another one beyond it (377, 396, 414, and
+/// - one shape of a body moved back to a wall, and thereby another one beyond it (377, 396, 414,
+/// and
 ///   1733, which does not take so long);
 /// - joints and contacts that contradicted each other, which nothing noticed because a long soft
 ///   spring had a target speed of thousands of metres per second (100).

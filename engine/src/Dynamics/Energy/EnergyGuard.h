@@ -88,10 +88,10 @@ private:
     void MoveAgain(const b2Body& first, SolverMemory& solver, Account& account, float32 time);
     void ShareOut(const World& world, const SolverMemory& solver);
 
-    Array<const b2Joint*> m_risky;   // joints at risk, whose islands have accounts
+    Array<const b2Joint*> m_risky;    // joints at risk, whose islands have accounts
     Array<const b2Joint*> m_changing; // joints that may become so at any time
-    int32 m_version = -1;            // of the graph's joint list
-    Array<int32> m_accountOf;        // by island; -1: none
+    int32 m_version = -1;             // of the graph's joint list
+    Array<int32> m_accountOf;         // by island; -1: none
     Array<Account> m_accounts;
     Array<Spring> m_springs;
     Array<Motor> m_motors;
