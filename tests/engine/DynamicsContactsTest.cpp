@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <string>
 
 /// Contact events, materials, filters and sensors.
@@ -575,6 +576,105 @@ TEST(DynamicsSensors, CanBecomeSolidAndBackWhileTheyTouch)
     scene.Step(60);
     EXPECT_EQ(events.Take().substr(0, 4), "pqpq");
     EXPECT_NEAR(box->GetPosition().y, 0.5f, 0.02f);
+}
+
+/// What the world says of each contact, compared with its shapes where they were when the contacts
+/// were updated. Contacts that are apart are not computed again until a point may have come near.
+struct TouchCheck
+{
+    void Note(b2World& world)
+    {
+        before.clear();
+        for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+        {
+            before[body] = body->GetTransform();
+        }
+    }
+
+    void Compare(b2World& world)
+    {
+        for (b2Contact* c = world.GetContactList(); c != nullptr; c = c->GetNext())
+        {
+            const b2Transform xfA = before.at(c->GetFixtureA()->GetBody());
+            const b2Transform xfB = before.at(c->GetFixtureB()->GetBody());
+            const bool nearly = Touch(*c, xfA, xfB, 0.0005f);
+            if (nearly != Touch(*c, xfA, xfB, -0.0005f))
+            {
+                continue; // rounding decides
+            }
+            nearly ? ++touching : ++apart;
+            ASSERT_EQ(c->IsTouching(), nearly);
+        }
+    }
+
+    /// With the skin of B larger by `more` [m].
+    static bool Touch(b2Contact& c, const b2Transform& xfA, const b2Transform& xfB, float32 more)
+    {
+        b2Manifold manifold;
+        const b2Shape& a = *c.GetFixtureA()->GetShape();
+        if (c.GetFixtureB()->GetType() == b2Shape::e_polygon)
+        {
+            b2PolygonShape b = static_cast<const b2PolygonShape&>(*c.GetFixtureB()->GetShape());
+            b.m_radius += more;
+            b2CollidePolygons(&manifold, static_cast<const b2PolygonShape*>(&a), xfA, &b, xfB);
+            return manifold.pointCount > 0;
+        }
+        b2CircleShape b = static_cast<const b2CircleShape&>(*c.GetFixtureB()->GetShape());
+        b.m_radius += more;
+        if (a.GetType() == b2Shape::e_circle)
+        {
+            b2CollideCircles(&manifold, static_cast<const b2CircleShape*>(&a), xfA, &b, xfB);
+        }
+        else
+        {
+            b2CollidePolygonAndCircle(&manifold, static_cast<const b2PolygonShape*>(&a), xfA, &b,
+                                      xfB);
+        }
+        return manifold.pointCount > 0;
+    }
+
+    std::map<const b2Body*, b2Transform> before;
+    int touching = 0;
+    int apart = 0;
+};
+
+TEST(DynamicsContacts, TouchWhenTheirShapesDoAndOnlyThen)
+{
+    Scene scene;
+    scene.world.SetGravity(b2Vec2(0.0f, -2.0f));
+    scene.world.SetAllowSleeping(false);
+    scene.world.SetContinuousPhysics(false); // impacts update contacts at other poses
+    scene.Ground();
+    for (int i = 0; i < 40; ++i) // rods that turn, with their centres of mass beside their origins
+    {
+        b2Body* body = scene.Body(b2_dynamicBody, float32(i % 8) - 4.0f, 1.0f + float32(i / 8));
+        if (i % 4 == 0)
+        {
+            b2CircleShape circle;
+            circle.m_p.Set(0.2f, 0.1f);
+            circle.m_radius = 0.15f;
+            body->CreateFixture(&circle, 1.0f);
+        }
+        else
+        {
+            b2PolygonShape rod;
+            rod.SetAsBox(0.05f + 0.1f * float32(i % 3), 0.1f, b2Vec2(0.2f, 0.1f),
+                         0.3f * float32(i));
+            body->CreateFixture(&rod, 1.0f);
+        }
+        body->SetAngularVelocity(float32(i % 11) - 5.0f);
+        body->SetLinearVelocity(b2Vec2(float32(i % 7) - 3.0f, 0.0f));
+    }
+    TouchCheck check;
+    for (int i = 0; i < 600; ++i)
+    {
+        check.Note(scene.world);
+        scene.Step();
+        check.Compare(scene.world);
+        ASSERT_FALSE(HasFatalFailure()) << i;
+    }
+    EXPECT_GT(check.touching, 1000);
+    EXPECT_GT(check.apart, 1000);
 }
 
 } // namespace

@@ -201,14 +201,14 @@ private:
         const std::size_t place = std::size_t(c.awakeIndex);
         const bool solved = c.IsTouching() && !c.IsSensor() && (IsPushed(a) || IsPushed(b));
         const bool linked = c.IsTouching() && !c.IsSensor() && a.island != -1 && b.island != -1;
-        return Expect(c.bodyA == c.fixtureA->GetBody() && c.bodyB == c.fixtureB->GetBody(),
+        return Expect(c.bodyA == c.FixtureA()->GetBody() && c.bodyB == c.FixtureB()->GetBody(),
                       "a contact's fixtures are not of its bodies") &&
                Expect(c.bodyA != c.bodyB && (a.IsDynamic() || b.IsDynamic()),
                       "a contact is between bodies that cannot collide") &&
                Expect(a.IsActive() && b.IsActive(), "a contact has an inactive body") &&
-               Expect(
-                   m_world.pairs.Contains(Proxy(c.fixtureA, c.childA), Proxy(c.fixtureB, c.childB)),
-                   "a contact is not in the set of pairs") &&
+               Expect(m_world.pairs.Contains(Proxy(c.FixtureA(), c.ChildA()),
+                                             Proxy(c.FixtureB(), c.ChildB())),
+                      "a contact is not in the set of pairs") &&
                Expect((c.awakeIndex != -1) == (IsListed(a) || IsListed(b)),
                       "a contact's place among the awake is not what its bodies say") &&
                Expect(c.awakeIndex == -1 || (place < m_world.awakeContacts.size() &&
@@ -217,7 +217,7 @@ private:
                Expect((c.color != -1) == solved, "a contact's colour is not what its state says") &&
                Expect(((c.flags & box2d::kContactLinked) != 0) == linked,
                       "a contact's link is not what its state says") &&
-               Expect(c.IsSensor() == (c.fixtureA->IsSensor() || c.fixtureB->IsSensor()),
+               Expect(c.IsSensor() == (c.FixtureA()->IsSensor() || c.FixtureB()->IsSensor()),
                       "a contact does not know of its sensor") &&
                Expect(!linked || a.island == b.island, "a contact's bodies are of two islands");
     }

@@ -54,7 +54,7 @@ void FillOverlap(const ContactData& c, const BodyData& a, const BodyData& b, Ove
 {
     const b2Manifold& m = c.manifold;
     o.offset = CenterOffset(a, b);
-    o.radius = c.fixtureA->GetShape()->m_radius + c.fixtureB->GetShape()->m_radius;
+    o.radius = c.FixtureA()->GetShape()->m_radius + c.FixtureB()->GetShape()->m_radius;
     o.bodyA = a.SolverIndex();
     o.bodyB = b.SolverIndex();
     o.invMassA = a.SolverInvMass();
@@ -238,8 +238,8 @@ void PrepareContact(b2Contact& contact, const SolverContext& context, ContactCon
     c.bodyA = o.bodyA;
     c.bodyB = o.bodyB;
     c.pointCount = o.pointCount;
-    const float32 radiusA = data.fixtureA->GetShape()->m_radius;
-    const float32 radiusB = data.fixtureB->GetShape()->m_radius;
+    const float32 radiusA = data.FixtureA()->GetShape()->m_radius;
+    const float32 radiusB = data.FixtureB()->GetShape()->m_radius;
     const Geometry g = o.kind == OverlapKind::Centers ? MeasureCircles(o, radiusA, radiusB)
                        : o.kind == OverlapKind::FaceA ? MeasureFace(o, radiusA, radiusB)
                                                       : MeasureFace(o, radiusB, radiusA);

@@ -3,15 +3,16 @@
 
 namespace box2d
 {
-void CollideCircles(b2Manifold* manifold, const b2CircleShape& circleA,
-                    const b2CircleShape& circleB, const b2Transform& bInA)
+float32 CollideCircles(b2Manifold* manifold, const b2CircleShape& circleA,
+                       const b2CircleShape& circleB, const b2Transform& bInA)
 {
     const float32 radius = circleA.m_radius + circleB.m_radius;
     const b2Vec2 centerB = b2Mul(bInA, circleB.m_p);
     manifold->pointCount = 0;
-    if (b2DistanceSquared(circleA.m_p, centerB) > radius * radius)
+    const float32 squared = b2DistanceSquared(circleA.m_p, centerB);
+    if (squared > radius * radius)
     {
-        return;
+        return b2Sqrt(squared) - radius;
     }
     manifold->type = b2Manifold::e_circles;
     manifold->localPoint = circleA.m_p;
@@ -19,6 +20,7 @@ void CollideCircles(b2Manifold* manifold, const b2CircleShape& circleA,
     manifold->pointCount = 1;
     manifold->points[0] = b2ManifoldPoint();
     manifold->points[0].localPoint = circleB.m_p;
+    return 0.0f;
 }
 } // namespace box2d
 

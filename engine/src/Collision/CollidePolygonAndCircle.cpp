@@ -26,8 +26,8 @@ int32 FindFace(const b2PolygonShape& polygon, const b2Vec2& center, float32* hei
 // Above a face, the closest feature is the face, or a corner beyond its ends. The manifold is a
 // face of A in both cases; at a corner its normal points to the centre. The id is the same all
 // around the polygon, so that a rolling circle keeps its impulse.
-void CollidePolygonAndCircle(b2Manifold* manifold, const b2PolygonShape& polygonA,
-                             const b2CircleShape& circleB, const b2Transform& bInA)
+float32 CollidePolygonAndCircle(b2Manifold* manifold, const b2PolygonShape& polygonA,
+                                const b2CircleShape& circleB, const b2Transform& bInA)
 {
     const float32 radius = polygonA.m_radius + circleB.m_radius;
     const b2Vec2 center = b2Mul(bInA, circleB.m_p);
@@ -36,7 +36,7 @@ void CollidePolygonAndCircle(b2Manifold* manifold, const b2PolygonShape& polygon
     manifold->pointCount = 0;
     if (height > radius || polygonA.m_count == 0)
     {
-        return;
+        return b2Max(height - radius, 0.0f);
     }
 
     const b2Vec2 v1 = polygonA.m_vertices[face];
@@ -51,9 +51,10 @@ void CollidePolygonAndCircle(b2Manifold* manifold, const b2PolygonShape& polygon
         {
             point = isBefore ? v1 : v2;
             normal = center - point;
-            if (normal.Normalize() > radius)
+            const float32 distance = normal.Normalize();
+            if (distance > radius)
             {
-                return;
+                return distance - radius;
             }
         }
     }
@@ -63,6 +64,7 @@ void CollidePolygonAndCircle(b2Manifold* manifold, const b2PolygonShape& polygon
     manifold->pointCount = 1;
     manifold->points[0] = b2ManifoldPoint();
     manifold->points[0].localPoint = circleB.m_p;
+    return 0.0f;
 }
 } // namespace box2d
 

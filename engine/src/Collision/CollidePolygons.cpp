@@ -117,8 +117,8 @@ void ClipPolygon(b2Manifold* manifold, const b2PolygonShape& reference, int32 fa
 // Convex polygons are separate if a face of one has all of the other in front (separating axis).
 // Otherwise the face with the least overlap gives the normal. The opposite side of the other
 // polygon, clipped to the face's width, gives the points (Catto, "Contact Manifolds", GDC 2007).
-void CollidePolygons(b2Manifold* manifold, const b2PolygonShape& polygonA,
-                     const b2PolygonShape& polygonB, const b2Transform& bInA)
+float32 CollidePolygons(b2Manifold* manifold, const b2PolygonShape& polygonA,
+                        const b2PolygonShape& polygonB, const b2Transform& bInA)
 {
     manifold->pointCount = 0;
     const float32 radius = polygonA.m_radius + polygonB.m_radius;
@@ -127,7 +127,7 @@ void CollidePolygons(b2Manifold* manifold, const b2PolygonShape& polygonA,
     const int32 faceA = FindFace(polygonA, seenB, &separationA);
     if (separationA > radius)
     {
-        return;
+        return separationA - radius;
     }
     const b2Transform aInB(b2MulT(bInA.q, -bInA.p), b2MulT(bInA.q, b2Rot()));
     const Seen seenA = See(polygonA, aInB);
@@ -135,7 +135,7 @@ void CollidePolygons(b2Manifold* manifold, const b2PolygonShape& polygonA,
     const int32 faceB = FindFace(polygonB, seenA, &separationB);
     if (separationB > radius)
     {
-        return;
+        return radius - separationB;
     }
 
     if (separationB > separationA + kPreferA)
@@ -148,6 +148,7 @@ void CollidePolygons(b2Manifold* manifold, const b2PolygonShape& polygonA,
         manifold->type = b2Manifold::e_faceA;
         ClipPolygon(manifold, polygonA, faceA, polygonB, seenB, bInA, radius);
     }
+    return 0.0f;
 }
 } // namespace box2d
 

@@ -109,6 +109,7 @@ float32 BoxRounding(const BodyData& body)
 /// Call after an impact. The boxes then also contain the rest of the path.
 void GrowBoxes(Proxies& proxies, BodyData& body)
 {
+    body.flags |= kBodyBoxMoved;
     const b2Transform before = TransformBefore(body);
     for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
     {
@@ -128,6 +129,7 @@ void CreateProxies(Proxies& proxies, b2Fixture& fixture)
 {
     BodyData& body = Data(*fixture.GetBody());
     body.room = 0.0f;
+    body.flags |= kBodyBoxMoved;
     b2Shape* shape = fixture.GetShape();
     for (int32 child = 0; child < shape->GetChildCount(); ++child)
     {
@@ -196,6 +198,7 @@ bool RefreshBoxes(BodyData& body, bool swept)
         }
     }
     body.flags = bullet ? body.flags | kBodyPathBox : body.flags & ~std::uint32_t(kBodyPathBox);
+    body.flags |= left ? std::uint32_t(kBodyBoxMoved) : 0u;
     body.room = bullet ? 0.0f : room - BoxRounding(body);
     return left;
 }
@@ -220,6 +223,7 @@ void MoveProxies(Proxies& proxies, BodyData& body)
 void ResetProxies(Proxies& proxies, BodyData& body)
 {
     body.flags &= ~std::uint32_t(kBodyPathBox);
+    body.flags |= kBodyBoxMoved;
     for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
     {
         for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)

@@ -37,16 +37,6 @@ bool JointForbids(b2Body& a, const b2Body& b)
     return false;
 }
 
-const b2FixtureProxy& ProxyA(const ContactData& c)
-{
-    return FixtureAccess::Proxies(*c.fixtureA)[c.childA];
-}
-
-const b2FixtureProxy& ProxyB(const ContactData& c)
-{
-    return FixtureAccess::Proxies(*c.fixtureB)[c.childB];
-}
-
 /// Copies the impulses of points with the same features, to warm start the solver.
 void CopyImpulses(b2Manifold& manifold, const b2Manifold& old)
 {
@@ -86,6 +76,30 @@ bool IsKept(const ContactData& c, const b2Transform& bInA)
     const float32 turned =
         b2Max(b2Abs(bInA.q.s - c.relative.q.s), b2Abs(bInA.q.c - c.relative.q.c));
     return b2Max(moved.x, moved.y) + turned * reach <= still;
+}
+
+float32 SumOfParts(const b2Vec2& v)
+{
+    return b2Abs(v.x) + b2Abs(v.y);
+}
+
+/// True if shapes that were apart still are, because no point has come as far as the gap.
+bool StayApart(const ContactData& c, const b2Transform& bInA)
+{
+    if (c.gap == 0.0f)
+    {
+        return false;
+    }
+    const BodyData& a = Data(*c.bodyA);
+    const BodyData& b = Data(*c.bodyB);
+    const float32 distance = SumOfParts(c.relative.p);
+    const float32 reach = c.gap > 0.0f ? b.maxExtent + SumOfParts(b.localCenter)
+                                       : a.maxExtent + SumOfParts(a.localCenter) + distance;
+    const float32 turned = // twice the sine of half the angle
+        b2Vec2(bInA.q.s - c.relative.q.s, bInA.q.c - c.relative.q.c).Length();
+    const float32 path = (bInA.p - c.relative.p).Length() + turned * reach;
+    const float32 rounding = 0.00001f * (distance + a.maxExtent + b.maxExtent);
+    return path + rounding < b2Abs(c.gap);
 }
 
 bool IsSame(const b2Manifold& a, const b2Manifold& b)
@@ -134,10 +148,8 @@ b2Contact& AddContact(World& world, const b2FixtureProxy& a, const b2FixtureProx
 {
     b2Contact* contact = new (world.allocator.Allocate(int32(sizeof(b2Contact)))) b2Contact();
     ContactData& c = Data(*contact);
-    c.fixtureA = a.fixture;
-    c.fixtureB = b.fixture;
-    c.childA = a.childIndex;
-    c.childB = b.childIndex;
+    c.proxyA = &a;
+    c.proxyB = &b;
     c.bodyA = a.fixture->GetBody();
     c.bodyB = b.fixture->GetBody();
     c.edgeA.contact = c.edgeB.contact = contact;
@@ -194,20 +206,21 @@ namespace
 
 void ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& old)
 {
-    const b2Shape& shapeA = *c.fixtureA->GetShape();
-    const b2Shape& shapeB = *c.fixtureB->GetShape();
+    const b2Shape& shapeA = *c.FixtureA()->GetShape();
+    const b2Shape& shapeB = *c.FixtureB()->GetShape();
     c.radiusA = shapeA.m_radius;
     c.radiusB = shapeB.m_radius;
     c.relative = bInA;
+    c.gap = 0.0f;
     bool touching = false;
     if (c.IsSensor())
     {
-        touching = b2TestOverlap(&shapeA, c.childA, &shapeB, c.childB, b2Transform(), bInA);
+        touching = b2TestOverlap(&shapeA, c.ChildA(), &shapeB, c.ChildB(), b2Transform(), bInA);
         c.manifold.pointCount = 0;
     }
     else
     {
-        Collide(&c.manifold, shapeA, c.childA, shapeB, c.childB, bInA);
+        c.gap = Collide(&c.manifold, shapeA, c.ChildA(), shapeB, c.ChildB(), bInA);
         CopyImpulses(c.manifold, old);
         touching = c.manifold.pointCount > 0;
     }
@@ -229,12 +242,19 @@ void ComputeContact(b2Contact& contact, b2Manifold& old)
     {
         return;
     }
-    if (!b2TestOverlap(ProxyA(c).aabb, ProxyB(c).aabb))
+    // So are those of shapes that are still apart, unless a box has changed.
+    const bool stayApart = StayApart(c, bInA);
+    const bool boxMoved =
+        ((Data(*c.bodyA).flags | Data(*c.bodyB).flags) & std::uint32_t(kBodyBoxMoved)) != 0;
+    if ((boxMoved || !stayApart) && !b2TestOverlap(c.proxyA->aabb, c.proxyB->aabb))
     {
         c.flags |= kContactApart;
         return;
     }
-    ComputeManifold(c, bInA, old);
+    if (!stayApart)
+    {
+        ComputeManifold(c, bInA, old);
+    }
 }
 
 /// Handles the consequences of the new manifold.
@@ -391,7 +411,7 @@ void UpdateContacts(World& world)
             b2Contact* next = contact->GetNext();
             ContactData& c = Data(*contact);
             if ((c.flags & kContactFilter) != 0 &&
-                !ShouldCollide(*world.filter, *c.fixtureA, *c.fixtureB))
+                !ShouldCollide(*world.filter, *c.FixtureA(), *c.FixtureB()))
             {
                 DestroyContact(world, *contact);
             }
@@ -412,7 +432,7 @@ void UpdateContact(World& world, b2Contact& contact)
     ContactData& c = Data(contact);
     const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
     const b2Manifold old = c.manifold;
-    if (!IsKept(c, bInA))
+    if (!IsKept(c, bInA) && !StayApart(c, bInA))
     {
         ComputeManifold(c, bInA, old);
     }
@@ -444,7 +464,7 @@ void DestroyContact(World& world, b2Contact& contact)
         Data(*last).awakeIndex = c.awakeIndex;
         world.awakeContacts.pop_back();
     }
-    world.pairs.Erase(ProxyA(c).proxyId, ProxyB(c).proxyId);
+    world.pairs.Erase(c.proxyA->proxyId, c.proxyB->proxyId);
     RemoveEdge(Data(*c.bodyA).contactList, c.edgeA);
     RemoveEdge(Data(*c.bodyB).contactList, c.edgeB);
     (c.prev ? Data(*c.prev).next : world.contactList) = c.next;

@@ -47,35 +47,30 @@ bool MustSwap(b2Shape::Type a, b2Shape::Type b)
     return Rank(b) < Rank(a);
 }
 
-void Collide(b2Manifold* manifold, const b2Shape& a, int32 childA, const b2Shape& b, int32,
-             const b2Transform& bInA)
+float32 Collide(b2Manifold* manifold, const b2Shape& a, int32 childA, const b2Shape& b, int32,
+                const b2Transform& bInA)
 {
     switch (a.GetType())
     {
     case b2Shape::e_circle:
-        CollideCircles(manifold, static_cast<const b2CircleShape&>(a),
-                       static_cast<const b2CircleShape&>(b), bInA);
-        break;
+        return CollideCircles(manifold, static_cast<const b2CircleShape&>(a),
+                              static_cast<const b2CircleShape&>(b), bInA);
     case b2Shape::e_polygon:
         if (b.GetType() == b2Shape::e_circle)
         {
-            CollidePolygonAndCircle(manifold, static_cast<const b2PolygonShape&>(a),
-                                    static_cast<const b2CircleShape&>(b), bInA);
+            return CollidePolygonAndCircle(manifold, static_cast<const b2PolygonShape&>(a),
+                                           static_cast<const b2CircleShape&>(b), bInA);
         }
-        else
-        {
-            CollidePolygons(manifold, static_cast<const b2PolygonShape&>(a),
-                            static_cast<const b2PolygonShape&>(b), bInA);
-        }
-        break;
+        return CollidePolygons(manifold, static_cast<const b2PolygonShape&>(a),
+                               static_cast<const b2PolygonShape&>(b), bInA);
     case b2Shape::e_edge:
         CollideEdge(manifold, static_cast<const b2EdgeShape&>(a), b, bInA);
-        break;
+        return 0.0f;
     default: {
         b2EdgeShape edge;
         static_cast<const b2ChainShape&>(a).GetChildEdge(&edge, childA);
         CollideEdge(manifold, edge, b, bInA);
-        break;
+        return 0.0f;
     }
     }
 }

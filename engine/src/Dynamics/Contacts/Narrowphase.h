@@ -15,8 +15,9 @@ bool CanCollide(b2Shape::Type a, b2Shape::Type b);
 /// circle), (edge, polygon); chains count as edges.
 bool MustSwap(b2Shape::Type a, b2Shape::Type b);
 
-/// Computes the manifold of two children, in an order that MustSwap accepts.
-void Collide(b2Manifold* manifold, const b2Shape& a, int32 childA, const b2Shape& b, int32 childB,
-             const b2Transform& bInA);
+/// Computes the manifold of two children, in an order that MustSwap accepts. Returns the gap as
+/// described in Manifolds.h.
+float32 Collide(b2Manifold* manifold, const b2Shape& a, int32 childA, const b2Shape& b,
+                int32 childB, const b2Transform& bInA);
 
 } // namespace box2d

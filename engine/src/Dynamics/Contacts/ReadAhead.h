@@ -38,7 +38,7 @@ inline void ReadAhead(const Array<b2Contact*>& contacts, std::size_t present)
         const ContactData& soon = Data(*contacts[present + ahead / 2]);
         const ContactData& later = Data(*contacts[present + ahead]);
         Prefetch(&later.bodyA);
-        Prefetch(&later.relative);
+        Prefetch(soon.IsTouching() ? static_cast<const void*>(&soon.manifold) : &soon.proxyA);
         Prefetch(&Data(*soon.bodyA).pose);
         Prefetch(&Data(*soon.bodyB).pose);
     }

@@ -8,8 +8,8 @@
 void b2Contact::GetWorldManifold(b2WorldManifold* worldManifold) const
 {
     worldManifold->Initialize(&m_data.manifold, m_data.bodyA->GetTransform(),
-                              m_data.fixtureA->GetShape()->m_radius, m_data.bodyB->GetTransform(),
-                              m_data.fixtureB->GetShape()->m_radius);
+                              m_data.FixtureA()->GetShape()->m_radius, m_data.bodyB->GetTransform(),
+                              m_data.FixtureB()->GetShape()->m_radius);
 }
 
 void b2Contact::SetEnabled(bool flag)
@@ -47,7 +47,7 @@ void b2Contact::SetTangentSpeed(float32 speed)
 void b2Contact::ResetFriction()
 {
     const float32 mixed =
-        b2MixFriction(m_data.fixtureA->GetFriction(), m_data.fixtureB->GetFriction());
+        b2MixFriction(m_data.FixtureA()->GetFriction(), m_data.FixtureB()->GetFriction());
     m_data.friction = b2Min(mixed, b2_maxFloat); // the product can overflow before its root is
                                                  // taken
 }
@@ -55,11 +55,11 @@ void b2Contact::ResetFriction()
 void b2Contact::ResetRestitution()
 {
     m_data.restitution =
-        b2MixRestitution(m_data.fixtureA->GetRestitution(), m_data.fixtureB->GetRestitution());
+        b2MixRestitution(m_data.FixtureA()->GetRestitution(), m_data.FixtureB()->GetRestitution());
 }
 
 void b2Contact::Evaluate(b2Manifold* manifold, const b2Transform& xfA, const b2Transform& xfB)
 {
-    box2d::Collide(manifold, *m_data.fixtureA->GetShape(), m_data.childA,
-                   *m_data.fixtureB->GetShape(), m_data.childB, b2MulT(xfA, xfB));
+    box2d::Collide(manifold, *m_data.FixtureA()->GetShape(), m_data.ChildA(),
+                   *m_data.FixtureB()->GetShape(), m_data.ChildB(), b2MulT(xfA, xfB));
 }

@@ -219,8 +219,8 @@ bool Containment::Hold(const ContactData& c, ImpactJoints& joints)
 
 bool Containment::HoldOne(const ContactData& c, ImpactJoints& joints)
 {
-    Part moved{c.bodyB, c.fixtureB->GetShape(), c.childB};
-    Part still{c.bodyA, c.fixtureA->GetShape(), c.childA};
+    Part moved{c.bodyB, c.FixtureB()->GetShape(), c.ChildB()};
+    Part still{c.bodyA, c.FixtureA()->GetShape(), c.ChildA()};
     if (!Data(*moved.body).IsDynamic())
     {
         std::swap(moved, still);

@@ -280,29 +280,29 @@ float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& co
     {
         return 1.0f;
     }
-    const b2Shape& shapeA = *c.fixtureA->GetShape();
-    const b2Shape& shapeB = *c.fixtureB->GetShape();
+    const b2Shape& shapeA = *c.FixtureA()->GetShape();
+    const b2Shape& shapeB = *c.FixtureB()->GetShape();
     if (IsRoundAbout(a, shapeA) && IsRoundAbout(b, shapeB))
     {
         ++counts.toiCalls; // in closed form, without iterations
         const float32 t = CircleImpact(a, fromA, b, fromB, shapeA.m_radius + shapeB.m_radius);
         return b2Min(start + (1.0f - start) * t, 1.0f);
     }
-    if (a.maxExtent > b.maxExtent ? StaysInFront(a, fromA, shapeA, c.childA, b, fromB)
-                                  : StaysInFront(b, fromB, shapeB, c.childB, a, fromA))
+    if (a.maxExtent > b.maxExtent ? StaysInFront(a, fromA, shapeA, c.ChildA(), b, fromB)
+                                  : StaysInFront(b, fromB, shapeB, c.ChildB(), a, fromA))
     {
         return 1.0f;
     }
     b2TOIInput input;
     input.sweepA = SweepFrom(a, fromA, fromA);
     input.sweepB = SweepFrom(b, fromB, fromA);
-    if (!b2TestOverlap(SweptBox(shapeA, c.childA, input.sweepA, a.maxExtent),
-                       SweptBox(shapeB, c.childB, input.sweepB, b.maxExtent)))
+    if (!b2TestOverlap(SweptBox(shapeA, c.ChildA(), input.sweepA, a.maxExtent),
+                       SweptBox(shapeB, c.ChildB(), input.sweepB, b.maxExtent)))
     {
         return 1.0f;
     }
-    input.proxyA.Set(&shapeA, c.childA);
-    input.proxyB.Set(&shapeB, c.childB);
+    input.proxyA.Set(&shapeA, c.ChildA());
+    input.proxyB.Set(&shapeB, c.ChildB());
     input.tMax = 1.0f;
     const b2TOIOutput output = FindImpact(input, m_world.profiling, counts);
     if (output.state == b2TOIOutput::e_overlapped && GoesDeeper(c, input.sweepA, input.sweepB))
@@ -344,7 +344,7 @@ bool ContinuousCollision::GoesDeeper(const ContactData& c, const b2Sweep& sweepA
         }
     }
     b2Manifold there;
-    Collide(&there, *c.fixtureA->GetShape(), c.childA, *c.fixtureB->GetShape(), c.childB,
+    Collide(&there, *c.FixtureA()->GetShape(), c.ChildA(), *c.FixtureB()->GetShape(), c.ChildB(),
             b2MulT(toA, toB));
     if (there.pointCount == 0)
     {

@@ -168,7 +168,7 @@ float32 Impact::DepthOf(std::size_t contact, int32 point) const
     const OverlapConstraint o = OverlapOf(m_memory.overlaps[contact], 0);
     const ContactData& c = Data(*m_contacts[contact]);
     float32 skins = 0.0f;
-    for (const b2Fixture* fixture : {c.fixtureA, c.fixtureB})
+    for (const b2Fixture* fixture : {c.FixtureA(), c.FixtureB()})
     {
         skins += fixture->GetType() == b2Shape::e_circle ? 0.0f : fixture->GetShape()->m_radius;
     }

@@ -36,6 +36,7 @@ void ForgetUpdate(World& world, ContactData& c)
     if ((c.flags & kContactComputed) != 0)
     {
         c.flags &= ~std::uint32_t(kContactComputed | kContactApart | kContactKept);
+        c.gap = 0.0f;
         c.manifold =
             world.oldManifolds[std::size_t(c.oldIndex)]; // only a listener can be the cause
     }
@@ -78,6 +79,7 @@ void UpdateActivity(World& world, b2Contact& contact)
     if (awake && c.awakeIndex == -1)
     {
         c.awakeIndex = int32(world.awakeContacts.size());
+        c.gap = 0.0f;
         world.awakeContacts.push_back(&contact);
     }
     else if (!awake && c.awakeIndex != -1)

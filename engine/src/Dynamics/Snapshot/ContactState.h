@@ -15,11 +15,11 @@ namespace box2d
 template <class Archive>
 void Visit(Archive& archive, ContactData& contact)
 {
-    auto& [bodyA, bodyB, flags, friction, restitution, tangentSpeed, radiusA, radiusB, toiCount,
-           color, solvedAs, manifold, relative, fixtureA, fixtureB, childA, childB, awakeIndex,
-           oldIndex, colorIndex, place, lastShare, edgeA, edgeB, prev, next] = contact;
+    auto& [bodyA, bodyB, flags, gap, relative, friction, restitution, tangentSpeed, radiusA,
+           radiusB, toiCount, color, solvedAs, manifold, proxyA, proxyB, awakeIndex, oldIndex,
+           colorIndex, place, lastShare, edgeA, edgeB, prev, next] = contact;
     archive(flags, friction, restitution, tangentSpeed, radiusA, radiusB, toiCount);
-    archive(manifold, relative, lastShare);
+    archive(manifold, relative, gap, lastShare);
 }
 
 /// Identified by the proxies whose boxes overlap.
@@ -31,8 +31,8 @@ void VisitContact(Archive& archive, World& world, b2Contact*& contact)
     if constexpr (!Archive::kReads)
     {
         const ContactData& c = Data(*contact);
-        a = FixtureAccess::Proxies(*c.fixtureA)[c.childA].proxyId;
-        b = FixtureAccess::Proxies(*c.fixtureB)[c.childB].proxyId;
+        a = c.proxyA->proxyId;
+        b = c.proxyB->proxyId;
     }
     archive(a, b);
     if constexpr (Archive::kReads)

@@ -342,6 +342,7 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
         body, s, {m_context.timeStep, m_world.settings.subStepCount > 1, IsPushedOut(body)});
     body.linearVelocity = s.v;
     body.angularVelocity = s.w;
+    body.flags &= ~std::uint32_t(kBodyBoxMoved);
     body.previous = body.pose;
     body.sweepStart = 0.0f;
     ++body.sweepVersion;

@@ -190,7 +190,7 @@ void UpdateSensor(World& world, b2Fixture& fixture)
     for (b2ContactEdge* edge = fixture.GetBody()->GetContactList(); edge; edge = edge->next)
     {
         ContactData& c = Data(*edge->contact);
-        const bool sensor = c.fixtureA->IsSensor() || c.fixtureB->IsSensor();
+        const bool sensor = c.FixtureA()->IsSensor() || c.FixtureB()->IsSensor();
         if (sensor != c.IsSensor())
         {
             c.flags ^= kContactSensor;

@@ -33,16 +33,22 @@ public:
     b2Contact* GetNext() { return m_data.next; } ///< next in the world's list; nullptr at the end
     /// Returns the next in the world's list; nullptr at the end.
     const b2Contact* GetNext() const { return m_data.next; }
-    b2Fixture* GetFixtureA() { return m_data.fixtureA; }             ///< returns the first fixture
-    const b2Fixture* GetFixtureA() const { return m_data.fixtureA; } ///< returns the first fixture
-    b2Fixture* GetFixtureB() { return m_data.fixtureB; }             ///< returns the second fixture
-    const b2Fixture* GetFixtureB() const { return m_data.fixtureB; } ///< returns the second fixture
+    b2Fixture* GetFixtureA() { return m_data.FixtureA(); } ///< returns the first fixture
+    const b2Fixture* GetFixtureA() const
+    {
+        return m_data.FixtureA();
+    }                                                      ///< returns the first fixture
+    b2Fixture* GetFixtureB() { return m_data.FixtureB(); } ///< returns the second fixture
+    const b2Fixture* GetFixtureB() const
+    {
+        return m_data.FixtureB();
+    } ///< returns the second fixture
     int32 GetChildIndexA() const
     {
-        return m_data.childA;
-    }                                                      ///< child of the first shape,
-                                                           ///< from 0
-    int32 GetChildIndexB() const { return m_data.childB; } ///< child of the second shape, from 0
+        return m_data.ChildA();
+    }                                                        ///< child of the first shape,
+                                                             ///< from 0
+    int32 GetChildIndexB() const { return m_data.ChildB(); } ///< child of the second shape, from 0
 
     /// Overrides the mixed friction until reset. Finite, >= 0; otherwise it asserts and changes
     /// nothing.

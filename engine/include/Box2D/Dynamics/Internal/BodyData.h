@@ -24,8 +24,9 @@ enum BodyFlag : std::uint32_t
     kBodyBullet = 1u << 2,
     kBodyFixedRotation = 1u << 3,
     kBodyActive = 1u << 4,
-    kBodyMassSet = 1u << 5, ///< mass set by SetMassData, not computed from the fixtures
-    kBodyPathBox = 1u << 6, ///< a fast bullet: its boxes contain exactly its last path
+    kBodyMassSet = 1u << 5,  ///< mass set by SetMassData, not computed from the fixtures
+    kBodyPathBox = 1u << 6,  ///< a fast bullet: its boxes contain exactly its last path
+    kBodyBoxMoved = 1u << 7, ///< a box has changed since contacts were last updated
 };
 
 /// The type of a body, with the values of b2BodyType.

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <Box2D/Collision/b2Collision.h>
+#include <Box2D/Dynamics/b2Fixture.h>
 
 #include <cstdint>
 
 class b2Body;
 class b2Contact;
-class b2Fixture;
 
 /// Connects bodies and contacts: a node of each body's list of contacts.
 struct b2ContactEdge
@@ -39,10 +39,15 @@ enum ContactFlag : std::uint32_t
 
 struct ContactData
 {
-    // The data that a step reads, side by side.
+    // What every update reads: a line of a cache. The manifold, in the next one, is read of
+    // contacts that touch only.
     b2Body* bodyA = nullptr;
     b2Body* bodyB = nullptr;
     std::uint32_t flags = 0;
+    /// Between the shapes when the manifold was computed [m]. Negative: along a face of B; 0: they
+    /// touch, or it is not known.
+    float32 gap = 0.0f;
+    b2Transform relative; ///< transform of body B in A's frame when the manifold was computed
     float32 friction = 0.0f;
     float32 restitution = 0.0f;
     float32 tangentSpeed = 0.0f; ///< of a conveyor belt [m/s]
@@ -52,12 +57,9 @@ struct ContactData
     std::int8_t color = -1;    ///< in the constraint graph, -1 when not solved
     std::uint8_t solvedAs = 0; ///< Form() of its last block
     b2Manifold manifold;
-    b2Transform relative; ///< transform of body B in A's frame when the manifold was computed
 
-    b2Fixture* fixtureA = nullptr;
-    b2Fixture* fixtureB = nullptr;
-    std::int32_t childA = 0;
-    std::int32_t childB = 0;
+    const b2FixtureProxy* proxyA = nullptr; ///< a child of a fixture of body A
+    const b2FixtureProxy* proxyB = nullptr;
 
     std::int32_t awakeIndex =
         -1; ///< index among the contacts updated each step, -1 when both bodies are at rest
@@ -81,6 +83,10 @@ struct ContactData
         return solved ? std::uint8_t(2 * int(manifold.type) + manifold.pointCount)
                       : std::uint8_t(0);
     }
+    b2Fixture* FixtureA() const { return proxyA->fixture; }
+    b2Fixture* FixtureB() const { return proxyB->fixture; }
+    std::int32_t ChildA() const { return proxyA->childIndex; }
+    std::int32_t ChildB() const { return proxyB->childIndex; }
     bool IsTouching() const { return (flags & kContactTouching) != 0; }
     bool IsEnabled() const { return (flags & kContactEnabled) != 0; }
     bool IsSensor() const { return (flags & kContactSensor) != 0; }
