@@ -35,17 +35,20 @@ double StoredBetween(const SpringState& before, const SpringState& after)
                     before.EnergyAt(after.error) - before.EnergyAt(before.error));
 }
 
+bool HaveUnequalMasses(const BodyData& a, const BodyData& b)
+{
+    constexpr float32 kMaxRatio = 10.0f;
+    const float32 mA = a.SolverInvMass();
+    const float32 mB = b.SolverInvMass();
+    return mA > 0.0f && mB > 0.0f && (mA > kMaxRatio * mB || mB > kMaxRatio * mA);
+}
+
 bool IsAtRisk(const b2Joint& joint)
 {
-    constexpr float32 kMaxRatio = 10.0f; // of masses
     constexpr float32 kLongLever = 4.0f; // in radii of gyration
     // A pull along a line turns a body straight within a sub-step, and is not foreseen.
     constexpr float32 kLongLeverOfLine = 2.0f;
-    const BodyData& a = Data(*joint.GetBodyA());
-    const BodyData& b = Data(*joint.GetBodyB());
-    const float32 mA = a.SolverInvMass();
-    const float32 mB = b.SolverInvMass();
-    if (mA > 0.0f && mB > 0.0f && (mA > kMaxRatio * mB || mB > kMaxRatio * mA))
+    if (HaveUnequalMasses(Data(*joint.GetBodyA()), Data(*joint.GetBodyB())))
     {
         return true;
     }

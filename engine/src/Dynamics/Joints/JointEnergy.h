@@ -89,6 +89,8 @@ double StoredBetween(const SpringState& before, const SpringState& after);
 /// manual advises: masses of 10:1, and bodies on levers much longer than they are. For a rod or a
 /// rope, half of that length counts.
 bool IsAtRisk(const b2Joint& joint);
+/// True if two bodies that move differ in mass by more than the manual's tenfold.
+bool HaveUnequalMasses(const BodyData& a, const BodyData& b);
 /// True if that also depends on the pose.
 bool HasChangingLevers(const b2Joint& joint);
 /// True if the joint holds along a line: a rope, a rod or a pulley.

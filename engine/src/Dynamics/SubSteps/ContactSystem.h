@@ -7,7 +7,7 @@
 /// Solves contact islands directly, in sub-steps. In a stack an iteration moves a load on by one
 /// contact, and by half if the load is heavy. Islands are selected by their size: few contacts and
 /// joints, and few loops, so that the cost is near that of iterations. An island is solved only if
-/// iterations leave a residual.
+/// iterations leave a residual, and one with joints only when no impact goes on in it.
 namespace box2d
 {
 
@@ -51,9 +51,12 @@ private:
         Array<RowSides> sides; // constraints of the current system
         BoundedSystem system;
         bool followed = false;   // up to date in this step
+        bool inImpact = false;   // in the last kick, and left to iterations
         float32 residual = 0.0f; // of the last kick's iterations [m/s]
     };
 
+    static bool IsAtRisk(const ContactIsland& island, SolverMemory& solver,
+                         const JointSystem& joints);
     void ChooseContactIslands(const AwakeIslands& islands);
     void Gather(SolverMemory& solver, JointSystem& joints);
     bool Follow(ContactIsland& island, SolverMemory& solver, JointSystem& joints);

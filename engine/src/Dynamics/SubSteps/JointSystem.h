@@ -38,6 +38,7 @@ public:
     bool IsExact() const { return m_iterated.IsEmpty(); }
     std::size_t Count() const { return m_joints.size(); }
     b2Joint& At(std::size_t joint) const { return *m_joints[joint]; }
+    const JointRows& Rows(std::size_t joint) const { return m_system.Rows(joint); }
     const RowSides& Sides(std::size_t joint) const { return m_sides[joint]; }
 
     /// Call at the start of a step: reads the impulses of the joints, times `share`.
