@@ -132,7 +132,7 @@ TEST(WorldProxies, TellThePairsOfManyThatMoveAtATime)
         Pairs reported;
         all.FindPairs(
             nullptr, [](const b2FixtureProxy*, box2d::Mobility) { return true; },
-            [](const b2FixtureProxy*, const b2FixtureProxy*) { return false; },
+            [](int32, int32) { return false; },
             [&](const b2FixtureProxy* a, const b2FixtureProxy* b) {
                 EXPECT_TRUE(reported.insert(inOrder(a, b)).second);
             });
@@ -184,7 +184,7 @@ TEST(WorldProxies, ReportTheSamePairsAfterTheStaticTreeIsRebuilt)
     box2d::Proxies all;
     const auto pairs = [&all] {
         std::set<std::pair<const b2FixtureProxy*, const b2FixtureProxy*>> reported;
-        const auto isKnown = [](const b2FixtureProxy*, const b2FixtureProxy*) { return false; };
+        const auto isKnown = [](int32, int32) { return false; };
         const auto isWanted = [](const b2FixtureProxy*, box2d::Mobility) { return true; };
         all.FindPairs(
             nullptr, isWanted, isKnown, [&](const b2FixtureProxy* a, const b2FixtureProxy* b) {

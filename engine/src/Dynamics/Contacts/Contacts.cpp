@@ -113,6 +113,16 @@ bool IsSame(const b2Manifold& a, const b2Manifold& b)
     return same;
 }
 
+/// False for two chains or edges, and for bullets that pass far from each other.
+bool CanMeet(const b2FixtureProxy& a, const b2FixtureProxy& b)
+{
+    const b2Shape& shapeA = *a.fixture->GetShape();
+    const b2Shape& shapeB = *b.fixture->GetShape();
+    return CanCollide(shapeA.GetType(), shapeB.GetType()) &&
+           PathsMeet(Data(*a.fixture->GetBody()), shapeA, a.childIndex, Data(*b.fixture->GetBody()),
+                     shapeB, b.childIndex);
+}
+
 /// The older body's fixture comes first, independent of which one moved.
 b2Contact* MakeContact(World& world, const b2FixtureProxy& one, const b2FixtureProxy& another)
 {
@@ -170,11 +180,9 @@ b2Contact& AddContact(World& world, const b2FixtureProxy& a, const b2FixtureProx
 
 void FindNewContacts(World& world)
 {
-    const auto isKnown = [&world](const b2FixtureProxy* a, const b2FixtureProxy* b) {
-        return !CanCollide(a->fixture->GetType(), b->fixture->GetType()) ||
-               !PathsMeet(Data(*a->fixture->GetBody()), *a->fixture->GetShape(), a->childIndex,
-                          Data(*b->fixture->GetBody()), *b->fixture->GetShape(), b->childIndex) ||
-               world.pairs.Contains(a->proxyId, b->proxyId);
+    // Most pairs have a contact: only the others are worth reading their bodies and shapes.
+    const auto isKnown = [&world](int32 a, int32 b) {
+        return world.pairs.Contains(a, b) || !CanMeet(*world.proxies.Get(a), *world.proxies.Get(b));
     };
     // Pairs that the default filter would always refuse are not searched for.
     const bool filtersByCategory = world.filter == &world.defaultFilter;

@@ -125,11 +125,6 @@ void Proxies::RebuildStatic()
     }
 }
 
-bool Proxies::HasMoved(int32 proxyId) const
-{
-    return m_marks[proxyId & 3][std::size_t(proxyId >> 2)] != kAtRest;
-}
-
 void Proxies::ListMoved()
 {
     std::size_t count = 0;

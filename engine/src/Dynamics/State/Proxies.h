@@ -60,7 +60,7 @@ public:
     /// The order of pairs depends only on the sequence of calls.
     /// All threads search the trees. For each moved proxy they search those for which
     /// isWanted(b2FixtureProxy* moved, Mobility) is true. They skip pairs for which
-    /// isKnown(b2FixtureProxy* moved, b2FixtureProxy* other) is true. Reports come from the calling
+    /// isKnown(int32 movedId, int32 otherId) is true. Reports come from the calling
     /// thread.
     template <class IsWanted, class IsKnown, class Report>
     void FindPairs(ThreadPool* threads, IsWanted&& isWanted, IsKnown&& isKnown, Report&& report);
@@ -82,18 +82,21 @@ private:
     friend struct SnapshotAccess;
     const b2DynamicTree& Tree(int32 proxyId) const { return m_trees[proxyId & 3]; }
     b2DynamicTree& Tree(int32 proxyId) { return m_trees[proxyId & 3]; }
-    bool HasMoved(int32 proxyId) const;
-    /// Builds the static tree again when it has grown by half since the last time, and by enough
-    /// proxies to be worthwhile. A query then visits nearly half as many nodes. Rebuilding takes no
-    /// longer than the insertions did.
-    void RebuildStatic();
-
     enum Mark : uint8
     {
         kAtRest,
         kMoved,     // in m_moved
         kLookedFor, // its pairs have been or will be reported
     };
+
+    bool HasMoved(int32 proxyId) const
+    {
+        return m_marks[proxyId & 3][std::size_t(proxyId >> 2)] != kAtRest;
+    }
+    /// Builds the static tree again when it has grown by half since the last time, and by enough
+    /// proxies to be worthwhile. A query then visits nearly half as many nodes. Rebuilding takes no
+    /// longer than the insertions did.
+    void RebuildStatic();
 
     struct Pair
     {
@@ -154,8 +157,8 @@ void Proxies::FindPairsOf(int32 moved, const IsWanted& isWanted, const IsKnown& 
         m_trees[tree].ForEachOverlap(box, [&](int32 node) {
             const int32 other = (node << 2) | tree;
             // If both have moved, the pair is reported from the larger id only.
-            return other == moved || (other > moved && HasMoved(other)) ||
-                   isKnown(proxy, Get(other)) || report(other);
+            return other == moved || (other > moved && HasMoved(other)) || isKnown(moved, other) ||
+                   report(other);
         });
     }
 }
@@ -172,11 +175,11 @@ void Proxies::FindDynamicPairs(const IsKnown& isKnown, const Report& report) con
         const int32 second = b2Max(a, b);
         const bool moved =
             marks[std::size_t(first)] != kAtRest || marks[std::size_t(second)] != kAtRest;
-        auto* const one = static_cast<b2FixtureProxy*>(tree.GetUserData(first));
-        auto* const another = static_cast<b2FixtureProxy*>(tree.GetUserData(second));
+        const int32 one = (first << 2) | dynamic;
+        const int32 another = (second << 2) | dynamic;
         if (moved && !isKnown(one, another))
         {
-            report(one, another);
+            report(Get(one), Get(another));
         }
     });
 }
