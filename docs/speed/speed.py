@@ -233,7 +233,7 @@ def machine_text(figures, name):
     if machine["load"] >= 0.5:
         others = f"**preliminary: other programs ran** (a load of {machine['load']:.1f} before the first benchmark)"
     elif "others" in machine:
-        others = f"other programs took {100 * machine['others']:.1f} % of their time meanwhile"
+        others = f"other programs used {100 * machine['others']:.1f} % of the processors meanwhile"
     else:
         others = f"a load of {machine['load']:.1f} when it began"
     return f"Measured on {machine['date']} on {machine['processor']}, {machine['processors']} processors; {others}.\n"

@@ -76,13 +76,6 @@ std::string RemedyOfTest(const GoldenVerdict& verdict)
            (isMissing ? "missing" : "changed") + " in the environment";
 }
 
-/// Lists the accepted files, for inspection before a commit.
-std::string WhatWasAccepted(const GoldenVerdict& verdict)
-{
-    return verdict.status == GoldenStatus::Missing ? verdict.name + ": there was no reference."
-                                                   : verdict.Text();
-}
-
 /// True for digits only, because the value names a folder.
 bool IsNumber(const std::string& text)
 {
@@ -192,7 +185,7 @@ GoldenOutcome CheckGolden(const GoldenCandidate& candidate, const CompareSetting
         {
             return {false, noted.GetError().Text(), ""};
         }
-        return {true, verdict->Text(), "accepted  " + WhatWasAccepted(*verdict) + "\n"};
+        return {true, verdict->Text(), "accepted  " + verdict->AcceptedText() + "\n"};
     }
     const std::string message =
         isWanted ? verdict->Text(

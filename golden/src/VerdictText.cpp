@@ -451,6 +451,16 @@ std::vector<std::string> GoldenVerdict::Findings() const
     return findings;
 }
 
+std::string GoldenVerdict::AcceptedText() const
+{
+    if (status != GoldenStatus::Missing)
+    {
+        return Text();
+    }
+    const bool isNew = absence == GoldenAbsence::All;
+    return name + ": " + (isNew ? "there was no reference" : DescribeMissing(*this)) + ".";
+}
+
 std::string GoldenVerdict::Text(const std::string& remedy) const
 {
     std::string text = name + ": " + JoinedBy("; ", Findings()) + ".";

@@ -149,7 +149,7 @@ Finding LookAtDisplay()
     const char* const name = std::getenv("DISPLAY");
     if (name == nullptr || *name == '\0')
     {
-        return std::string("none for `boxreel ui`; record, shot and play need none");
+        return std::string("no screen is named; only `boxreel ui` needs one");
     }
     const Result<void> display = CheckDisplay();
     return display ? Finding(std::string("DISPLAY is ") + name)

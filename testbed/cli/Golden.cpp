@@ -197,7 +197,7 @@ Result<int> Accept(const std::vector<GoldenSelection>& selections, const Folders
             const bool isSame = verdict.status == GoldenStatus::Same;
             same += isSame ? 1 : 0;
             RETURN_IF_ERROR(WriteOutput(isSame ? "same  " + verdict.name + "\n"
-                                               : "accepted  " + verdict.Text() + "\n"));
+                                               : "accepted  " + verdict.AcceptedText() + "\n"));
         }
     }
     RETURN_IF_ERROR(WriteOutput(

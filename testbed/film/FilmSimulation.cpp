@@ -115,8 +115,8 @@ Result<int> FilmSimulation::Conclude(std::int64_t frames) const
 {
     if (!m_options.length.until.empty() && !IsAtEnd())
     {
-        WriteMessage("boxreel: --until: no condition became true within " + std::to_string(frames) +
-                     " frames");
+        WriteMessage("boxreel: no condition of --until or --until-sleep became true within " +
+                     std::to_string(frames) + " frames");
     }
     // A missed camera target does not fail the film.
     const Result<void> played = m_session->CheckCompanion();

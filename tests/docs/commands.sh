@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # commands.sh CHECKOUT PROGRAM PREFIX PAGE [slow|accept]: runs what a page tells its readers to type, block by block, from
-# the top, in a folder of its own that looks like a checkout; what is installed in PREFIX is in its ~/boxreel.
+# the top, in a folder of its own that looks like a checkout; what is installed in PREFIX is in its ~/.local.
 # Blocks of commands have no language, or `sh`; in those of `console` the commands stand behind `$ `. Comments
 # before a block say what else there is to do:
 #
@@ -100,7 +100,7 @@ esac
 SCRIPT
 chmod +x "$work/bin/boxreel"
 ln -s "$work/bin/boxreel" "$folder/boxreel"
-ln -s "$prefix" "$work/home/boxreel"
+ln -s "$prefix" "$work/home/.local"
 CHECKOUT=$checkout
 export CHECKOUT BOXREEL_BUILD_DIR PATH="$work/bin:$PATH" HOME="$work/home" XDG_CONFIG_HOME="$work/home/.config"
 unset CI BOXREEL_GOLDEN_ACCEPT BOXREEL_GOLDEN_REFERENCES BOXREEL_GOLDEN_OUTPUT

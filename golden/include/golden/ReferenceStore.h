@@ -152,6 +152,8 @@ struct GoldenVerdict
     /// Returns name, findings, files, and the remedy if the change is intended, for people.
     /// `remedy` replaces the command to accept; lower case, no full stop.
     std::string Text(const std::string& remedy = "") const;
+    /// Returns what was accepted, for people: the differences, if there was a reference.
+    std::string AcceptedText() const;
 };
 
 /// A folder of references.

@@ -119,7 +119,7 @@ TEST_F(GoldenCommand, AcceptsOnlyMissingOrChanged)
     fs::remove(folder / "r/frames/bridge/5s.png");
     fs::remove(folder / "r/state/bridge/2s.txt");
     const Outcome missing = RunIn({"accept", "bridge", "--only", "missing"});
-    EXPECT_THAT(missing.output, AllOf(StartsWith("accepted  bridge/5s: there is no reference"),
+    EXPECT_THAT(missing.output, AllOf(StartsWith("accepted  bridge/5s: there was no reference"),
                                       HasSubstr("1 moment accepted"), Not(HasSubstr("bridge/2s"))));
     const Outcome changed = RunIn({"accept", "bridge", "--only", "changed"});
     EXPECT_THAT(changed.output,
