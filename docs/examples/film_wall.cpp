@@ -77,11 +77,11 @@ int main(int argc, char** argv)
     const boxreel::Color iron = isDark ? boxreel::Color{225, 230, 238} : boxreel::Color{50, 56, 66};
 
     auto film = boxreel::Recording::Open(argc > 1 ? argv[1] : "wall.webp",
-                                         {.width = 448, .height = 252, .framesPerSecond = {15, 1}},
+                                         {.width = 672, .height = 378, .framesPerSecond = {15, 1}},
                                          {.theme = theme});
-    for (int step = 0; film && step < 246; ++step)
+    for (int step = 0; film && step < 236; ++step)
     {
-        if (step >= 48 && step % 4 == 0) // 60 steps and 15 frames per second
+        if (step >= 64 && step % 4 == 0) // 60 steps and 15 frames per second
         {
             boxreel::DrawList list = boxreel::DrawListOf(world, b2Draw::e_shapeBit);
             for (boxreel::DrawItem& item : list.items) // owner: the number of the body
@@ -92,7 +92,7 @@ int main(int argc, char** argv)
                              : brick < kRows * kColumns ? rows[brick / kColumns % 5]
                                                         : iron;
             }
-            film->Add(list, {448, 252, 0.6, 3.7, 30.0}); // pixels, centre, pixels per metre
+            film->Add(list, {672, 378, 2.5, 4.2, 40.0}); // pixels, centre, pixels per metre
         }
         world.Step(1.0f / 60.0f, 8, 3);
     }

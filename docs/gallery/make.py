@@ -25,7 +25,8 @@ THEMES = {"light": "print", "dark": "dark"}
 LOOK = ["--size", "216x120", "--scale", "2"]  # 432x240, with lines that are seen at this size
 COLUMNS = 3
 COLORS = 48
-README_PICTURES = [f"{name}-{page}.{end}" for name, end in (("film", "webp"), ("window", "png"), ("report", "png")) for page in THEMES]
+README_PICTURES = ["window.png", *(f"{name}-{page}.{end}" for name, end in (("film", "webp"), ("report", "png")) for page in THEMES)]
+REPORT_SHOWS = "<style>header, nav, .message, h3, .tabs { display: none }</style>"  # one moment and its name
 
 # Scenes that the site lets one play, as pages of `boxreel record NAME -o NAME.html`.
 INTERACTIVE = ["Pyramid", "Dominos", "Theo Jansen's Walker", "Newton's Cradle", "Ragdoll", "Wrecking Ball"]
@@ -37,24 +38,24 @@ MOMENTS = {
     "Bridge": ("1.3s", None),
     "Chain": ("1s", "fit"),
     "Dominos": ("3.2s", None),
-    "Tumbler": ("5s", None),
+    "Tumbler": ("5s", "1,9,19"),
     "Card House": ("0.1s", "fit"),
     "Arch": ("1s", "fit"),
     "Double Domino": ("2.5s", "0,2,13"),
     "Circle Stack": ("1s", "fit"),
     "Rain": ("3s", None),
-    "Large Pyramid": ("0.1s", "fit"),
+    "Large Pyramid": ("0.1s", "0,39,26"),
     "Many Pyramids": ("0.1s", None),
     "Far Pyramid": ("7s", None),
-    "Smash": ("0.8s", None),
+    "Smash": ("1s", "5,0,23"),
     "High Mass Ratio 1": ("0.1s", "fit"),
     "High Mass Ratio 2": ("0.1s", "fit"),
     "High Mass Ratio 3": ("0.1s", "fit"),
-    "Heavy 1": ("0.1s", "fit"),
+    "Heavy 1": ("0.3s", "0,2.6,6.2"),
     "Heavy 2": ("1s", "fit"),
     "Overlap Recovery": ("0.1s", "fit"),
     "Chain Slide": ("1s", "-5.5,5,10"),
-    "Skinny Box": ("600ms", "0.6,1.8,5"),
+    "Skinny Box": ("4.7s", "-2,3,7"),
     "Car": ("7s", "follow:chassis:9"),
     "Theo Jansen's Walker": ("2.5s", "0,3.8,12"),
     "Pulleys": ("5.5s", None),
@@ -65,6 +66,7 @@ MOMENTS = {
     "Confined": ("7s", None),
     "Tiles": ("1s", None),
     "Bullet Test": ("4s", None),
+    "Continuous Test": ("1.3s", None),
     "Distance Test": ("4s", "0,1,9"),
     "Convex Hull": ("7s", None),
     "Edge Shapes": ("7s", None),
@@ -91,6 +93,13 @@ MOMENTS = {
     "MobileBalanced": ("1s", None),
 }
 
+# What else is drawn, where bodies alone say too little.
+MARKS = {
+    "Heavy 1": ["--draw", "shapes,joints,impulses"],
+    "Skinny Box": ["--onion", "14:2steps"],
+    "Continuous Test": ["--strobe", "3steps"],
+}
+
 
 def scenes_of(program):
     """Category, name and description of each scene, in the order of `boxreel list`."""
@@ -114,7 +123,7 @@ def source_of(scene):
 
 def options_of(scene):
     moment, camera = MOMENTS.get(scene, ("2.5s", None))
-    return ["--at", moment] + (["--camera", camera] if camera else [])
+    return ["--at", moment] + (["--camera", camera] if camera else []) + MARKS.get(scene, [])
 
 
 def pictures_of(scene):
@@ -142,25 +151,36 @@ def draw(program, scene):
 
 
 def draw_readme(program):
-    """A film, the window, and the report of a golden test that fails."""
+    """A film, the report of a golden test that fails, and the window, whose panels are dark on every page."""
     for page, theme in THEMES.items():
         run(program, "record", "theo-jansens-walker", "-o", FOLDER / f"film-{page}.webp", "--force", "--theme", theme, "--size", "400x225",
             "--fps", "10", "--seconds", "2.4", "--camera", "path:0s=-8,3.8,11;2.4s=-1.5,3.8,11")
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            run(program, "shot", "ragdoll", "-o", folder / "window.png", "--at", "1.2s", "--ui", "--theme", theme, "--size", "800x450",
-                "--camera", "-4.5,5.5,8.5")
-            reduce(folder / "window.png", FOLDER / f"window-{page}.png", 128)
-            record = [program, "record", "newtons-cradle", "--quality", "lossless", "--seconds", "2", "--size", "480x270", "--theme", theme]
-            run(*record, "-o", "approved.mkv", folder=folder)
-            run(program, "golden", "accept", "cradle", "--film", "approved.mkv", "--references", "references", folder=folder)
-            run(*record, "-o", "today.mkv", "--hz", "120", folder=folder)
-            run(program, "golden", "verify", "cradle", "--film", "today.mkv", "--references", "references", "--output", "failures",
-                "--report", "report.html", folder=folder, codes=(2,))
-            run("chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--window-size=1000,900",
-                *(["--blink-settings=preferredColorScheme=0"] if page == "dark" else []), f"--user-data-dir={folder / 'profile'}",
-                f"--screenshot={folder / 'report.png'}", f"file://{folder}/report.html", folder=folder)
-            reduce(folder / "report.png", FOLDER / f"report-{page}.png", 128, "crop=1000:562:0:206,")
+        draw_report(program, page, theme)
+    with tempfile.TemporaryDirectory() as name:
+        full = pathlib.Path(name) / "window.png"
+        run(program, "shot", "wrecking-ball", "-o", full, "--at", "2.15s", "--ui", "--theme", "dark", "--size", "800x556",
+            "--camera", "5,6,13")
+        reduce(full, FOLDER / "window.png", 128)
+
+
+def draw_report(program, page, theme):
+    """One moment, at twice the size: the text is read where the README shows it 400 pixels wide."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        record = [program, "record", "newtons-cradle", "--quality", "lossless", "--from", "7s", "--frames", "1", "--size", "480x130",
+                  "--camera", "0.5,7.4,9.4", "--theme", theme]
+        run(*record, "-o", "approved.mkv", folder=folder)
+        run(program, "golden", "accept", "newtons-cradle", "--film", "approved.mkv", "--references", "references", folder=folder)
+        run(*record, "-o", "today.mkv", "--hz", "120", folder=folder)
+        run(program, "golden", "verify", "newtons-cradle", "--film", "today.mkv", "--references", "references", "--output", "failures",
+            "--report", "report.html", folder=folder, codes=(2,))
+        with open(folder / "report.html", "a", encoding="utf-8") as report:
+            report.write(REPORT_SHOWS)
+        run("chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--window-size=400,432",
+            "--force-device-scale-factor=2", *(["--blink-settings=preferredColorScheme=0"] if page == "dark" else []),
+            f"--user-data-dir={folder / 'profile'}", f"--screenshot={folder / 'report.png'}", f"file://{folder}/report.html",
+            folder=folder)
+        reduce(folder / "report.png", FOLDER / f"report-{page}.png", 128)
 
 
 def cell(category, scene, shows):
@@ -207,7 +227,7 @@ def findings(scenes):
         yield f"docs/gallery/{picture.name} is missing; build the target `gallery`"
     for picture in sorted(found - wanted):
         yield f"docs/gallery/{picture.name} is no picture of a scene or of the README; remove it"
-    for name in sorted(MOMENTS.keys() - {scene for _, scene, _ in scenes}):
+    for name in sorted((MOMENTS.keys() | MARKS.keys()) - {scene for _, scene, _ in scenes}):
         yield f"docs/gallery/make.py has a moment for {name}, which is no scene"
     size = sum(picture.stat().st_size for picture in found)
     if size > MAX_BYTES:

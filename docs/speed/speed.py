@@ -26,7 +26,7 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(CHECKOUT / "tests" / "benchmark"))
 from runner import accuracy, charts, engine, toolkit  # noqa: E402
-from runner.common import time_text, times_text  # noqa: E402
+from runner.common import time_text, times_text, wrong_text  # noqa: E402
 
 PAGES = ["README.md", "docs/speed.md", "docs/accuracy.md", "docs/notes/picture-distance.md"]
 # What is measured, a file each. Rounds are so few that all but accuracy takes eight to ten minutes on two quiet cores,
@@ -79,7 +79,7 @@ def engine_table(figures):
         rows.append([result["what"], time_text(ours["cpu"]) if "cpu" in ours else ours["verdict"],
                      *(engine_cell(result, name) for name in names[1:])])
         if ours["verdict"] != "sound":
-            notes.append(f"Not compared: {result['what']}; of boxreel's run: {ours['verdict']}.")
+            notes.append(f"{result['what'][:1].upper() + result['what'][1:]}: {wrong_text(ours['verdict'])}, so the times are not compared.")
     return rows_text(["scene", *names], rows) + "".join("\n" + note + "\n" for note in notes)
 
 
@@ -339,6 +339,7 @@ def sub_steps_chart(results):
     texts = {"title": "What sub-steps are worth",
              "subtitle": "Error of boxreel over that of Box2D 2.4 with its one step, at 60 Hz with 8/3 iterations",
              "x": "sub-steps", "y": "error over Box2D's", "marks": {"x": "falls"},
+             "ticks": [1, 2, 4, 8, 16],
              "notes": ["Cases C-double-pendulum, I-pair and J-stack-30 of the table of errors. Both axes are logarithmic."]}
     points = []
     for name, words in SUB_STEPS_CHARTED.items():
@@ -349,8 +350,7 @@ def sub_steps_chart(results):
         for one in sorted(result["runs"], key=lambda one: one["subSteps"]):
             if one["engine"] == ours and [one[key] for key in accuracy.SETTINGS[:3]] == [8, 3, 60]:
                 mark = "x" if accuracy.ending(one) else "."
-                point = charts.Point(one["subSteps"], one["error"] / peer["error"], str(one["subSteps"]), mark)
-                points.append((words, "-", point))
+                points.append((words, "-", charts.Point(one["subSteps"], one["error"] / peer["error"], mark=mark)))
     return charts.Lines(texts, charts.curves_of(points))
 
 

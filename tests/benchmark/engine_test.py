@@ -134,6 +134,11 @@ class Charts(unittest.TestCase):
         self.assertEqual(chart.groups[0][3], [(4.0, "4.00×"), (None, "not compared: 4 escaped")])
         self.assertEqual(chart.series, ["than Box2D 2.4.1", "than Chipmunk 7"])
 
+    def test_say_in_words_how_our_run_ended(self) -> None:
+        chart = engine.Engine().drawn([judged(method(meanHeight=10.4))])[""]
+        self.assertEqual(chart.groups[0][3],
+                         [(None, "not compared: boxreel's bodies end at other heights than those of the peers")])
+
     def test_need_a_peer(self) -> None:
         result = {**SCENE, "methods": [method()]}
         engine.Engine().judge(result)

@@ -7,14 +7,15 @@ from collections import namedtuple
 from pathlib import Path
 from typing import Iterable
 
-from .common import ABSENT, Problem, Result, time_text, times_text
+from .common import ABSENT, Problem, Result, time_text, times_text, wrong_text
 
 THEMES = ("light", "dark")  # a file of matplotlib's settings each, and chart.mplstyle for both
 MARKS = {".": ("o", 5.0), "o": ("o", 9.0), "x": ("X", 6.5), "speck": ("o", 3.0)}  # of points, and their sizes
 # Groups are (name, what, value, [(length or None, label)]), with a bar for each series. Bars begin at `start`; from 0
 # the axis is linear, else logarithmic.
 Bars = namedtuple("Bars", "texts groups series start", defaults=[1.0])
-# Curves on two logarithmic axes; `floor` is a value that stands for all below it, and its name.
+# Curves on two logarithmic axes, the horizontal one with marks at `ticks` of the texts, if there are any; `floor` is a
+# value that stands for all below it, and its name.
 Lines = namedtuple("Lines", "texts curves floor", defaults=[(0.0, "")])
 # Of one engine, with the number of its colour; `stroke` is matplotlib's, empty for points that nothing joins.
 Curve = namedtuple("Curve", "name color stroke points")
@@ -33,7 +34,7 @@ def ratio_bars(texts: dict, results: list[Result], figure: str) -> Bars:
         ours, bars = result["methods"][0], []
         for name in peers:
             peer = next((one for one in result["methods"] if one["method"] == name), {"verdict": "not run"})
-            wrong = f"boxreel {ours['verdict']}" if ours["verdict"] != "sound" else peer["verdict"]
+            wrong = wrong_text(ours["verdict"]) if ours["verdict"] != "sound" else peer["verdict"]
             ratio = peer[figure] / ours[figure] if wrong == "sound" else None
             bars.append((ratio, times_text(ratio) if ratio else f"not compared: {wrong}"))
         groups.append((result["case"], result["what"], time_text(ours.get(figure)), bars))
@@ -72,7 +73,7 @@ def draw(chart: Bars | Lines, theme: str, kind: str) -> bytes:
 
 
 def draw_bars(axes, chart: Bars, ink: str, soft: str) -> None:
-    """Bars from `start` either way, labels beyond their ends, names at the left."""
+    """Bars from `start` either way, labels at the right of them, names at the left."""
     write = functools.partial(axes.annotate, textcoords="offset points")
     colors = [f"C{(row + (chart.start > 0.0)) % 6}" for row in range(len(chart.series))]  # ours is no ratio
     top, names = 0.0, -72 if chart.start else -10
@@ -80,8 +81,8 @@ def draw_bars(axes, chart: Bars, ink: str, soft: str) -> None:
         for row, (length, words) in enumerate(bars):
             end = chart.start if length is None else length
             axes.barh(top + row, end - chart.start, left=chart.start, height=0.78, color=colors[row], zorder=2)
-            write(words, (end, top + row), (-5 if end < chart.start else 5, 0), va="center", fontsize=8.5,
-                  ha="right" if end < chart.start else "left", color=soft if length is None else ink)
+            write(words, (max(end, chart.start), top + row), (5, 0), va="center", fontsize=8.5, ha="left",
+                  color=soft if length is None else ink)
         for x, y, words, style in ((names, 6, name, {"fontweight": "bold", "fontsize": 9.5}),
                                    (names, -6, what, {"color": soft, "fontsize": 8}), (-10, 0, value, {"fontsize": 9})):
             write(words, (0.0, top + 0.5 * (len(bars) - 1)), (x, y), xycoords=("axes fraction", "data"), ha="right",
@@ -94,7 +95,7 @@ def draw_bars(axes, chart: Bars, ink: str, soft: str) -> None:
     if chart.start:
         write("boxreel", (0.0, 1.0), (-10, 6), xycoords="axes fraction", ha="right", fontsize=8, color=soft)
         high = max(high, 10.0)
-        axes.set(xscale="log", xlim=(low / (2.2 if low < chart.start else 1.02), high * (high / low) ** 0.16))
+        axes.set(xscale="log", xlim=(low / (1.1 if low < chart.start else 1.02), high * (high / low) ** 0.16))
         axes.xaxis.set_major_formatter("{x:,.6g}")
     else:
         axes.set_xlim(0.0, 1.12 * high or 1.0)
@@ -132,6 +133,9 @@ def draw_lines(axes, chart: Lines, ink: str, soft: str) -> None:
     axes.legend(legend.values(), legend.keys(), bbox_to_anchor=(-0.01, 1.0), ncol=5, fontsize=8.5, borderaxespad=0.4,
                 columnspacing=1.4)
     axes.margins(0.07)
+    if ticks := chart.texts.get("ticks"):
+        axes.set_xticks(ticks)
+        axes.set_xticks([], minor=True)
     axes.xaxis.set_major_formatter("{x:,.6g}")
     floor, name = chart.floor
     if any(point.y <= floor for point in points):

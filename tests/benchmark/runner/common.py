@@ -122,6 +122,16 @@ def program(build: Path, name: str) -> Path:
     return path
 
 
+def wrong_text(verdict: str) -> str:
+    """The sentence that a verdict on our run beside its peers stands for, without a full stop."""
+    return {"other bodies": "boxreel ends with more or fewer bodies than the peers",
+            "other contacts": "boxreel's bodies end with more or fewer contacts than those of the peers",
+            "other heights": "boxreel's bodies end at other heights than those of the peers",
+            "other speeds": "boxreel's bodies end at other speeds than those of the peers",
+            "deep overlaps": "boxreel's bodies end deeper in each other than those of the peers",
+            }.get(verdict, f"boxreel's run has the verdict '{verdict}'")
+
+
 def is_number(value: Any) -> bool:
     """True if it is a finite number."""
     return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
