@@ -79,7 +79,8 @@ def engine_table(figures):
         rows.append([result["what"], time_text(ours["cpu"]) if "cpu" in ours else ours["verdict"],
                      *(engine_cell(result, name) for name in names[1:])])
         if ours["verdict"] != "sound":
-            notes.append(f"{result['what'][:1].upper() + result['what'][1:]}: {wrong_text(ours['verdict'])}, so the times are not compared.")
+            name = result["what"][:1].upper() + result["what"][1:]
+            notes.append(f"{name}: {wrong_text(ours['verdict'])}, so the times are not compared.")
     return rows_text(["scene", *names], rows) + "".join("\n" + note + "\n" for note in notes)
 
 
