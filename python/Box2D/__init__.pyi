@@ -501,6 +501,9 @@ class b2BodyDef:
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
 
 class b2Color:
     """A colour. Channels run from 0 to 1."""
@@ -1054,6 +1057,9 @@ class b2FixtureDef:
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def categoryBits(self) -> Any:
         """`categoryBits` of the filter."""
@@ -1190,6 +1196,9 @@ class b2JointDef:
     userData: Any
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
         ...
     type: int
 
@@ -2637,6 +2646,9 @@ class b2MouseJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     type: int
 
 class b2PolygonShape(b2Shape):
@@ -3272,6 +3284,9 @@ class b2GearJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     type: int
 
 class b2MotorJointDef(b2JointDef):
@@ -3288,6 +3303,12 @@ class b2MotorJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
+    def Initialize(self, bodyA: Any, bodyB: Any) -> Any:
+        """Sets the bodies; their offsets now are the target."""
+        ...
     type: int
 
 class b2RopeJointDef(b2JointDef):
@@ -3301,6 +3322,9 @@ class b2RopeJointDef(b2JointDef):
     userData: Any
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
         ...
     @property
     def anchorA(self) -> Any:
@@ -3332,6 +3356,9 @@ class b2DistanceJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3344,6 +3371,9 @@ class b2DistanceJointDef(b2JointDef):
         ...
     @anchorB.setter
     def anchorB(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchorA: Any, anchorB: Any) -> Any:
+        """Sets the bodies and an anchor on each in the world [m]; their distance now is the length."""
+        ...
     type: int
 
 class b2FrictionJointDef(b2JointDef):
@@ -3358,6 +3388,9 @@ class b2FrictionJointDef(b2JointDef):
     userData: Any
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
         ...
     @property
     def anchorA(self) -> Any:
@@ -3377,6 +3410,9 @@ class b2FrictionJointDef(b2JointDef):
         ...
     @anchor.setter
     def anchor(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchor: Any) -> Any:
+        """Sets the bodies and a common anchor in the world [m]; their angle now is the reference."""
+        ...
     type: int
 
 class b2PulleyJointDef(b2JointDef):
@@ -3395,6 +3431,9 @@ class b2PulleyJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3407,6 +3446,9 @@ class b2PulleyJointDef(b2JointDef):
         ...
     @anchorB.setter
     def anchorB(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, groundAnchorA: Any, groundAnchorB: Any, anchorA: Any, anchorB: Any, ratio: Any) -> Any:
+        """Sets the bodies, the fixed points, an anchor on each body in the world [m], and the ratio."""
+        ...
     type: int
 
 class b2RevoluteJointDef(b2JointDef):
@@ -3427,6 +3469,9 @@ class b2RevoluteJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3445,6 +3490,9 @@ class b2RevoluteJointDef(b2JointDef):
         ...
     @anchor.setter
     def anchor(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchor: Any) -> Any:
+        """Sets the bodies and a common anchor in the world [m]; their angle now is the reference."""
+        ...
     type: int
 
 class b2WeldJointDef(b2JointDef):
@@ -3461,6 +3509,9 @@ class b2WeldJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3479,6 +3530,9 @@ class b2WeldJointDef(b2JointDef):
         ...
     @anchor.setter
     def anchor(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchor: Any) -> Any:
+        """Sets the bodies and a common anchor in the world [m]; their angle now is the reference."""
+        ...
     type: int
 
 class b2Error(Exception):
@@ -3503,6 +3557,9 @@ class b2PrismaticJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3521,6 +3578,9 @@ class b2PrismaticJointDef(b2JointDef):
         ...
     @anchor.setter
     def anchor(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchor: Any, axis: Any) -> Any:
+        """Sets the bodies, a common anchor [m] and the axis, both in the world; their angle now is the reference."""
+        ...
     @property
     def axis(self) -> Any:
         """The axis in the world."""
@@ -3546,6 +3606,9 @@ class b2WheelJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3564,6 +3627,9 @@ class b2WheelJointDef(b2JointDef):
         ...
     @anchor.setter
     def anchor(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchor: Any, axis: Any) -> Any:
+        """Sets the bodies, a common anchor [m] and the axis, both in the world; their angle now is the reference."""
+        ...
     @property
     def axis(self) -> Any:
         """The axis in the world."""

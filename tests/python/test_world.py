@@ -323,6 +323,46 @@ class Joints(unittest.TestCase):
         self.world.DestroyJoint(joint)
         self.assertEqual((self.world.jointCount, self.world.joints), (0, []))
 
+    def test_definitions_are_initialized_from_the_world(self):
+        hinge = Box2D.b2RevoluteJointDef()
+        hinge.Initialize(self.a, self.b, (1, 0))
+        self.assertEqual((hinge.bodyA, hinge.bodyB, hinge.localAnchorA), (self.a, self.b, (1, 0)))
+        self.assertEqual((hinge.anchorB, hinge.referenceAngle), (self.b.GetWorldPoint(hinge.localAnchorB), 0.5))
+        self.assertEqual(self.world.CreateJoint(hinge).angle, 0)
+        for kind in (Box2D.b2WeldJointDef, Box2D.b2FrictionJointDef):
+            joint = kind()
+            joint.Initialize(bodyA=self.a, bodyB=self.b, anchor=(1, 0))
+            self.assertIsNotNone(self.world.CreateJoint(joint))
+        for kind in (Box2D.b2PrismaticJointDef, Box2D.b2WheelJointDef):
+            joint = kind()
+            joint.Initialize(bodyA=self.b, bodyB=self.a, anchor=(1, 0), axis=(0, 1))
+            self.assertEqual((joint.localAxisA, joint.localAnchorB), (self.b.GetLocalVector((0, 1)), (1, 0)))
+            self.assertIsNotNone(self.world.CreateJoint(joint))
+
+    def test_definitions_are_initialized_with_lengths_and_offsets(self):
+        rod, pulley, motor = Box2D.b2DistanceJointDef(), Box2D.b2PulleyJointDef(), Box2D.b2MotorJointDef()
+        rod.Initialize(self.a, self.b, anchorA=(0, 0), anchorB=(2, 0))
+        self.assertEqual(rod.length, 2)
+        pulley.Initialize(self.a, self.b, (0, 5), (2, 6), (0, 0), (2, 0), 1.5)
+        self.assertEqual((pulley.lengthA, pulley.lengthB, pulley.ratio, pulley.groundAnchorB), (5, 6, 1.5, (2, 6)))
+        motor.Initialize(self.a, self.b)
+        self.assertEqual((motor.linearOffset, motor.angularOffset), ((2, 0), 0.5))
+        for joint in (rod, pulley, motor):
+            self.assertIsNotNone(self.world.CreateJoint(joint))
+        with self.assertRaisesRegex(TypeError, "b2MotorJointDef.Initialize: bodyB: expected a b2Body, not None"):
+            motor.Initialize(self.a, None)
+
+    def test_definitions_become_keywords(self):
+        first = Box2D.b2RevoluteJointDef(anchor=(1, 0), enableMotor=True, **self.bodies())
+        keywords = first.to_kwargs()
+        self.assertEqual((keywords["enableMotor"], keywords["bodyA"]), (True, self.a))
+        keywords["localAnchorA"].x = 7
+        self.assertEqual(first.localAnchorA.x, 1)
+        second = Box2D.b2RevoluteJointDef(**first.to_kwargs())
+        self.assertEqual(second.to_kwargs(), first.to_kwargs())
+        self.assertEqual(b2BodyDef(angle=2).to_kwargs()["angle"], 2)
+        self.assertEqual(b2FixtureDef(**b2FixtureDef(maskBits=3).to_kwargs()).maskBits, 3)
+
     def test_create_by_class(self):
         joint = self.world.CreateJoint(type=Box2D.b2WeldJoint, anchor=(0, 0), **self.bodies())
         self.assertIs(type(joint), Box2D.b2WeldJoint)
