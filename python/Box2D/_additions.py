@@ -2,6 +2,7 @@
 """Functions of worlds, bodies and fixtures that are written in Python, and the names of the C++ interface."""
 
 import copy
+import copyreg
 
 import _boxreel
 from _boxreel import (b2Body, b2ChainShape, b2CircleShape, b2Contact, b2EdgeShape, b2Fixture, b2Joint,
@@ -323,6 +324,22 @@ b2World.__setstate__ = _set_attributes
 for _class in (b2Body, b2Fixture, b2Joint):
     _class.__deepcopy__ = _deepcopy_item
     _class.__reduce_ex__ = lambda self, protocol: _reduce_item(self)
+
+
+def _reduce_value(self, protocol):
+    # Of every protocol, because what Python does for 0 and 1 aborts in pybind11.
+    return copyreg.__newobj__, (type(self),), self.__getstate__()
+
+
+def _refuse_copies(self, protocol):
+    raise TypeError(f"a {type(self).__name__} cannot be copied or pickled; copy the numbers that you need")
+
+
+for _class in vars(_boxreel).values():
+    if isinstance(_class, type) and not issubclass(_class, Exception):
+        if "__reduce_ex__" not in vars(_class) and not issubclass(_class, b2Joint):
+            _class.__reduce_ex__ = _reduce_value if hasattr(_class, "__setstate__") else _refuse_copies
+        _class.__reduce__ = lambda self: self.__reduce_ex__(2)
 
 # ---- Texts
 

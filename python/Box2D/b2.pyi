@@ -67,10 +67,10 @@ from . import b2IsValid as isValid
 from . import b2Sqrt as sqrt
 from . import b2InvSqrt as invSqrt
 from . import b2Atan2 as atan2
-from . import b2NextPowerOfTwo as nextPowerOfTwo
-from . import b2IsPowerOfTwo as isPowerOfTwo
 from . import b2MixFriction as mixFriction
 from . import b2MixRestitution as mixRestitution
+from . import b2NextPowerOfTwo as nextPowerOfTwo
+from . import b2IsPowerOfTwo as isPowerOfTwo
 from . import b2Shape as shape
 from . import b2CircleShape as circleShape
 from . import b2EdgeShape as edgeShape
@@ -96,6 +96,7 @@ from . import b2CollideEdgeAndPolygon as collideEdgeAndPolygon
 from . import b2TestOverlap as testOverlap
 from . import b2Contact as contact
 from . import b2Body as body
+from . import b2FixtureFilter as fixtureFilter
 from . import b2Fixture as fixture
 from . import b2Joint as joint
 from . import b2RevoluteJoint as revoluteJoint

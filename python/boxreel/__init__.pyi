@@ -41,7 +41,7 @@ class Film:
 
 class Camera:
     """The visible part of the world, in a picture of width x height pixels."""
-    def __init__(self, width: int = ..., height: int = ..., center: Any = ..., pixelsPerMeter: float = ...) -> None: ...
+    def __init__(self, width: Any = ..., height: Any = ..., center: Any = ..., pixelsPerMeter: Any = ...) -> None: ...
     @property
     def width(self) -> int:
         """Width of the picture [px]."""

@@ -77,11 +77,6 @@ void BindConstants(py::module_& module)
 PYBIND11_MODULE(_boxreel, module)
 {
     using namespace boxreel::python;
-    py::options options;
-    if (std::getenv("BOXREEL_SIGNATURES") == nullptr) // python/stubs.py reads them
-    {
-        options.disable_function_signatures();
-    }
     module.doc() = "The engine and the toolkit, for the packages Box2D and boxreel.";
     InstallMisuse(module);
     BindConstants(module);
@@ -98,4 +93,8 @@ PYBIND11_MODULE(_boxreel, module)
     BindFilms(module);
     BindScenes(module);
     BindGolden(module);
+    if (std::getenv("BOXREEL_SIGNATURES") == nullptr) // else python/stubs.py reads the signatures
+    {
+        AddFallbacks(module);
+    }
 }
