@@ -12,6 +12,7 @@ Sizes are in pixels, lengths in metres, times in seconds.
 import base64 as _base64
 import os as _os
 import threading as _threading
+import warnings as _warnings
 
 import _boxreel
 from _boxreel import Camera, Error
@@ -24,9 +25,13 @@ _THEMES = ("classic", "okabe-ito", "print", "dark")
 _local = _threading.local()
 
 
+def _kind(value):
+    return "None" if value is None else f"'{type(value).__name__}'"
+
+
 def _require_world(world):
     if not isinstance(world, _World):
-        raise TypeError(f"world: expected a b2World, not '{type(world).__name__}'")
+        raise TypeError(f"world: expected a b2World, not {_kind(world)}")
 
 
 def _renderer(size, theme, scale):
@@ -85,8 +90,16 @@ def shot(world, path, size=(1280, 720), *, camera=None, theme="classic", scale=1
 class Film:
     """A film; see film."""
 
+    _film = None
+
     def __init__(self, path, **options):
         self._film = _boxreel._Film(path, options)
+        self._is_open = True
+
+    def __del__(self):
+        if self._film is not None and self._is_open:
+            _warnings.warn(f"{self.path}: this film was dropped and is not written; call close, or use it in a with block",
+                           ResourceWarning, source=self)
 
     def add(self, frame, *, camera=None, layers=None, trails=None):
         """Appends a frame: a world as it is now, or an array (height, width, 3 or 4) of uint8.
@@ -100,6 +113,7 @@ class Film:
 
     def close(self):
         """Waits for the encoder and gives the film its name."""
+        self._is_open = False
         self._film.close()
 
     @property
@@ -124,6 +138,7 @@ class Film:
         if kind is None:
             self.close()
         else:
+            self._is_open = False
             self._film.discard()  # no file under the final name
 
     def __repr__(self):
@@ -173,7 +188,9 @@ def restore(world, snapshot):
     """Puts a world back to a snapshot. Bodies, fixtures and joints that were there keep their Python objects and
     their attributes as they are; those created later are destroyed."""
     _require_world(world)
-    world._restore(snapshot)
+    if not isinstance(snapshot, (bytes, bytearray)):
+        raise TypeError(f"boxreel.restore: snapshot: expected the bytes of boxreel.save, not {_kind(snapshot)}")
+    world._restore(bytes(snapshot))
 
 
 def _world_of(snapshot):
@@ -194,6 +211,10 @@ def scenes():
 def scene(name, seed=1):
     """Returns the world of a scene at its start. Bodies with a name have it as `name`; `world.steps` are the
     arguments of Step that the scene prefers. What a scene steers in each step is not part of it."""
+    if not isinstance(name, str):
+        raise TypeError(f"boxreel.scene: name: expected the name of a scene, not {_kind(name)}")
+    if not hasattr(seed, "__index__"):
+        raise TypeError(f"boxreel.scene: seed: expected a whole number, not {_kind(seed)}")
     try:
         return _world_of(_boxreel._scene(name, seed))
     except KeyError:

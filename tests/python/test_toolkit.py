@@ -137,6 +137,34 @@ class Films(InFolder):
         with self.assertRaises(b2Error):
             film.add(drop())
 
+    def test_errors_of_films_name_keywords(self):
+        with self.assertRaisesRegex(boxreel.Error, r"use size=\(322, 180\), quality=") as caught:
+            boxreel.film(self.path("a.mp4"), size=(321, 180))
+        self.assertNotIn("--", str(caught.exception))
+        with self.assertRaisesRegex(boxreel.Error, "folder .*none does not exist"):
+            boxreel.film(self.path("none/a.mp4"))
+        film = boxreel.film(self.path("a.mp4"), size=(320, 180))
+        with self.assertRaisesRegex(b2Error, "16 x 9 pixels.*320 x 180"):
+            film.add(numpy.zeros((9, 16, 3), numpy.uint8))
+        film.add(numpy.zeros((180, 320, 3), numpy.uint8))
+        with self.assertRaisesRegex(b2Error, "16 x 9 pixels.*320 x 180"):
+            film.add(numpy.zeros((9, 16, 3), numpy.uint8))
+        film.close()
+
+    def test_a_dropped_film_warns(self):
+        with self.assertWarnsRegex(ResourceWarning, "a.mp4"):
+            boxreel.film(self.path("a.mp4"), size=(320, 180)).add(drop())
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_wrong_calls_get_a_sentence(self):
+        for call, text in ((lambda: boxreel.Camera(640, 360, centre=(0, 0)), "^Camera: .*did you mean 'center'"),
+                           (lambda: boxreel.scene(3), "^boxreel.scene: name: expected the name of a scene, not 'int'$"),
+                           (lambda: boxreel.restore(drop(), None), "^boxreel.restore: snapshot: .*, not None$")):
+            with self.assertRaisesRegex(TypeError, text):
+                call()
+        with self.assertRaisesRegex(ValueError, "center"):
+            boxreel.Camera(center=(float("nan"), 0))
+
     def test_the_same_film_has_the_same_bytes(self):
         contents = []
         for name in ("a.mp4", "b.mp4"):
