@@ -1,6 +1,42 @@
 # Made by python/stubs.py.
 from typing import Any, Iterator, Sequence
 
+class b2BroadPhase:
+    """Numbers of the broad phase of a world."""
+    def __getattr__(self, name: str) -> Any: ...
+    def __setattr__(self, name: str, value: Any) -> None: ...
+    def __init__(self, world: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    @property
+    def proxyCount(self) -> Any:
+        """Number of boxes."""
+        ...
+    @property
+    def treeHeight(self) -> Any:
+        """Height of the highest tree."""
+        ...
+    @property
+    def treeBalance(self) -> Any:
+        """Maximum balance of the trees."""
+        ...
+    @property
+    def treeQuality(self) -> Any:
+        """Ratio of the areas of the trees."""
+        ...
+    def GetProxyCount(self, *arguments: Any) -> Any:
+        """Number of boxes."""
+        ...
+    def GetTreeHeight(self, *arguments: Any) -> Any:
+        """Height of the highest tree."""
+        ...
+    def GetTreeBalance(self, *arguments: Any) -> Any:
+        """Maximum balance of the trees."""
+        ...
+    def GetTreeQuality(self, *arguments: Any) -> Any:
+        """Ratio of the areas of the trees."""
+        ...
+
 class b2ContactManager:
     """A summary of the contacts of a world."""
     def __getattr__(self, name: str) -> Any: ...
@@ -17,6 +53,10 @@ class b2ContactManager:
         """Number of contacts."""
         ...
     @property
+    def broadPhase(self) -> Any:
+        """Numbers of the broad phase."""
+        ...
+    @property
     def contactListener(self) -> Any:
         """The contact listener."""
         ...
@@ -25,15 +65,36 @@ class b2ContactManager:
         """The contact filter."""
         ...
 
-class b2TOIOutput:
-    """The states of a search for a time of impact."""
+class b2DistanceProxy:
+    """A child of a shape, for distances and times of impact."""
     def __getattr__(self, name: str) -> Any: ...
     def __setattr__(self, name: str, value: Any) -> None: ...
-    e_unknown: int
-    e_failed: int
-    e_overlapped: int
-    e_touching: int
-    e_separated: int
+    def __init__(self, shape: Any = ..., index: Any = ...) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    def Set(self, shape: Any, index: Any = ...) -> Any:
+        """Sets the shape and its child."""
+        ...
+    @property
+    def vertices(self) -> Any:
+        """The vertices of the child [m]."""
+        ...
+    @property
+    def radius(self) -> Any:
+        """Radius of a circle, or of the skin of another shape [m]."""
+        ...
+    def GetVertexCount(self) -> Any:
+        """Returns the number of vertices."""
+        ...
+    def GetVertex(self, index: Any) -> Any:
+        """Returns a vertex [m]."""
+        ...
+    def GetSupport(self, d: Any) -> Any:
+        """Returns the index of the vertex that is farthest in a direction."""
+        ...
+    def GetSupportVertex(self, d: Any) -> Any:
+        """Returns the vertex that is farthest in a direction [m]."""
+        ...
 
 class Camera:
     """The visible part of the world, in a picture of width x height pixels."""
@@ -332,6 +393,18 @@ class b2Body:
     def contacts(self) -> Any:
         """The contacts, as a list of b2ContactEdge."""
         ...
+    @property
+    def joints_gen(self) -> Any:
+        """A generator of joints."""
+        ...
+    @property
+    def contacts_gen(self) -> Any:
+        """A generator of contacts."""
+        ...
+    @property
+    def fixtures_gen(self) -> Any:
+        """A generator of fixtures."""
+        ...
     def GetUserData(self, *arguments: Any) -> Any:
         """Any object of the program."""
         ...
@@ -476,6 +549,15 @@ class b2Body:
     def GetContacts(self, *arguments: Any) -> Any:
         """The contacts, as a list of b2ContactEdge."""
         ...
+    def GetJoints_gen(self, *arguments: Any) -> Any:
+        """A generator of joints."""
+        ...
+    def GetContacts_gen(self, *arguments: Any) -> Any:
+        """A generator of contacts."""
+        ...
+    def GetFixtures_gen(self, *arguments: Any) -> Any:
+        """A generator of fixtures."""
+        ...
 
 class b2BodyDef:
     """Definition of a body. `fixtures` is a b2FixtureDef or a list, `shapes` a shape or a list; `shapeFixture` has the material of the shapes."""
@@ -501,6 +583,12 @@ class b2BodyDef:
         ...
     def to_kwargs(self) -> Any:
         """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
+
+class b2ClipVertex:
+    """A vertex of a clipped edge [m], and the features that made it."""
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
         ...
 
 class b2Color:
@@ -791,6 +879,12 @@ class b2ContactListener:
         """Called after a contact was solved, with its impulses [N s]."""
         ...
 
+class b2ContactPoint:
+    """A contact point, as programs keep it from a callback."""
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+
 class b2DebugDraw:
     """Draws what b2World.DrawDebugData passes to it. Points are in the world [m]."""
     def __init__(self, **keywords: Any) -> None:
@@ -845,6 +939,18 @@ class b2DestructionListener:
         ...
     def SayGoodbye(self, object: Any) -> Any:
         """Called before a joint or a fixture is destroyed."""
+        ...
+
+class b2DistanceInput:
+    """Two children of shapes with their transforms, for b2Distance."""
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+
+class b2DistanceOutput:
+    """The closest points of two shapes [m]."""
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
         ...
 
 class b2DistanceResult:
@@ -1664,6 +1770,23 @@ class b2Sweep:
         """Returns a copy."""
         ...
 
+class b2TOIInput:
+    """Two children of shapes with their motions, for b2TimeOfImpact."""
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+
+class b2TOIOutput:
+    """The state and time of a search for a time of impact."""
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    e_unknown: int
+    e_failed: int
+    e_overlapped: int
+    e_touching: int
+    e_separated: int
+
 class b2Transform:
     """A rotation, then a translation: the pose of a frame."""
     def __init__(self, *args: Any, **kwargs: Any) -> None: ...
@@ -1878,6 +2001,12 @@ class b2Vec3:
         """Sets all components to 0."""
         ...
 
+class b2Version:
+    """A version of the interface."""
+    major: Any
+    minor: Any
+    revision: Any
+
 class b2World:
     """A world: it owns bodies and joints, steps them and answers queries."""
     def __getattr__(self, name: str) -> Any: ...
@@ -2025,6 +2154,9 @@ class b2World:
     def Dump(self) -> None:
         """Writes the world as code of C++ to standard output."""
         ...
+    def DebugDraw(self) -> None:
+        """Draws the world with the renderer."""
+        ...
     @property
     def bodies(self) -> list:
         """The bodies, in the order of creation."""
@@ -2043,6 +2175,18 @@ class b2World:
         ...
     def __iter__(self) -> Any: ...
     def __contains__(self, arg0: Any, /) -> bool: ...
+    @property
+    def bodies_gen(self) -> Any:
+        """A generator of bodies."""
+        ...
+    @property
+    def joints_gen(self) -> Any:
+        """A generator of joints."""
+        ...
+    @property
+    def contacts_gen(self) -> Any:
+        """A generator of contacts."""
+        ...
     def CreateBody(self, defn: Any = ..., **keywords: Any) -> Any:
         """Creates a body from a b2BodyDef or from keywords: its fields, fixtures, shapes, shapeFixture, and mass data."""
         ...
@@ -2226,6 +2370,15 @@ class b2World:
         ...
     def GetProfile(self, *arguments: Any) -> Any:
         """Timing of the last step. The first use enables it."""
+        ...
+    def GetBodies_gen(self, *arguments: Any) -> Any:
+        """A generator of bodies."""
+        ...
+    def GetJoints_gen(self, *arguments: Any) -> Any:
+        """A generator of joints."""
+        ...
+    def GetContacts_gen(self, *arguments: Any) -> Any:
+        """A generator of contacts."""
         ...
     def GetContactManager(self, *arguments: Any) -> Any:
         """A summary of the contacts."""
@@ -3719,11 +3872,18 @@ class b2WheelJointDef(b2JointDef):
     @axis.setter
     def axis(self, value: Any) -> None: ...
     type: int
+RAND_LIMIT: int
 def b2Abs(a: Any) -> Any:
     """Returns the absolute value of a number, or of each component."""
     ...
 def b2Atan2(y: Any, x: Any) -> float:
     """Returns the angle of the vector (x, y) [rad]."""
+    ...
+def b2BodyCompare(a: Any, b: Any) -> Any:
+    """True if both are the same b2Body."""
+    ...
+def b2CheckPolygon(shape: Any, additional_checks: Any = ...) -> Any:
+    """Returns True for a convex polygon with an area, else raises an error that says what it lacks."""
     ...
 def b2Clamp(a: Any, low: Any, high: Any) -> Any:
     """Returns `a` limited to [low, high], of each component for vectors."""
@@ -3737,13 +3897,16 @@ def b2Cross(a: Any, b: Any) -> Any:
     """Returns the cross product of vectors and numbers."""
     ...
 def b2Distance(*arguments: Any, **keywords: Any) -> Any:
-    """Returns the closest points of two shapes: b2Distance(shapeA=, idxA=0, shapeB=, idxB=0, transformA=, transformB=, useRadii=True). Given two points, returns their distance [m]."""
+    """Returns the closest points of two shapes: b2Distance(b2DistanceInput), or b2Distance(shapeA=, idxA=0, shapeB=, idxB=0, transformA=, transformB=, useRadii=True). Given two points, returns their distance [m]."""
     ...
 def b2DistanceSquared(a: Any, b: Any) -> float:
     """Returns the squared distance of two points [m^2]."""
     ...
 def b2Dot(a: Any, b: Any) -> float:
     """Returns the dot product."""
+    ...
+def b2FixtureCompare(a: Any, b: Any) -> Any:
+    """True if both are the same b2Fixture."""
     ...
 def b2GetPointStates(manifold1: Any, manifold2: Any) -> tuple:
     """Returns the states of both manifolds' points: (state1, state2)."""
@@ -3757,6 +3920,9 @@ def b2IsPowerOfTwo(x: Any) -> bool:
     ...
 def b2IsValid(x: Any) -> bool:
     """True if the number is finite."""
+    ...
+def b2JointCompare(a: Any, b: Any) -> Any:
+    """True if both are the same b2Joint."""
     ...
 def b2Max(a: Any, b: Any) -> Any:
     """Returns the maximum, of each component for vectors."""
@@ -3782,12 +3948,18 @@ def b2MulT(a: Any, b: Any) -> Any:
 def b2NextPowerOfTwo(x: Any) -> int:
     """Returns the smallest power of two above x."""
     ...
+def b2Random(lo: Any = ..., hi: Any = ...) -> Any:
+    """Returns a random number from `lo` to `hi`, by Python's module random: random.seed makes it repeat."""
+    ...
+def b2ShapeCompare(a: Any, b: Any) -> Any:
+    """True if both are the same b2Shape."""
+    ...
 def b2Sqrt(x: Any) -> float:
     """Returns the square root."""
     ...
 def b2TestOverlap(*args: Any, **kwargs: Any) -> Any: ...
 def b2TimeOfImpact(shapeA: Any = ..., idxA: Any = ..., shapeB: Any = ..., idxB: Any = ..., sweepA: Any = ..., sweepB: Any = ..., tMax: Any = ...) -> Any:
-    """Returns (state, t) of two moving shapes. The states are those of b2TOIOutput."""
+    """Returns (state, t) of two moving shapes, or of a b2TOIInput. The states are those of b2TOIOutput."""
     ...
 b2_aabbExtension: float
 b2_aabbMultiplier: float
@@ -3795,18 +3967,22 @@ b2_addState: int
 b2_angularSleepTolerance: float
 b2_angularSlop: float
 b2_baumgarte: float
+b2_blockSizes: int
+b2_chunkSize: int
 b2_dynamicBody: int
 b2_epsilon: float
 b2_kinematicBody: int
 b2_linearSleepTolerance: float
 b2_linearSlop: float
 b2_maxAngularCorrection: float
+b2_maxBlockSize: int
 b2_maxFloat: float
 b2_maxLinearCorrection: float
 b2_maxManifoldPoints: int
 b2_maxPolygonVertices: int
 b2_maxRotation: float
 b2_maxRotationSquared: float
+b2_maxStackEntries: int
 b2_maxSubSteps: int
 b2_maxTOIContacts: int
 b2_maxTranslation: float
@@ -3818,6 +3994,7 @@ b2_persistState: int
 b2_pi: float
 b2_polygonRadius: float
 b2_removeState: int
+b2_stackSize: int
 b2_staticBody: int
 b2_timeToSleep: float
 b2_toiBaugarte: float

@@ -5,8 +5,8 @@ import copy
 import copyreg
 
 import _boxreel
-from _boxreel import (b2Body, b2ChainShape, b2CircleShape, b2Contact, b2EdgeShape, b2Fixture, b2Joint,
-                      b2PolygonShape, b2RayCastInput, b2Shape, b2World)
+from _boxreel import (b2Body, b2ChainShape, b2CircleShape, b2Contact, b2EdgeShape, b2Filter, b2Fixture,
+                      b2FixtureFilter, b2Joint, b2PolygonShape, b2RayCastInput, b2Shape, b2World)
 
 from ._definitions import JOINT_DEFINITIONS, b2BodyDef, b2FixtureDef, b2JointDef
 
@@ -77,7 +77,13 @@ def _create_fixture(self, defn=None, density=None, **keywords):
 
 
 def _shape_fixture(shape_class, *names):
+    known = {*names, *b2FixtureDef._names()}
+
     def create(self, **keywords):
+        for name in keywords:
+            if name not in known:
+                raise TypeError(f"fixture of a {shape_class.__name__}: there is no keyword '{name}'"
+                                f"{_boxreel._hint(name, list(known))}")
         shape = shape_class(**{name: keywords.pop(name) for name in names if name in keywords})
         return _create_fixture(self, shape=shape, **keywords)
 
@@ -145,6 +151,16 @@ def _ray_cast(self, *arguments, **keywords):
 
 b2Fixture.RayCast = _ray_cast
 
+
+def _generator_of(name):
+    return property(lambda self: (item for item in getattr(self, name)), doc=f"A generator of {name}.")
+
+
+for _name in ("joints", "contacts", "fixtures"):
+    setattr(b2Body, _name + "_gen", _generator_of(_name))
+for _name in ("bodies", "joints", "contacts"):
+    setattr(b2World, _name + "_gen", _generator_of(_name))
+
 # ---- Worlds
 
 _init_world = b2World.__init__
@@ -155,7 +171,7 @@ def _world_init(self, gravity=(0, -10), doSleep=True, **keywords):
     _init_world(self, gravity, bool(doSleep))
     for name, value in keywords.items():
         if not hasattr(type(self), name):
-            raise TypeError(f"b2World has no property '{name}'")
+            raise TypeError(f"b2World has no property '{name}'{_boxreel._hint(name, dir(type(self)))}")
         setattr(self, name, value)
 
 
@@ -228,6 +244,33 @@ for _name, _class in JOINT_DEFINITIONS.items():
     setattr(b2World, "Create" + _name[2:-3], _create_named_joint(_name, _class))
 
 
+class b2BroadPhase:
+    """Numbers of the broad phase of a world."""
+
+    def __init__(self, world):
+        self._world = world
+
+    @property
+    def proxyCount(self):
+        """Number of boxes."""
+        return self._world.proxyCount
+
+    @property
+    def treeHeight(self):
+        """Height of the highest tree."""
+        return self._world.treeHeight
+
+    @property
+    def treeBalance(self):
+        """Maximum balance of the trees."""
+        return self._world.treeBalance
+
+    @property
+    def treeQuality(self):
+        """Ratio of the areas of the trees."""
+        return self._world.treeQuality
+
+
 class b2ContactManager:
     """A summary of the contacts of a world."""
 
@@ -243,6 +286,11 @@ class b2ContactManager:
     def contactCount(self):
         """Number of contacts."""
         return self._world.contactCount
+
+    @property
+    def broadPhase(self):
+        """Numbers of the broad phase."""
+        return b2BroadPhase(self._world)
 
     @property
     def contactListener(self):
@@ -335,6 +383,12 @@ def _refuse_copies(self, protocol):
     raise TypeError(f"a {type(self).__name__} cannot be copied or pickled; copy the numbers that you need")
 
 
+def _filter_of(categoryBits, maskBits, groupIndex):
+    return b2Filter(categoryBits=categoryBits, maskBits=maskBits, groupIndex=groupIndex)
+
+
+b2FixtureFilter.__reduce_ex__ = lambda self, protocol: (
+    _filter_of, (self.categoryBits, self.maskBits, self.groupIndex))
 for _class in vars(_boxreel).values():
     if isinstance(_class, type) and not issubclass(_class, Exception):
         if "__reduce_ex__" not in vars(_class) and not issubclass(_class, b2Joint):
@@ -395,7 +449,7 @@ def _accessor(function, doc):
     return call
 
 
-for _class in (b2World, b2Body, b2Fixture, b2Contact, b2Joint, *b2Joint.__subclasses__()):
+for _class in (b2BroadPhase, b2World, b2Body, b2Fixture, b2Contact, b2Joint, *b2Joint.__subclasses__()):
     _add_accessors(_class)
 
-__all__ = ["b2JointEdge", "b2ContactEdge", "b2ContactManager"]
+__all__ = ["b2BroadPhase", "b2JointEdge", "b2ContactEdge", "b2ContactManager"]

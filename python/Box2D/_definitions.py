@@ -2,9 +2,8 @@
 """Definitions of bodies, fixtures and joints. Names and defaults are those of the engine's tables."""
 
 import copy
-import difflib
 
-from _boxreel import _defaults, b2Body, b2Error, b2Filter, b2Vec2
+from _boxreel import _defaults, _hint, b2Body, b2Error, b2Filter, b2Vec2
 
 
 class _Definition:
@@ -27,9 +26,7 @@ class _Definition:
         names = self._names()
         for name, value in keywords.items():
             if name not in names:
-                near = difflib.get_close_matches(name, names, 1)
-                hint = f"; did you mean '{near[0]}'?" if near else ""
-                raise TypeError(f"{type(self).__name__} has no field '{name}'{hint}")
+                raise TypeError(f"{type(self).__name__} has no field '{name}'{_hint(name, sorted(names))}")
             setattr(self, name, value)
 
     def __setattr__(self, name, value):

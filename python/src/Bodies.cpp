@@ -367,10 +367,7 @@ void BindFixtureFilter(py::module_& module)
         .def("__copy__", copy)
         .def(
             "__deepcopy__", [copy](const FixtureFilter& self, py::handle) { return copy(self); },
-            py::arg("memo"))
-        .def("__reduce_ex__", [copy](const FixtureFilter& self, py::handle protocol) {
-            return py::cast(copy(self)).attr("__reduce_ex__")(protocol);
-        });
+            py::arg("memo"));
 }
 
 void BindFixture(py::module_& module)

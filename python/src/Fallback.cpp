@@ -142,16 +142,39 @@ void AddToAll(const py::object& scope, const std::string& owner)
     }
 }
 
+/// Gives a class without a constructor one that says so.
+void RefuseConstruction(const py::object& type, const std::string& name)
+{
+    const bool isError =
+        PyType_IsSubtype(reinterpret_cast<PyTypeObject*>(type.ptr()),
+                         reinterpret_cast<PyTypeObject*>(PyExc_BaseException)) != 0;
+    // A constructor of pybind11 is an instance method; the slot of its base class is none.
+    if (!isError && !PyInstanceMethod_Check(py::object(type.attr("__dict__")["__init__"]).ptr()))
+    {
+        type.attr("__init__") = py::cpp_function(
+            [name](py::handle, const py::args&, const py::kwargs&) {
+                throw py::type_error(name + ": it has no constructor; the engine makes these");
+            },
+            py::name("__init__"), py::is_method(type));
+    }
+}
+
 } // namespace
 
 std::string HintFor(py::handle name, const py::object& names)
 {
     const py::list known =
         PyType_Check(names.ptr()) ? py::module_::import("builtins").attr("dir")(names) : names;
+    // 0.5 is below Python's 0.6, so that `pos` finds `position`.
     const py::object near =
         py::module_::import("difflib").attr("get_close_matches")(name, known, 1, 0.5);
     return py::len(near) == 0 ? ""
                               : "; did you mean '" + std::string(py::str(near[py::int_(0)])) + "'?";
+}
+
+void BindHints(py::module_& module)
+{
+    module.def("_hint", &HintFor);
 }
 
 void AddFallbacks(py::module_& module)
@@ -164,7 +187,9 @@ void AddFallbacks(py::module_& module)
         const py::tuple pair = py::reinterpret_borrow<py::tuple>(item);
         if (PyType_Check(py::object(pair[1]).ptr()))
         {
-            AddToAll(pair[1], py::str(pair[0]));
+            const py::object type = pair[1];
+            AddToAll(type, py::str(pair[0]));
+            RefuseConstruction(type, py::str(pair[0]));
         }
     }
 }

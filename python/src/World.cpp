@@ -344,6 +344,7 @@ void BindWorld(py::module_& module)
              py::arg("gravity") = py::make_tuple(0.0, -10.0), py::arg("doSleep") = true);
     BindSettings(type);
     BindActions(type);
+    type.attr("DebugDraw") = type.attr("DrawDebugData");
     type.def_property_readonly("bodies", BodiesOf, "The bodies, in the order of creation.")
         .def_property_readonly(
             "joints",

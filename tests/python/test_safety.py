@@ -74,6 +74,36 @@ class Arguments(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, name):
                 change()
 
+    def test_wrong_calls_get_a_sentence(self):
+        world, body = self.world, self.body
+        for call, text in ((lambda: world.DestroyBody(None), r"^b2World.DestroyBody: expected \(body\), not \(None\)$"),
+                           (lambda: world.Step(1 / 60), r"^b2World.Step: expected \(timeStep, .*\), not \('float'\)$"),
+                           (lambda: body.ApplyForce((1, 2)), r"^b2Body.ApplyForce: expected \(force, point, wake\)"),
+                           (lambda: Box2D.b2Dot(1), r"^b2Dot: expected \(a, b\), not \('int'\)$"),
+                           (lambda: Box2D.b2Vec2(1, 2, 3), r"^b2Vec2: expected \(x, y\), not \('int', 'int', 'int'\)$"),
+                           (lambda: body.GetWorldPoint(localpoint=(1, 2)), "did you mean 'localPoint'"),
+                           (lambda: Box2D.b2GetPointStates(None, None), "^b2GetPointStates: expected two b2Manifold, not None$"),
+                           (lambda: Box2D.b2Body(), "^b2Body: ")):
+            with self.assertRaisesRegex(TypeError, text):
+                call()
+
+    def test_unknown_keywords_name_the_nearest(self):
+        for call, near in ((lambda: self.body.CreateCircleFixture(raduis=1), "radius"),
+                           (lambda: b2CircleShape(raduis=1), "radius"),
+                           (lambda: self.world.CreateDynamicBody(pos=(0, 0)), "position"),
+                           (lambda: self.body.CreatePolygonFixture(box=(1, 1), frction=1), "friction"),
+                           (lambda: b2World(gravty=(0, 0)), "gravity"),
+                           (lambda: Box2D.b2RevoluteJointDef(enableMoter=True), "enableMotor")):
+            with self.assertRaisesRegex(TypeError, f"did you mean '{near}'"):
+                call()
+
+    def test_callbacks_of_a_wrong_kind_are_refused(self):
+        for name in ("contactListener", "contactFilter", "destructionListener", "renderer"):
+            for value in (3, object()):
+                with self.assertRaisesRegex(TypeError, f"{name}: expected a b2.* or None"):
+                    setattr(self.world, name, value)
+            self.assertIsNone(getattr(self.world, name))
+
     def test_joints_need_two_bodies_of_this_world(self):
         second = b2World()
         other = ball(second)

@@ -234,6 +234,32 @@ class Shapes(unittest.TestCase):
         self.assertEqual(state, Box2D.b2TOIOutput.e_touching)
         self.assertAlmostEqual(t, 4 / 6, 2)
 
+    def test_inputs_of_distance_and_time_of_impact(self):
+        box, circle = Box2D.b2DistanceProxy(b2PolygonShape(box=(1, 1))), Box2D.b2DistanceProxy(b2CircleShape(radius=1))
+        self.assertEqual((box.GetVertexCount(), box.GetSupportVertex((1, 1)), circle.radius), (4, (1, 1), 1))
+        place = b2Transform(position=(5, 0), angle=0)
+        result = Box2D.b2Distance(Box2D.b2DistanceInput(proxyA=box, proxyB=circle, transformB=place))
+        self.assertAlmostEqual(result.distance, 3, 1)
+        state, t = Box2D.b2TimeOfImpact(Box2D.b2TOIInput(proxyA=box, proxyB=circle, sweepB=b2Sweep(c0=(6, 0)), tMax=1))
+        self.assertEqual(state, Box2D.b2TOIOutput.e_touching)
+        self.assertAlmostEqual(t, 4 / 6, 2)
+        chain = Box2D.b2DistanceProxy(b2LoopShape(vertices=[(0, 0), (1, 0), (1, 1)]), 1)
+        self.assertEqual(chain.vertices, [(1, 0), (1, 1)])
+        with self.assertRaisesRegex(TypeError, "shapeA: expected a shape, not None"):
+            Box2D.b2Distance(Box2D.b2DistanceInput())
+        with self.assertRaisesRegex(TypeError, "transformA"):
+            Box2D.b2DistanceInput(tranformA=box)
+
+    def test_small_functions(self):
+        self.assertTrue(Box2D.b2CheckPolygon(b2PolygonShape(box=(1, 1))))
+        with self.assertRaises(ValueError):
+            Box2D.b2CheckPolygon(b2PolygonShape())
+        shape = b2CircleShape()
+        self.assertEqual((Box2D.b2ShapeCompare(shape, shape), Box2D.b2ShapeCompare(shape, b2CircleShape())), (True, False))
+        self.assertEqual((str(Box2D.b2Version()), Box2D.b2_maxBlockSize), ("2.3.0", 640))
+        self.assertEqual(Box2D.b2ContactPoint(position=(1, 2)).position, (1, 2))
+        self.assertTrue(all(-1 <= Box2D.b2Random() <= 1 and 2 <= Box2D.b2Random(2, 3) <= 3 for _ in range(100)))
+
     def test_manifold(self):
         a, b = b2PolygonShape(box=(1, 1)), b2PolygonShape(box=(1, 1))
         manifold = Box2D.b2Manifold()
