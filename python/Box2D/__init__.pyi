@@ -122,6 +122,9 @@ class Camera:
         """Converts a point of the picture [px, y down] to the world [m]."""
         ...
     def __eq__(self, other: object) -> bool: ...
+    def copy(self) -> Camera:
+        """Returns a copy."""
+        ...
 
 class b2AABB:
     """An axis-aligned box: lowerBound=, upperBound=."""

@@ -100,6 +100,8 @@ def _create_chain_fixture(self, **keywords):
 
 def _create_edge_chain(self, edge_list):
     """Attaches an edge between each point and the next [m]. Returns the fixtures."""
+    if not hasattr(edge_list, "__iter__"):
+        raise TypeError(f"edge_list: expected a list of points, not '{type(edge_list).__name__}'")
     points = [tuple(point) for point in edge_list]
     if len(points) < 2:
         raise ValueError(f"edge_list: expected at least 2 points, got {len(points)}")
@@ -139,8 +141,13 @@ def _ray_cast(self, *arguments, **keywords):
         output = arguments.pop(0)
     ray = arguments.pop(0) if arguments else keywords.pop("input", None)
     if ray is None:
+        missing = [name for name in ("p1", "p2") if name not in keywords]
+        if missing:
+            raise TypeError(f"b2Fixture.RayCast: expected an input, or p1 and p2; {missing[0]} is missing")
         ray = b2RayCastInput(p1=keywords.pop("p1"), p2=keywords.pop("p2"), maxFraction=keywords.pop("maxFraction", 1.0))
     child = arguments.pop(0) if arguments else keywords.pop("childIndex", 0)
+    if not isinstance(ray, b2RayCastInput):
+        raise TypeError(f"b2Fixture.RayCast: input: expected a b2RayCastInput, not '{type(ray).__name__}'")
     hit, found = self._ray_cast(ray, child)
     if output is not None:
         if hit:
@@ -211,6 +218,8 @@ def _create_joint(self, defn=None, type=None, **keywords):
     if defn is None:
         if type is None:
             raise TypeError("expected a definition of a joint, or type=b2RevoluteJointDef and keywords")
+        if not hasattr(type, "__name__"):
+            raise TypeError(f"type: expected a class of joint definitions, not {type!r}")
         named = JOINT_DEFINITIONS.get(type.__name__ if type.__name__.endswith("Def") else type.__name__ + "Def")
         if named is None:
             raise TypeError(f"type: expected a class of joint definitions, not {type.__name__}")

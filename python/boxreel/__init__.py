@@ -45,15 +45,34 @@ def _renderer(size, theme, scale):
     return renderer
 
 
+def _pair(size):
+    """Returns the size as two whole numbers."""
+    try:
+        width, height = (int(number) for number in size)
+    except (TypeError, ValueError):
+        raise TypeError(f"size: expected width and height in pixels, such as (1280, 720), not {size!r}") from None
+    return width, height
+
+
+def _path_of(path):
+    if not isinstance(path, (str, _os.PathLike)):
+        raise TypeError(f"path: expected the name of a file, not {_kind(path)}")
+    return _os.fspath(path)
+
+
 def _size_of(size, camera):
-    return (int(size[0]), int(size[1])) if camera is None else (camera.width, camera.height)
+    if camera is None:
+        return _pair(size)
+    if not isinstance(camera, Camera):
+        raise TypeError(f"camera: expected a boxreel.Camera or None, not {_kind(camera)}")
+    return camera.width, camera.height
 
 
 def fit(world, size=(1280, 720), margin=0.06):
     """Returns the camera that shows all moving bodies and what is near them. `margin` is a fraction of the
     smaller side of the picture."""
     _require_world(world)
-    return _boxreel._fit(world, int(size[0]), int(size[1]), margin)
+    return _boxreel._fit(world, *_pair(size), margin)
 
 
 def render(world, size=(1280, 720), *, camera=None, theme="classic", scale=1.0, layers=None, trails=None):
@@ -75,7 +94,7 @@ def shot(world, path, size=(1280, 720), *, camera=None, theme="classic", scale=1
          overwrite=True):
     """Writes a picture (.png) or a figure (.svg, .pdf) of the world. Arguments as of render."""
     _require_world(world)
-    path = _os.fspath(path)
+    path = _path_of(path)
     if path.endswith(".png"):
         _boxreel._write_png(path, render(world, size, camera=camera, theme=theme, scale=scale, layers=layers,
                                          trails=trails), overwrite)
@@ -165,8 +184,8 @@ def film(path, size=None, fps=60, *, quality="standard", codec="", theme="classi
 
     Use it in a `with` block: an exception there leaves no film.
     """
-    width, height = (1280, 720) if size is None else size
-    result = Film(_os.fspath(path), width=int(width), height=int(height), fps=fps, quality=quality, codec=codec,
+    width, height = (1280, 720) if size is None else _pair(size)
+    result = Film(_path_of(path), width=width, height=height, fps=fps, quality=quality, codec=codec,
                   theme=theme, scale=scale, overwrite=overwrite)
     result._film.size_is_given(size is not None)
     return result
@@ -230,7 +249,7 @@ def scene(name, seed=1):
 
 def load(path):
     """Returns the world of a R.U.B.E. scene file; as of scene. `world.left_out` tells what could not be built."""
-    snapshot, left_out = _boxreel._load_rube(_os.fspath(path))
+    snapshot, left_out = _boxreel._load_rube(_path_of(path))
     world = _world_of(snapshot)
     world.left_out = left_out
     return world
@@ -241,7 +260,7 @@ def dump(world, path):
     _require_world(world)
     names = {body.number: str(body.name) for body in world.bodies if hasattr(body, "name")}
     text, left_out = _boxreel._rube_text(world, names)
-    with open(path, "w", encoding="utf-8") as file:
+    with open(_path_of(path), "w", encoding="utf-8") as file:
         file.write(text)
     return left_out
 

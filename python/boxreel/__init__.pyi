@@ -65,6 +65,9 @@ class Camera:
         """Converts a point of the picture [px, y down] to the world [m]."""
         ...
     def __eq__(self, other: object) -> bool: ...
+    def copy(self) -> Camera:
+        """Returns a copy."""
+        ...
 
 class Error(Exception):
     """A file, codec or driver that cannot be used. The text names it and the remedy."""

@@ -163,13 +163,19 @@ void RefuseConstruction(const py::object& type, const std::string& name)
 
 std::string HintFor(py::handle name, const py::object& names)
 {
-    const py::list known =
+    const py::list all =
         PyType_Check(names.ptr()) ? py::module_::import("builtins").attr("dir")(names) : names;
+    py::dict known; // by small letters
+    for (const py::handle one : all)
+    {
+        known[one.attr("lower")()] = one;
+    }
     // 0.5 is below Python's 0.6, so that `pos` finds `position`.
-    const py::object near =
-        py::module_::import("difflib").attr("get_close_matches")(name, known, 1, 0.5);
-    return py::len(near) == 0 ? ""
-                              : "; did you mean '" + std::string(py::str(near[py::int_(0)])) + "'?";
+    const py::object near = py::module_::import("difflib").attr("get_close_matches")(
+        name.attr("lower")(), known, 1, 0.5);
+    return py::len(near) == 0
+               ? ""
+               : "; did you mean '" + std::string(py::str(known[near[py::int_(0)]])) + "'?";
 }
 
 void BindHints(py::module_& module)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "Bind.h"
 #include "Module.h"
 #include "Toolkit.h"
 
@@ -125,6 +126,16 @@ void BindCamera(py::module_& module)
                    std::string(py::str(py::float_(c.centerX))) + ", " +
                    std::string(py::str(py::float_(c.centerY))) +
                    "), pixelsPerMeter=" + std::string(py::str(py::float_(c.pixelsPerMeter))) + ")";
+        });
+    Copies(
+        type,
+        [](const Camera& c) {
+            return py::make_tuple(c.width, c.height, c.centerX, c.centerY, c.pixelsPerMeter);
+        },
+        [](const py::tuple& s) {
+            return Camera{From<int32>(s[0], "width"), From<int32>(s[1], "height"),
+                          From<double>(s[2], "center"), From<double>(s[3], "center"),
+                          From<double>(s[4], "pixelsPerMeter")};
         });
     module.def("_fit", [](py::handle world, int width, int height, double margin) {
         return FitTo(BoundsAtStart(WorldFrom(world, "world").world), width, height, margin);

@@ -83,6 +83,9 @@ class Arguments(unittest.TestCase):
                            (lambda: Box2D.b2Vec2(1, 2, 3), r"^b2Vec2: expected \(x, y\), not \('int', 'int', 'int'\)$"),
                            (lambda: body.GetWorldPoint(localpoint=(1, 2)), "did you mean 'localPoint'"),
                            (lambda: Box2D.b2GetPointStates(None, None), "^b2GetPointStates: expected two b2Manifold, not None$"),
+                           (lambda: body.fixtures[0].RayCast(3), "^b2Fixture.RayCast: input: .*, not 'int'$"),
+                           (lambda: body.fixtures[0].RayCast(p1=(0, 0)), "^b2Fixture.RayCast: .*p2 is missing$"),
+                           (lambda: world.CreateJoint(type=3), "^type: expected a class of joint definitions, not 3$"),
                            (lambda: Box2D.b2Body(), "^b2Body: ")):
             with self.assertRaisesRegex(TypeError, text):
                 call()
@@ -90,6 +93,7 @@ class Arguments(unittest.TestCase):
     def test_unknown_keywords_name_the_nearest(self):
         for call, near in ((lambda: self.body.CreateCircleFixture(raduis=1), "radius"),
                            (lambda: b2CircleShape(raduis=1), "radius"),
+                           (lambda: Box2D.b2Vec2(X=1), "x"),
                            (lambda: self.world.CreateDynamicBody(pos=(0, 0)), "position"),
                            (lambda: self.body.CreatePolygonFixture(box=(1, 1), frction=1), "friction"),
                            (lambda: b2World(gravty=(0, 0)), "gravity"),

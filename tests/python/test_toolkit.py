@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Films, pictures, snapshots, scenes and comparisons of the package boxreel."""
 
+import copy
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -63,6 +65,11 @@ class Pictures(InFolder):
             boxreel.render(world, layers=["shape"])
         with self.assertRaises(TypeError):
             boxreel.render(None)
+
+    def test_cameras_are_copied_and_pickled(self):
+        camera = boxreel.Camera(200, 100, center=(0, 3))
+        for twin in (camera.copy(), copy.copy(camera), pickle.loads(pickle.dumps(camera, 0))):
+            self.assertEqual(twin, camera)
 
     def test_shot_writes_pictures_and_figures(self):
         world = drop()
@@ -158,10 +165,16 @@ class Films(InFolder):
 
     def test_wrong_calls_get_a_sentence(self):
         for call, text in ((lambda: boxreel.Camera(640, 360, centre=(0, 0)), "^Camera: .*did you mean 'center'"),
+                           (lambda: boxreel.fit(drop(), 3), "^size: expected width and height"),
+                           (lambda: boxreel.film("a.mp4", "ab"), "^size: expected width and height"),
+                           (lambda: boxreel.render(drop(), camera=3), "^camera: expected a boxreel.Camera"),
+                           (lambda: boxreel.film(3), "^path: expected the name of a file, not 'int'$"),
                            (lambda: boxreel.scene(3), "^boxreel.scene: name: expected the name of a scene, not 'int'$"),
                            (lambda: boxreel.restore(drop(), None), "^boxreel.restore: snapshot: .*, not None$")):
             with self.assertRaisesRegex(TypeError, text):
                 call()
+        with self.assertRaisesRegex(ValueError, "seed"):
+            boxreel.scene("Pyramid", -1)
         with self.assertRaisesRegex(ValueError, "center"):
             boxreel.Camera(center=(float("nan"), 0))
 
