@@ -153,7 +153,7 @@ def main():
     here = pathlib.Path(__file__).resolve().parent
     (here / "Box2D/__init__.pyi").write_text(HEAD + Writer(Box2D).text(), encoding="utf-8")
     names = [(Box2D.b2._short(full), full) for full in Box2D.__all__ if Box2D.b2._short(full) in Box2D.b2.__all__]
-    names += [("error", "b2Error"), ("globals_", "b2Globals")]
+    names += [("error", "b2Error"), ("globals_", "b2Globals"), ("globals", "b2Globals")]
     (here / "Box2D/b2.pyi").write_text("# Made by python/stubs.py.\n" + "".join(
         f"from . import {full} as {short}\n" for short, full in names), encoding="utf-8")
     ours = Writer(boxreel, ("b2World", "b2Body"))

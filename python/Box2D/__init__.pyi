@@ -1,6 +1,42 @@
 # Made by python/stubs.py.
 from typing import Any, Iterator, Sequence
 
+class b2BroadPhase:
+    """Numbers of the broad phase of a world."""
+    def __getattr__(self, name: str) -> Any: ...
+    def __setattr__(self, name: str, value: Any) -> None: ...
+    def __init__(self, world: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    @property
+    def proxyCount(self) -> Any:
+        """Number of boxes."""
+        ...
+    @property
+    def treeHeight(self) -> Any:
+        """Height of the highest tree."""
+        ...
+    @property
+    def treeBalance(self) -> Any:
+        """Maximum balance of the trees."""
+        ...
+    @property
+    def treeQuality(self) -> Any:
+        """Ratio of the areas of the trees."""
+        ...
+    def GetProxyCount(self, *arguments: Any) -> Any:
+        """Number of boxes."""
+        ...
+    def GetTreeHeight(self, *arguments: Any) -> Any:
+        """Height of the highest tree."""
+        ...
+    def GetTreeBalance(self, *arguments: Any) -> Any:
+        """Maximum balance of the trees."""
+        ...
+    def GetTreeQuality(self, *arguments: Any) -> Any:
+        """Ratio of the areas of the trees."""
+        ...
+
 class b2ContactManager:
     """A summary of the contacts of a world."""
     def __getattr__(self, name: str) -> Any: ...
@@ -17,6 +53,10 @@ class b2ContactManager:
         """Number of contacts."""
         ...
     @property
+    def broadPhase(self) -> Any:
+        """Numbers of the broad phase."""
+        ...
+    @property
     def contactListener(self) -> Any:
         """The contact listener."""
         ...
@@ -25,19 +65,40 @@ class b2ContactManager:
         """The contact filter."""
         ...
 
-class b2TOIOutput:
-    """The states of a search for a time of impact."""
+class b2DistanceProxy:
+    """A child of a shape, for distances and times of impact."""
     def __getattr__(self, name: str) -> Any: ...
     def __setattr__(self, name: str, value: Any) -> None: ...
-    e_unknown: int
-    e_failed: int
-    e_overlapped: int
-    e_touching: int
-    e_separated: int
+    def __init__(self, shape: Any = ..., index: Any = ...) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    def Set(self, shape: Any, index: Any = ...) -> Any:
+        """Sets the shape and its child."""
+        ...
+    @property
+    def vertices(self) -> Any:
+        """The vertices of the child [m]."""
+        ...
+    @property
+    def radius(self) -> Any:
+        """Radius of a circle, or of the skin of another shape [m]."""
+        ...
+    def GetVertexCount(self) -> Any:
+        """Returns the number of vertices."""
+        ...
+    def GetVertex(self, index: Any) -> Any:
+        """Returns a vertex [m]."""
+        ...
+    def GetSupport(self, d: Any) -> Any:
+        """Returns the index of the vertex that is farthest in a direction."""
+        ...
+    def GetSupportVertex(self, d: Any) -> Any:
+        """Returns the vertex that is farthest in a direction [m]."""
+        ...
 
 class Camera:
     """The visible part of the world, in a picture of width x height pixels."""
-    def __init__(self, width: int = ..., height: int = ..., center: Any = ..., pixelsPerMeter: float = ...) -> None: ...
+    def __init__(self, width: Any = ..., height: Any = ..., center: Any = ..., pixelsPerMeter: Any = ...) -> None: ...
     @property
     def width(self) -> int:
         """Width of the picture [px]."""
@@ -61,6 +122,9 @@ class Camera:
         """Converts a point of the picture [px, y down] to the world [m]."""
         ...
     def __eq__(self, other: object) -> bool: ...
+    def copy(self) -> Camera:
+        """Returns a copy."""
+        ...
 
 class b2AABB:
     """An axis-aligned box: lowerBound=, upperBound=."""
@@ -101,9 +165,7 @@ class b2AABB:
         """True if the boxes overlap."""
         ...
     def Combine(self, *args: Any, **kwargs: Any) -> Any: ...
-    def RayCast(self, input: b2RayCastInput) -> tuple:
-        """Returns (hit, b2RayCastOutput)."""
-        ...
+    def RayCast(self, *args: Any, **kwargs: Any) -> Any: ...
     def __eq__(self, other: object) -> bool: ...
     def copy(self) -> b2AABB:
         """Returns a copy."""
@@ -242,22 +304,22 @@ class b2Body:
     def ResetMassData(self) -> None:
         """Computes the mass data from the fixtures."""
         ...
-    def ApplyForce(self, force: Any, point: Any, wake: bool = ...) -> None:
+    def ApplyForce(self, force: Any, point: Any, wake: Any = ...) -> None:
         """Applies a force [N] at a world point [m] in the next step."""
         ...
-    def ApplyLinearImpulse(self, impulse: Any, point: Any, wake: bool = ...) -> None:
+    def ApplyLinearImpulse(self, impulse: Any, point: Any, wake: Any = ...) -> None:
         """Applies an impulse [N s] at a world point [m]; changes the velocity at once."""
         ...
-    def ApplyForceToCenter(self, force: Any, wake: bool = ...) -> None:
+    def ApplyForceToCenter(self, force: Any, wake: Any = ...) -> None:
         """Applies a force [N] at the centre of mass in the next step."""
         ...
-    def ApplyLinearImpulseToCenter(self, impulse: Any, wake: bool = ...) -> None:
+    def ApplyLinearImpulseToCenter(self, impulse: Any, wake: Any = ...) -> None:
         """Applies an impulse [N s] at the centre of mass; changes the velocity at once."""
         ...
-    def ApplyTorque(self, torque: Any, wake: bool = ...) -> None:
+    def ApplyTorque(self, torque: Any, wake: Any = ...) -> None:
         """Applies a torque [N m] in the next step."""
         ...
-    def ApplyAngularImpulse(self, impulse: Any, wake: bool = ...) -> None:
+    def ApplyAngularImpulse(self, impulse: Any, wake: Any = ...) -> None:
         """Applies an angular impulse [N m s]; changes the angular velocity at once."""
         ...
     def GetWorldPoint(self, localPoint: Any) -> b2Vec2:
@@ -333,6 +395,18 @@ class b2Body:
     @property
     def contacts(self) -> Any:
         """The contacts, as a list of b2ContactEdge."""
+        ...
+    @property
+    def joints_gen(self) -> Any:
+        """A generator of joints."""
+        ...
+    @property
+    def contacts_gen(self) -> Any:
+        """A generator of contacts."""
+        ...
+    @property
+    def fixtures_gen(self) -> Any:
+        """A generator of fixtures."""
         ...
     def GetUserData(self, *arguments: Any) -> Any:
         """Any object of the program."""
@@ -478,6 +552,15 @@ class b2Body:
     def GetContacts(self, *arguments: Any) -> Any:
         """The contacts, as a list of b2ContactEdge."""
         ...
+    def GetJoints_gen(self, *arguments: Any) -> Any:
+        """A generator of joints."""
+        ...
+    def GetContacts_gen(self, *arguments: Any) -> Any:
+        """A generator of contacts."""
+        ...
+    def GetFixtures_gen(self, *arguments: Any) -> Any:
+        """A generator of fixtures."""
+        ...
 
 class b2BodyDef:
     """Definition of a body. `fixtures` is a b2FixtureDef or a list, `shapes` a shape or a list; `shapeFixture` has the material of the shapes."""
@@ -498,6 +581,15 @@ class b2BodyDef:
     fixtures: Any
     shapes: Any
     shapeFixture: Any
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
+
+class b2ClipVertex:
+    """A vertex of a clipped edge [m], and the features that made it."""
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
@@ -557,8 +649,8 @@ class b2Color:
     @list.setter
     def list(self, value: Any) -> None: ...
     @property
-    def bytes(self) -> tuple:
-        """Red, green and blue from 0 to 255."""
+    def bytes(self) -> list:
+        """Red, green and blue from 0 to 255, as a list."""
         ...
     def Set(self, r: Any, g: Any, b: Any, a: Any = ...) -> None:
         """Sets the channels, 0 to 1."""
@@ -721,6 +813,9 @@ class b2ContactFeature:
     def typeB(self) -> int:
         """e_vertex or e_face."""
         ...
+    def copy(self) -> b2ContactFeature:
+        """Returns a copy."""
+        ...
 
 class b2ContactFilter:
     """Decides which fixtures collide."""
@@ -744,6 +839,9 @@ class b2ContactID:
     def cf(self) -> b2ContactFeature:
         """The features."""
         ...
+    def copy(self) -> b2ContactID:
+        """Returns a copy."""
+        ...
 
 class b2ContactImpulse:
     """Impulses of a contact in a step [N s]."""
@@ -762,6 +860,9 @@ class b2ContactImpulse:
     def tangentImpulses(self) -> tuple:
         """Friction impulses [N s]."""
         ...
+    def copy(self) -> b2ContactImpulse:
+        """Returns a copy."""
+        ...
 
 class b2ContactListener:
     """Hears of contacts. The world is locked inside these functions and cannot be changed."""
@@ -779,6 +880,12 @@ class b2ContactListener:
         ...
     def PostSolve(self, contact: Any, impulse: Any) -> Any:
         """Called after a contact was solved, with its impulses [N s]."""
+        ...
+
+class b2ContactPoint:
+    """A contact point, as programs keep it from a callback."""
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
         ...
 
 class b2DebugDraw:
@@ -835,6 +942,18 @@ class b2DestructionListener:
         ...
     def SayGoodbye(self, object: Any) -> Any:
         """Called before a joint or a fixture is destroyed."""
+        ...
+
+class b2DistanceInput:
+    """Two children of shapes with their transforms, for b2Distance."""
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+
+class b2DistanceOutput:
+    """The closest points of two shapes [m]."""
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
         ...
 
 class b2DistanceResult:
@@ -911,8 +1030,8 @@ class b2Fixture:
     @sensor.setter
     def sensor(self, value: bool) -> None: ...
     @property
-    def filterData(self) -> b2Filter:
-        """The collision filter."""
+    def filterData(self) -> b2FixtureFilter:
+        """The collision filter. What is written to it reaches the fixture."""
         ...
     @filterData.setter
     def filterData(self, value: Any) -> None: ...
@@ -963,7 +1082,7 @@ class b2Fixture:
     def GetAABB(self, childIndex: Any = ...) -> b2AABB:
         """Returns the box in the broad phase [m]."""
         ...
-    def Dump(self, bodyIndex: int = ...) -> None:
+    def Dump(self, bodyIndex: Any = ...) -> None:
         """Writes the fixture as code of C++ to standard output."""
         ...
     def RayCast(self, *arguments: Any, **keywords: Any) -> Any:
@@ -1003,10 +1122,10 @@ class b2Fixture:
         """True if it reports contacts without a collision response."""
         ...
     def GetFilterData(self, *arguments: Any) -> Any:
-        """The collision filter."""
+        """The collision filter. What is written to it reaches the fixture."""
         ...
     def SetFilterData(self, *arguments: Any) -> Any:
-        """The collision filter."""
+        """The collision filter. What is written to it reaches the fixture."""
         ...
     def GetCategoryBits(self, *arguments: Any) -> Any:
         """Categories of the fixture, 0 to 65535."""
@@ -1053,6 +1172,9 @@ class b2FixtureDef:
     userData: Any
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
         ...
     @property
     def categoryBits(self) -> Any:
@@ -1191,6 +1313,9 @@ class b2JointDef:
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     type: int
 
 class b2JointEdge:
@@ -1263,6 +1388,9 @@ class b2ManifoldPoint:
     def isNew(self) -> bool:
         """True if it has no impulse yet."""
         ...
+    def copy(self) -> b2ManifoldPoint:
+        """Returns a copy."""
+        ...
 
 class b2MassData:
     """Mass [kg], centre [m] and rotational inertia [kg m^2]."""
@@ -1305,6 +1433,18 @@ class b2Mat22:
     @ey.setter
     def ey(self, value: Any) -> None: ...
     @property
+    def col1(self) -> b2Vec2:
+        """First column, as ex."""
+        ...
+    @col1.setter
+    def col1(self, value: Any) -> None: ...
+    @property
+    def col2(self) -> b2Vec2:
+        """Second column, as ey."""
+        ...
+    @col2.setter
+    def col2(self, value: Any) -> None: ...
+    @property
     def inverse(self) -> b2Mat22:
         """The inverse; zero if singular."""
         ...
@@ -1315,8 +1455,6 @@ class b2Mat22:
     @angle.setter
     def angle(self, value: float) -> None: ...
     def __mul__(self, arg0: Any, /) -> Any: ...
-    def __add__(self, arg0: b2Mat22, /) -> b2Mat22: ...
-    def __iadd__(self, arg0: b2Mat22, /) -> b2Mat22: ...
     def __abs__(self) -> b2Mat22: ...
     def __eq__(self, other: object) -> bool: ...
     def GetInverse(self) -> b2Mat22:
@@ -1334,6 +1472,10 @@ class b2Mat22:
     def SetZero(self) -> None:
         """Sets all numbers to 0."""
         ...
+    def __add__(self, arg0: b2Mat22, /) -> b2Mat22: ...
+    def __iadd__(self, arg0: b2Mat22, /) -> Any: ...
+    def __sub__(self, arg0: b2Mat22, /) -> b2Mat22: ...
+    def __isub__(self, arg0: b2Mat22, /) -> Any: ...
     def copy(self) -> b2Mat22:
         """Returns a copy."""
         ...
@@ -1359,8 +1501,25 @@ class b2Mat33:
         ...
     @ez.setter
     def ez(self, value: Any) -> None: ...
+    @property
+    def col1(self) -> b2Vec3:
+        """First column, as ex."""
+        ...
+    @col1.setter
+    def col1(self, value: Any) -> None: ...
+    @property
+    def col2(self) -> b2Vec3:
+        """Second column, as ey."""
+        ...
+    @col2.setter
+    def col2(self, value: Any) -> None: ...
+    @property
+    def col3(self) -> b2Vec3:
+        """Third column, as ez."""
+        ...
+    @col3.setter
+    def col3(self, value: Any) -> None: ...
     def __mul__(self, arg0: Any, /) -> b2Vec3: ...
-    def __add__(self, arg0: b2Mat33, /) -> b2Mat33: ...
     def Solve33(self, b: Any) -> b2Vec3:
         """Returns x with A x = b."""
         ...
@@ -1370,6 +1529,10 @@ class b2Mat33:
     def SetZero(self) -> None:
         """Sets all numbers to 0."""
         ...
+    def __add__(self, arg0: b2Mat33, /) -> b2Mat33: ...
+    def __iadd__(self, arg0: b2Mat33, /) -> Any: ...
+    def __sub__(self, arg0: b2Mat33, /) -> b2Mat33: ...
+    def __isub__(self, arg0: b2Mat33, /) -> Any: ...
     def copy(self) -> b2Mat33:
         """Returns a copy."""
         ...
@@ -1451,6 +1614,9 @@ class b2RayCastInput:
         ...
     @maxFraction.setter
     def maxFraction(self, value: float) -> None: ...
+    def copy(self) -> b2RayCastInput:
+        """Returns a copy."""
+        ...
 
 class b2RayCastOutput:
     """Where a ray hits."""
@@ -1467,6 +1633,9 @@ class b2RayCastOutput:
         ...
     @fraction.setter
     def fraction(self, value: float) -> None: ...
+    def copy(self) -> b2RayCastOutput:
+        """Returns a copy."""
+        ...
 
 class b2Rot:
     """A rotation, as the sine and cosine of its angle."""
@@ -1593,15 +1762,33 @@ class b2Sweep:
         ...
     @alpha0.setter
     def alpha0(self, value: float) -> None: ...
-    def GetTransform(self, alpha: Any) -> b2Transform:
-        """Returns the transform at a fraction of the step, 0 to 1."""
-        ...
+    def GetTransform(self, *args: Any, **kwargs: Any) -> Any: ...
     def Advance(self, alpha: Any) -> None:
         """Advances the start to a fraction of the step."""
         ...
     def Normalize(self) -> None:
         """Removes whole turns from both angles."""
         ...
+    def copy(self) -> b2Sweep:
+        """Returns a copy."""
+        ...
+
+class b2TOIInput:
+    """Two children of shapes with their motions, for b2TimeOfImpact."""
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+
+class b2TOIOutput:
+    """The state and time of a search for a time of impact."""
+    def __init__(self, **keywords: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    e_unknown: int
+    e_failed: int
+    e_overlapped: int
+    e_touching: int
+    e_separated: int
 
 class b2Transform:
     """A rotation, then a translation: the pose of a frame."""
@@ -1817,6 +2004,12 @@ class b2Vec3:
         """Sets all components to 0."""
         ...
 
+class b2Version:
+    """A version of the interface."""
+    major: Any
+    minor: Any
+    revision: Any
+
 class b2World:
     """A world: it owns bodies and joints, steps them and answers queries."""
     def __getattr__(self, name: str) -> Any: ...
@@ -1964,6 +2157,9 @@ class b2World:
     def Dump(self) -> None:
         """Writes the world as code of C++ to standard output."""
         ...
+    def DebugDraw(self) -> None:
+        """Draws the world with the renderer."""
+        ...
     @property
     def bodies(self) -> list:
         """The bodies, in the order of creation."""
@@ -1982,6 +2178,18 @@ class b2World:
         ...
     def __iter__(self) -> Any: ...
     def __contains__(self, arg0: Any, /) -> bool: ...
+    @property
+    def bodies_gen(self) -> Any:
+        """A generator of bodies."""
+        ...
+    @property
+    def joints_gen(self) -> Any:
+        """A generator of joints."""
+        ...
+    @property
+    def contacts_gen(self) -> Any:
+        """A generator of contacts."""
+        ...
     def CreateBody(self, defn: Any = ..., **keywords: Any) -> Any:
         """Creates a body from a b2BodyDef or from keywords: its fields, fixtures, shapes, shapeFixture, and mass data."""
         ...
@@ -2166,6 +2374,15 @@ class b2World:
     def GetProfile(self, *arguments: Any) -> Any:
         """Timing of the last step. The first use enables it."""
         ...
+    def GetBodies_gen(self, *arguments: Any) -> Any:
+        """A generator of bodies."""
+        ...
+    def GetJoints_gen(self, *arguments: Any) -> Any:
+        """A generator of joints."""
+        ...
+    def GetContacts_gen(self, *arguments: Any) -> Any:
+        """A generator of contacts."""
+        ...
     def GetContactManager(self, *arguments: Any) -> Any:
         """A summary of the contacts."""
         ...
@@ -2185,8 +2402,11 @@ class b2WorldManifold:
     def separations(self) -> tuple:
         """Separations of the points [m]; negative: overlap."""
         ...
-    def Initialize(self, manifold: b2Manifold, xfA: Any, radiusA: float, xfB: Any, radiusB: float) -> None:
+    def Initialize(self, manifold: b2Manifold, xfA: Any, radiusA: Any, xfB: Any, radiusB: Any) -> None:
         """Computes the manifold in the world."""
+        ...
+    def copy(self) -> b2WorldManifold:
+        """Returns a copy."""
         ...
 
 class b2ChainShape(b2Shape):
@@ -2426,6 +2646,33 @@ class b2EdgeShape(b2Shape):
         """Returns a copy."""
         ...
 
+class b2FixtureFilter(b2Filter):
+    """The filter of a fixture. What is written reaches the fixture."""
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    @property
+    def categoryBits(self) -> int:
+        """Categories of the fixture, 0 to 65535."""
+        ...
+    @categoryBits.setter
+    def categoryBits(self, value: int) -> None: ...
+    @property
+    def maskBits(self) -> int:
+        """Categories that it collides with, 0 to 65535."""
+        ...
+    @maskBits.setter
+    def maskBits(self, value: int) -> None: ...
+    @property
+    def groupIndex(self) -> int:
+        """Group that always or never collides; 0: none."""
+        ...
+    @groupIndex.setter
+    def groupIndex(self, value: int) -> None: ...
+    def copy(self) -> b2Filter:
+        """Returns a b2Filter of the same numbers."""
+        ...
+
 class b2FrictionJoint(b2Joint):
     """Top-down friction between two bodies."""
     def __init__(self, *args: Any, **kwargs: Any) -> None:
@@ -2636,6 +2883,9 @@ class b2MouseJointDef(b2JointDef):
     userData: Any
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
         ...
     type: int
 
@@ -3272,6 +3522,9 @@ class b2GearJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     type: int
 
 class b2MotorJointDef(b2JointDef):
@@ -3288,6 +3541,12 @@ class b2MotorJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
+    def Initialize(self, bodyA: Any, bodyB: Any) -> Any:
+        """Sets the bodies; their offsets now are the target."""
+        ...
     type: int
 
 class b2RopeJointDef(b2JointDef):
@@ -3301,6 +3560,9 @@ class b2RopeJointDef(b2JointDef):
     userData: Any
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
         ...
     @property
     def anchorA(self) -> Any:
@@ -3332,6 +3594,9 @@ class b2DistanceJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3344,6 +3609,9 @@ class b2DistanceJointDef(b2JointDef):
         ...
     @anchorB.setter
     def anchorB(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchorA: Any, anchorB: Any) -> Any:
+        """Sets the bodies and an anchor on each in the world [m]; their distance now is the length."""
+        ...
     type: int
 
 class b2FrictionJointDef(b2JointDef):
@@ -3358,6 +3626,9 @@ class b2FrictionJointDef(b2JointDef):
     userData: Any
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
         ...
     @property
     def anchorA(self) -> Any:
@@ -3377,6 +3648,9 @@ class b2FrictionJointDef(b2JointDef):
         ...
     @anchor.setter
     def anchor(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchor: Any) -> Any:
+        """Sets the bodies and a common anchor in the world [m]; their angle now is the reference."""
+        ...
     type: int
 
 class b2PulleyJointDef(b2JointDef):
@@ -3395,6 +3669,9 @@ class b2PulleyJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3407,6 +3684,9 @@ class b2PulleyJointDef(b2JointDef):
         ...
     @anchorB.setter
     def anchorB(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, groundAnchorA: Any, groundAnchorB: Any, anchorA: Any, anchorB: Any, ratio: Any) -> Any:
+        """Sets the bodies, the fixed points, an anchor on each body in the world [m], and the ratio."""
+        ...
     type: int
 
 class b2RevoluteJointDef(b2JointDef):
@@ -3427,6 +3707,9 @@ class b2RevoluteJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3445,6 +3728,9 @@ class b2RevoluteJointDef(b2JointDef):
         ...
     @anchor.setter
     def anchor(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchor: Any) -> Any:
+        """Sets the bodies and a common anchor in the world [m]; their angle now is the reference."""
+        ...
     type: int
 
 class b2WeldJointDef(b2JointDef):
@@ -3461,6 +3747,9 @@ class b2WeldJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3479,6 +3768,9 @@ class b2WeldJointDef(b2JointDef):
         ...
     @anchor.setter
     def anchor(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchor: Any) -> Any:
+        """Sets the bodies and a common anchor in the world [m]; their angle now is the reference."""
+        ...
     type: int
 
 class b2Error(Exception):
@@ -3503,6 +3795,9 @@ class b2PrismaticJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3521,6 +3816,9 @@ class b2PrismaticJointDef(b2JointDef):
         ...
     @anchor.setter
     def anchor(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchor: Any, axis: Any) -> Any:
+        """Sets the bodies, a common anchor [m] and the axis, both in the world; their angle now is the reference."""
+        ...
     @property
     def axis(self) -> Any:
         """The axis in the world."""
@@ -3546,6 +3844,9 @@ class b2WheelJointDef(b2JointDef):
     def __init__(self, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
+    def to_kwargs(self) -> Any:
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        ...
     @property
     def anchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
@@ -3564,6 +3865,9 @@ class b2WheelJointDef(b2JointDef):
         ...
     @anchor.setter
     def anchor(self, value: Any) -> None: ...
+    def Initialize(self, bodyA: Any, bodyB: Any, anchor: Any, axis: Any) -> Any:
+        """Sets the bodies, a common anchor [m] and the axis, both in the world; their angle now is the reference."""
+        ...
     @property
     def axis(self) -> Any:
         """The axis in the world."""
@@ -3571,11 +3875,18 @@ class b2WheelJointDef(b2JointDef):
     @axis.setter
     def axis(self, value: Any) -> None: ...
     type: int
+RAND_LIMIT: int
 def b2Abs(a: Any) -> Any:
     """Returns the absolute value of a number, or of each component."""
     ...
-def b2Atan2(y: float, x: float) -> float:
+def b2Atan2(y: Any, x: Any) -> float:
     """Returns the angle of the vector (x, y) [rad]."""
+    ...
+def b2BodyCompare(a: Any, b: Any) -> Any:
+    """True if both are the same b2Body."""
+    ...
+def b2CheckPolygon(shape: Any, additional_checks: Any = ...) -> Any:
+    """Returns True for a convex polygon with an area, else raises an error that says what it lacks."""
     ...
 def b2Clamp(a: Any, low: Any, high: Any) -> Any:
     """Returns `a` limited to [low, high], of each component for vectors."""
@@ -3589,7 +3900,7 @@ def b2Cross(a: Any, b: Any) -> Any:
     """Returns the cross product of vectors and numbers."""
     ...
 def b2Distance(*arguments: Any, **keywords: Any) -> Any:
-    """Returns the closest points of two shapes: b2Distance(shapeA=, idxA=0, shapeB=, idxB=0, transformA=, transformB=, useRadii=True). Given two points, returns their distance [m]."""
+    """Returns the closest points of two shapes: b2Distance(b2DistanceInput), or b2Distance(shapeA=, idxA=0, shapeB=, idxB=0, transformA=, transformB=, useRadii=True). Given two points, returns their distance [m]."""
     ...
 def b2DistanceSquared(a: Any, b: Any) -> float:
     """Returns the squared distance of two points [m^2]."""
@@ -3597,18 +3908,24 @@ def b2DistanceSquared(a: Any, b: Any) -> float:
 def b2Dot(a: Any, b: Any) -> float:
     """Returns the dot product."""
     ...
-def b2GetPointStates(manifold1: b2Manifold, manifold2: b2Manifold) -> tuple:
+def b2FixtureCompare(a: Any, b: Any) -> Any:
+    """True if both are the same b2Fixture."""
+    ...
+def b2GetPointStates(manifold1: Any, manifold2: Any) -> tuple:
     """Returns the states of both manifolds' points: (state1, state2)."""
     ...
 b2Globals: Any
-def b2InvSqrt(x: float) -> float:
+def b2InvSqrt(x: Any) -> float:
     """Returns one over the square root."""
     ...
-def b2IsPowerOfTwo(x: int) -> bool:
+def b2IsPowerOfTwo(x: Any) -> bool:
     """True if x is a power of two."""
     ...
-def b2IsValid(x: float) -> bool:
+def b2IsValid(x: Any) -> bool:
     """True if the number is finite."""
+    ...
+def b2JointCompare(a: Any, b: Any) -> Any:
+    """True if both are the same b2Joint."""
     ...
 def b2Max(a: Any, b: Any) -> Any:
     """Returns the maximum, of each component for vectors."""
@@ -3616,10 +3933,10 @@ def b2Max(a: Any, b: Any) -> Any:
 def b2Min(a: Any, b: Any) -> Any:
     """Returns the minimum, of each component for vectors."""
     ...
-def b2MixFriction(a: float, b: float) -> float:
+def b2MixFriction(a: Any, b: Any) -> float:
     """Returns the friction of a contact of two fixtures."""
     ...
-def b2MixRestitution(a: float, b: float) -> float:
+def b2MixRestitution(a: Any, b: Any) -> float:
     """Returns the restitution of a contact of two fixtures."""
     ...
 def b2Mul(a: Any, b: Any) -> Any:
@@ -3631,15 +3948,21 @@ def b2Mul22(A: b2Mat33, v: Any) -> b2Vec2:
 def b2MulT(a: Any, b: Any) -> Any:
     """Returns the inverse of a times b."""
     ...
-def b2NextPowerOfTwo(x: int) -> int:
+def b2NextPowerOfTwo(x: Any) -> int:
     """Returns the smallest power of two above x."""
     ...
-def b2Sqrt(x: float) -> float:
+def b2Random(lo: Any = ..., hi: Any = ...) -> Any:
+    """Returns a random number from `lo` to `hi`, by Python's module random: random.seed makes it repeat."""
+    ...
+def b2ShapeCompare(a: Any, b: Any) -> Any:
+    """True if both are the same b2Shape."""
+    ...
+def b2Sqrt(x: Any) -> float:
     """Returns the square root."""
     ...
 def b2TestOverlap(*args: Any, **kwargs: Any) -> Any: ...
 def b2TimeOfImpact(shapeA: Any = ..., idxA: Any = ..., shapeB: Any = ..., idxB: Any = ..., sweepA: Any = ..., sweepB: Any = ..., tMax: Any = ...) -> Any:
-    """Returns (state, t) of two moving shapes. The states are those of b2TOIOutput."""
+    """Returns (state, t) of two moving shapes, or of a b2TOIInput. The states are those of b2TOIOutput."""
     ...
 b2_aabbExtension: float
 b2_aabbMultiplier: float
@@ -3647,18 +3970,22 @@ b2_addState: int
 b2_angularSleepTolerance: float
 b2_angularSlop: float
 b2_baumgarte: float
+b2_blockSizes: int
+b2_chunkSize: int
 b2_dynamicBody: int
 b2_epsilon: float
 b2_kinematicBody: int
 b2_linearSleepTolerance: float
 b2_linearSlop: float
 b2_maxAngularCorrection: float
+b2_maxBlockSize: int
 b2_maxFloat: float
 b2_maxLinearCorrection: float
 b2_maxManifoldPoints: int
 b2_maxPolygonVertices: int
 b2_maxRotation: float
 b2_maxRotationSquared: float
+b2_maxStackEntries: int
 b2_maxSubSteps: int
 b2_maxTOIContacts: int
 b2_maxTranslation: float
@@ -3670,6 +3997,7 @@ b2_persistState: int
 b2_pi: float
 b2_polygonRadius: float
 b2_removeState: int
+b2_stackSize: int
 b2_staticBody: int
 b2_timeToSleep: float
 b2_toiBaugarte: float

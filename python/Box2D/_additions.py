@@ -2,10 +2,11 @@
 """Functions of worlds, bodies and fixtures that are written in Python, and the names of the C++ interface."""
 
 import copy
+import copyreg
 
 import _boxreel
-from _boxreel import (b2Body, b2ChainShape, b2CircleShape, b2Contact, b2EdgeShape, b2Fixture, b2Joint,
-                      b2PolygonShape, b2RayCastInput, b2Shape, b2World)
+from _boxreel import (b2Body, b2ChainShape, b2CircleShape, b2Contact, b2EdgeShape, b2Filter, b2Fixture,
+                      b2FixtureFilter, b2Joint, b2PolygonShape, b2RayCastInput, b2Shape, b2World)
 
 from ._definitions import JOINT_DEFINITIONS, b2BodyDef, b2FixtureDef, b2JointDef
 
@@ -76,7 +77,13 @@ def _create_fixture(self, defn=None, density=None, **keywords):
 
 
 def _shape_fixture(shape_class, *names):
+    known = {*names, *b2FixtureDef._names()}
+
     def create(self, **keywords):
+        for name in keywords:
+            if name not in known:
+                raise TypeError(f"fixture of a {shape_class.__name__}: there is no keyword '{name}'"
+                                f"{_boxreel._hint(name, list(known))}")
         shape = shape_class(**{name: keywords.pop(name) for name in names if name in keywords})
         return _create_fixture(self, shape=shape, **keywords)
 
@@ -93,6 +100,8 @@ def _create_chain_fixture(self, **keywords):
 
 def _create_edge_chain(self, edge_list):
     """Attaches an edge between each point and the next [m]. Returns the fixtures."""
+    if not hasattr(edge_list, "__iter__"):
+        raise TypeError(f"edge_list: expected a list of points, not '{type(edge_list).__name__}'")
     points = [tuple(point) for point in edge_list]
     if len(points) < 2:
         raise ValueError(f"edge_list: expected at least 2 points, got {len(points)}")
@@ -132,8 +141,13 @@ def _ray_cast(self, *arguments, **keywords):
         output = arguments.pop(0)
     ray = arguments.pop(0) if arguments else keywords.pop("input", None)
     if ray is None:
+        missing = [name for name in ("p1", "p2") if name not in keywords]
+        if missing:
+            raise TypeError(f"b2Fixture.RayCast: expected an input, or p1 and p2; {missing[0]} is missing")
         ray = b2RayCastInput(p1=keywords.pop("p1"), p2=keywords.pop("p2"), maxFraction=keywords.pop("maxFraction", 1.0))
     child = arguments.pop(0) if arguments else keywords.pop("childIndex", 0)
+    if not isinstance(ray, b2RayCastInput):
+        raise TypeError(f"b2Fixture.RayCast: input: expected a b2RayCastInput, not '{type(ray).__name__}'")
     hit, found = self._ray_cast(ray, child)
     if output is not None:
         if hit:
@@ -143,6 +157,16 @@ def _ray_cast(self, *arguments, **keywords):
 
 
 b2Fixture.RayCast = _ray_cast
+
+
+def _generator_of(name):
+    return property(lambda self: (item for item in getattr(self, name)), doc=f"A generator of {name}.")
+
+
+for _name in ("joints", "contacts", "fixtures"):
+    setattr(b2Body, _name + "_gen", _generator_of(_name))
+for _name in ("bodies", "joints", "contacts"):
+    setattr(b2World, _name + "_gen", _generator_of(_name))
 
 # ---- Worlds
 
@@ -154,7 +178,7 @@ def _world_init(self, gravity=(0, -10), doSleep=True, **keywords):
     _init_world(self, gravity, bool(doSleep))
     for name, value in keywords.items():
         if not hasattr(type(self), name):
-            raise TypeError(f"b2World has no property '{name}'")
+            raise TypeError(f"b2World has no property '{name}'{_boxreel._hint(name, dir(type(self)))}")
         setattr(self, name, value)
 
 
@@ -194,6 +218,8 @@ def _create_joint(self, defn=None, type=None, **keywords):
     if defn is None:
         if type is None:
             raise TypeError("expected a definition of a joint, or type=b2RevoluteJointDef and keywords")
+        if not hasattr(type, "__name__"):
+            raise TypeError(f"type: expected a class of joint definitions, not {type!r}")
         named = JOINT_DEFINITIONS.get(type.__name__ if type.__name__.endswith("Def") else type.__name__ + "Def")
         if named is None:
             raise TypeError(f"type: expected a class of joint definitions, not {type.__name__}")
@@ -227,6 +253,33 @@ for _name, _class in JOINT_DEFINITIONS.items():
     setattr(b2World, "Create" + _name[2:-3], _create_named_joint(_name, _class))
 
 
+class b2BroadPhase:
+    """Numbers of the broad phase of a world."""
+
+    def __init__(self, world):
+        self._world = world
+
+    @property
+    def proxyCount(self):
+        """Number of boxes."""
+        return self._world.proxyCount
+
+    @property
+    def treeHeight(self):
+        """Height of the highest tree."""
+        return self._world.treeHeight
+
+    @property
+    def treeBalance(self):
+        """Maximum balance of the trees."""
+        return self._world.treeBalance
+
+    @property
+    def treeQuality(self):
+        """Ratio of the areas of the trees."""
+        return self._world.treeQuality
+
+
 class b2ContactManager:
     """A summary of the contacts of a world."""
 
@@ -242,6 +295,11 @@ class b2ContactManager:
     def contactCount(self):
         """Number of contacts."""
         return self._world.contactCount
+
+    @property
+    def broadPhase(self):
+        """Numbers of the broad phase."""
+        return b2BroadPhase(self._world)
 
     @property
     def contactListener(self):
@@ -324,6 +382,28 @@ for _class in (b2Body, b2Fixture, b2Joint):
     _class.__deepcopy__ = _deepcopy_item
     _class.__reduce_ex__ = lambda self, protocol: _reduce_item(self)
 
+
+def _reduce_value(self, protocol):
+    # Of every protocol, because what Python does for 0 and 1 aborts in pybind11.
+    return copyreg.__newobj__, (type(self),), self.__getstate__()
+
+
+def _refuse_copies(self, protocol):
+    raise TypeError(f"a {type(self).__name__} cannot be copied or pickled; copy the numbers that you need")
+
+
+def _filter_of(categoryBits, maskBits, groupIndex):
+    return b2Filter(categoryBits=categoryBits, maskBits=maskBits, groupIndex=groupIndex)
+
+
+b2FixtureFilter.__reduce_ex__ = lambda self, protocol: (
+    _filter_of, (self.categoryBits, self.maskBits, self.groupIndex))
+for _class in vars(_boxreel).values():
+    if isinstance(_class, type) and not issubclass(_class, Exception):
+        if "__reduce_ex__" not in vars(_class) and not issubclass(_class, b2Joint):
+            _class.__reduce_ex__ = _reduce_value if hasattr(_class, "__setstate__") else _refuse_copies
+        _class.__reduce__ = lambda self: self.__reduce_ex__(2)
+
 # ---- Texts
 
 
@@ -378,7 +458,7 @@ def _accessor(function, doc):
     return call
 
 
-for _class in (b2World, b2Body, b2Fixture, b2Contact, b2Joint, *b2Joint.__subclasses__()):
+for _class in (b2BroadPhase, b2World, b2Body, b2Fixture, b2Contact, b2Joint, *b2Joint.__subclasses__()):
     _add_accessors(_class)
 
-__all__ = ["b2JointEdge", "b2ContactEdge", "b2ContactManager"]
+__all__ = ["b2BroadPhase", "b2JointEdge", "b2ContactEdge", "b2ContactManager"]

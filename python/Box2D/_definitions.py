@@ -2,9 +2,8 @@
 """Definitions of bodies, fixtures and joints. Names and defaults are those of the engine's tables."""
 
 import copy
-import difflib
 
-from _boxreel import _defaults, b2Error, b2Filter, b2Vec2
+from _boxreel import _defaults, _hint, b2Body, b2Error, b2Filter, b2Vec2
 
 
 class _Definition:
@@ -27,9 +26,7 @@ class _Definition:
         names = self._names()
         for name, value in keywords.items():
             if name not in names:
-                near = difflib.get_close_matches(name, names, 1)
-                hint = f"; did you mean '{near[0]}'?" if near else ""
-                raise TypeError(f"{type(self).__name__} has no field '{name}'{hint}")
+                raise TypeError(f"{type(self).__name__} has no field '{name}'{_hint(name, sorted(names))}")
             setattr(self, name, value)
 
     def __setattr__(self, name, value):
@@ -40,6 +37,11 @@ class _Definition:
     def _values(self):
         """Returns the fields by name."""
         return {name: self.__dict__[name] for name in self._fields}
+
+    def to_kwargs(self):
+        """Returns the fields by name: type(definition)(**definition.to_kwargs()) is an equal definition."""
+        return {name: copy.copy(value) if isinstance(value, (b2Vec2, b2Filter)) else value
+                for name, value in self._values().items()}
 
     def __repr__(self):
         text = ", ".join(f"{name}={value!r}" for name, value in sorted(self._values().items()))
@@ -122,6 +124,13 @@ class b2JointDef(_Definition):
     def _complete(self, given):
         """Sets what follows from the bodies and was not given."""
 
+    def _set_bodies(self, bodyA, bodyB):
+        for name, body in (("bodyA", bodyA), ("bodyB", bodyB)):
+            if not isinstance(body, b2Body):
+                kind = "None" if body is None else f"'{type(body).__name__}'"
+                raise TypeError(f"{type(self).__name__}.Initialize: {name}: expected a b2Body, not {kind}")
+            setattr(self, name, body)
+
 
 class _Anchors(b2JointDef):
     anchorA = _world_anchor("A")
@@ -145,6 +154,12 @@ class _Anchor(_Anchors):
         if "referenceAngle" in self._fields and "referenceAngle" not in given:
             self.referenceAngle = self.bodyB.angle - self.bodyA.angle
 
+    def Initialize(self, bodyA, bodyB, anchor):
+        """Sets the bodies and a common anchor in the world [m]; their angle now is the reference."""
+        self._set_bodies(bodyA, bodyB)
+        self.anchor = anchor
+        self._complete(())
+
 
 class _Axis(_Anchor):
     @property
@@ -160,11 +175,22 @@ class _Axis(_Anchor):
             raise ValueError(f"{type(self).__name__}: set bodyA before axis")
         self.localAxisA = self.bodyA.GetLocalVector(value)
 
+    def Initialize(self, bodyA, bodyB, anchor, axis):
+        """Sets the bodies, a common anchor [m] and the axis, both in the world; their angle now is the reference."""
+        super().Initialize(bodyA, bodyB, anchor)
+        self.axis = axis
+
 
 class _Distance(_Anchors):
     def _complete(self, given):
         if {"localAnchorA", "localAnchorB"} <= given and "length" not in given:
             self.length = (self.anchorB - self.anchorA).length
+
+    def Initialize(self, bodyA, bodyB, anchorA, anchorB):
+        """Sets the bodies and an anchor on each in the world [m]; their distance now is the length."""
+        self._set_bodies(bodyA, bodyB)
+        self.anchorA, self.anchorB = anchorA, anchorB
+        self._complete({"localAnchorA", "localAnchorB"})
 
 
 class _Pulley(_Anchors):
@@ -173,6 +199,13 @@ class _Pulley(_Anchors):
             if "length" + letter not in given:
                 rope = getattr(self, "anchor" + letter) - getattr(self, "groundAnchor" + letter)
                 setattr(self, "length" + letter, rope.length)
+
+    def Initialize(self, bodyA, bodyB, groundAnchorA, groundAnchorB, anchorA, anchorB, ratio):
+        """Sets the bodies, the fixed points, an anchor on each body in the world [m], and the ratio."""
+        self._set_bodies(bodyA, bodyB)
+        self.groundAnchorA, self.groundAnchorB = groundAnchorA, groundAnchorB
+        self.anchorA, self.anchorB, self.ratio = anchorA, anchorB, ratio
+        self._complete(())
 
 
 class _Gear(b2JointDef):
@@ -189,6 +222,11 @@ class _Motor(b2JointDef):
             self.linearOffset = self.bodyA.GetLocalPoint(self.bodyB.position)
         if "angularOffset" not in given:
             self.angularOffset = self.bodyB.angle - self.bodyA.angle
+
+    def Initialize(self, bodyA, bodyB):
+        """Sets the bodies; their offsets now are the target."""
+        self._set_bodies(bodyA, bodyB)
+        self._complete(())
 
 
 _BASES = {

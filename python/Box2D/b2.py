@@ -14,8 +14,8 @@ def _short(name):
 __all__ = []
 for _name in _box2d.__all__:
     if _name not in ("b2Min", "b2Max", "b2Abs", "b2Error", "b2Globals"):  # of these, builtins have the short name
-        globals()[_short(_name)] = getattr(_box2d, _name)
+        vars()[_short(_name)] = getattr(_box2d, _name)
         __all__.append(_short(_name))
 error = _box2d.b2Error
-globals_ = _box2d.b2Globals
+globals_ = globals = _box2d.b2Globals  # `globals` is not exported, because it would hide the builtin
 __all__ += ["error", "globals_"]

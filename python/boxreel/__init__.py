@@ -12,6 +12,7 @@ Sizes are in pixels, lengths in metres, times in seconds.
 import base64 as _base64
 import os as _os
 import threading as _threading
+import warnings as _warnings
 
 import _boxreel
 from _boxreel import Camera, Error
@@ -24,9 +25,13 @@ _THEMES = ("classic", "okabe-ito", "print", "dark")
 _local = _threading.local()
 
 
+def _kind(value):
+    return "None" if value is None else f"'{type(value).__name__}'"
+
+
 def _require_world(world):
     if not isinstance(world, _World):
-        raise TypeError(f"world: expected a b2World, not '{type(world).__name__}'")
+        raise TypeError(f"world: expected a b2World, not {_kind(world)}")
 
 
 def _renderer(size, theme, scale):
@@ -40,15 +45,34 @@ def _renderer(size, theme, scale):
     return renderer
 
 
+def _pair(size):
+    """Returns the size as two whole numbers."""
+    try:
+        width, height = (int(number) for number in size)
+    except (TypeError, ValueError):
+        raise TypeError(f"size: expected width and height in pixels, such as (1280, 720), not {size!r}") from None
+    return width, height
+
+
+def _path_of(path):
+    if not isinstance(path, (str, _os.PathLike)):
+        raise TypeError(f"path: expected the name of a file, not {_kind(path)}")
+    return _os.fspath(path)
+
+
 def _size_of(size, camera):
-    return (int(size[0]), int(size[1])) if camera is None else (camera.width, camera.height)
+    if camera is None:
+        return _pair(size)
+    if not isinstance(camera, Camera):
+        raise TypeError(f"camera: expected a boxreel.Camera or None, not {_kind(camera)}")
+    return camera.width, camera.height
 
 
 def fit(world, size=(1280, 720), margin=0.06):
     """Returns the camera that shows all moving bodies and what is near them. `margin` is a fraction of the
     smaller side of the picture."""
     _require_world(world)
-    return _boxreel._fit(world, int(size[0]), int(size[1]), margin)
+    return _boxreel._fit(world, *_pair(size), margin)
 
 
 def render(world, size=(1280, 720), *, camera=None, theme="classic", scale=1.0, layers=None, trails=None):
@@ -70,7 +94,7 @@ def shot(world, path, size=(1280, 720), *, camera=None, theme="classic", scale=1
          overwrite=True):
     """Writes a picture (.png) or a figure (.svg, .pdf) of the world. Arguments as of render."""
     _require_world(world)
-    path = _os.fspath(path)
+    path = _path_of(path)
     if path.endswith(".png"):
         _boxreel._write_png(path, render(world, size, camera=camera, theme=theme, scale=scale, layers=layers,
                                          trails=trails), overwrite)
@@ -85,8 +109,16 @@ def shot(world, path, size=(1280, 720), *, camera=None, theme="classic", scale=1
 class Film:
     """A film; see film."""
 
+    _film = None
+
     def __init__(self, path, **options):
         self._film = _boxreel._Film(path, options)
+        self._is_open = True
+
+    def __del__(self):
+        if self._film is not None and self._is_open:
+            _warnings.warn(f"{self.path}: this film was dropped and is not written; call close, or use it in a with block",
+                           ResourceWarning, source=self)
 
     def add(self, frame, *, camera=None, layers=None, trails=None):
         """Appends a frame: a world as it is now, or an array (height, width, 3 or 4) of uint8.
@@ -100,6 +132,7 @@ class Film:
 
     def close(self):
         """Waits for the encoder and gives the film its name."""
+        self._is_open = False
         self._film.close()
 
     @property
@@ -124,6 +157,7 @@ class Film:
         if kind is None:
             self.close()
         else:
+            self._is_open = False
             self._film.discard()  # no file under the final name
 
     def __repr__(self):
@@ -150,8 +184,8 @@ def film(path, size=None, fps=60, *, quality="standard", codec="", theme="classi
 
     Use it in a `with` block: an exception there leaves no film.
     """
-    width, height = (1280, 720) if size is None else size
-    result = Film(_os.fspath(path), width=int(width), height=int(height), fps=fps, quality=quality, codec=codec,
+    width, height = (1280, 720) if size is None else _pair(size)
+    result = Film(_path_of(path), width=width, height=height, fps=fps, quality=quality, codec=codec,
                   theme=theme, scale=scale, overwrite=overwrite)
     result._film.size_is_given(size is not None)
     return result
@@ -173,7 +207,9 @@ def restore(world, snapshot):
     """Puts a world back to a snapshot. Bodies, fixtures and joints that were there keep their Python objects and
     their attributes as they are; those created later are destroyed."""
     _require_world(world)
-    world._restore(snapshot)
+    if not isinstance(snapshot, (bytes, bytearray)):
+        raise TypeError(f"boxreel.restore: snapshot: expected the bytes of boxreel.save, not {_kind(snapshot)}")
+    world._restore(bytes(snapshot))
 
 
 def _world_of(snapshot):
@@ -194,6 +230,10 @@ def scenes():
 def scene(name, seed=1):
     """Returns the world of a scene at its start. Bodies with a name have it as `name`; `world.steps` are the
     arguments of Step that the scene prefers. What a scene steers in each step is not part of it."""
+    if not isinstance(name, str):
+        raise TypeError(f"boxreel.scene: name: expected the name of a scene, not {_kind(name)}")
+    if not hasattr(seed, "__index__"):
+        raise TypeError(f"boxreel.scene: seed: expected a whole number, not {_kind(seed)}")
     try:
         return _world_of(_boxreel._scene(name, seed))
     except KeyError:
@@ -209,7 +249,7 @@ def scene(name, seed=1):
 
 def load(path):
     """Returns the world of a R.U.B.E. scene file; as of scene. `world.left_out` tells what could not be built."""
-    snapshot, left_out = _boxreel._load_rube(_os.fspath(path))
+    snapshot, left_out = _boxreel._load_rube(_path_of(path))
     world = _world_of(snapshot)
     world.left_out = left_out
     return world
@@ -220,7 +260,7 @@ def dump(world, path):
     _require_world(world)
     names = {body.number: str(body.name) for body in world.bodies if hasattr(body, "name")}
     text, left_out = _boxreel._rube_text(world, names)
-    with open(path, "w", encoding="utf-8") as file:
+    with open(_path_of(path), "w", encoding="utf-8") as file:
         file.write(text)
     return left_out
 

@@ -41,7 +41,7 @@ class Film:
 
 class Camera:
     """The visible part of the world, in a picture of width x height pixels."""
-    def __init__(self, width: int = ..., height: int = ..., center: Any = ..., pixelsPerMeter: float = ...) -> None: ...
+    def __init__(self, width: Any = ..., height: Any = ..., center: Any = ..., pixelsPerMeter: Any = ...) -> None: ...
     @property
     def width(self) -> int:
         """Width of the picture [px]."""
@@ -65,6 +65,9 @@ class Camera:
         """Converts a point of the picture [px, y down] to the world [m]."""
         ...
     def __eq__(self, other: object) -> bool: ...
+    def copy(self) -> Camera:
+        """Returns a copy."""
+        ...
 
 class Error(Exception):
     """A file, codec or driver that cannot be used. The text names it and the remedy."""

@@ -23,6 +23,10 @@ void Member(Class& type, const char* name, const char* doc)
         py::return_value_policy::reference_internal, doc);
 }
 
+/// Returns "; did you mean 'radius'?" if one of the names, or of the attributes of a class, is
+/// near.
+std::string HintFor(py::handle name, const py::object& names);
+
 /// Sets each keyword as an attribute of the object; a name that its type lacks is a TypeError.
 inline void SetKeywords(py::handle object, const py::kwargs& keywords)
 {
@@ -30,9 +34,10 @@ inline void SetKeywords(py::handle object, const py::kwargs& keywords)
     {
         if (!py::hasattr(py::type::handle_of(object), name))
         {
-            throw py::type_error(
-                std::string(py::str(py::type::handle_of(object).attr("__name__"))) +
-                " has no attribute '" + std::string(py::str(name)) + "'");
+            const py::handle type = py::type::handle_of(object);
+            throw py::type_error(std::string(py::str(type.attr("__name__"))) +
+                                 " has no attribute '" + std::string(py::str(name)) + "'" +
+                                 HintFor(name, py::reinterpret_borrow<py::object>(type)));
         }
         py::setattr(object, name, value);
     }
@@ -53,18 +58,26 @@ void KeywordInit(Class& type)
     }));
 }
 
-/// Adds copy(), the protocol of the module `copy`, and pickling by a tuple of numbers.
-/// `numbers` returns the tuple and `make` the value of it.
-template <class Class, class Numbers, class Make>
-void Copies(Class& type, Numbers numbers, Make make)
+/// Adds copy() and the protocol of the module `copy`.
+template <class Class>
+void Copies(Class& type)
 {
     using T = typename Class::type;
     type.def(
             "copy", [](const T& self) { return T(self); }, "Returns a copy.")
         .def("__copy__", [](const T& self) { return T(self); })
         .def(
-            "__deepcopy__", [](const T& self, py::handle) { return T(self); }, py::arg("memo"))
-        .def(py::pickle([numbers](const T& self) { return py::tuple(numbers(self)); },
+            "__deepcopy__", [](const T& self, py::handle) { return T(self); }, py::arg("memo"));
+}
+
+/// Adds copies, and pickling by a tuple of numbers. `numbers` returns the tuple and `make` the
+/// value of it.
+template <class Class, class Numbers, class Make>
+void Copies(Class& type, Numbers numbers, Make make)
+{
+    using T = typename Class::type;
+    Copies(type);
+    type.def(py::pickle([numbers](const T& self) { return py::tuple(numbers(self)); },
                         [make](const py::tuple& state) { return make(state); }));
 }
 

@@ -10,6 +10,25 @@ namespace boxreel::python
 namespace
 {
 
+/// The filter of a fixture. What is written reaches the fixture, as in the 2.3 module. The
+/// fixture's object lives as long as the fixture, so a weak reference is enough.
+struct FixtureFilter final : b2Filter
+{
+    explicit FixtureFilter(py::handle fixture) : owner(fixture) {}
+
+    b2Fixture& Fixture() const
+    {
+        const py::object fixture = owner();
+        if (fixture.is_none())
+        {
+            ThrowMisuse("this fixture was destroyed, or its world was; it cannot be used");
+        }
+        return fixture.cast<FixtureHandle&>().Get();
+    }
+
+    py::weakref owner;
+};
+
 b2Body& BodyOf(const BodyHandle& handle)
 {
     return handle.Get();
@@ -22,15 +41,23 @@ b2MassData MassDataOf(const b2Body& body)
     return data;
 }
 
-/// Changes part of the mass data of a body.
-template <class Change>
-void ChangeMassData(BodyHandle& handle, Change change)
+/// Adds a property for a part of the mass data of a body. Conversions come before the use of the
+/// body here and below, because they may run code that destroys it.
+template <auto member>
+void MassPart(py::class_<BodyHandle>& type, const char* name, const char* doc)
 {
-    b2Body& body = handle.Get();
-    b2MassData data = MassDataOf(body);
-    change(data);
-    body.SetMassData(&data);
-    CheckMisuse();
+    using T = std::remove_cvref_t<decltype(b2MassData().*member)>;
+    type.def_property(
+        name, [](const BodyHandle& h) -> T { return MassDataOf(h.Get()).*member; },
+        [name](BodyHandle& h, py::handle value) {
+            const T part = From<T>(value, name);
+            b2Body& body = h.Get();
+            b2MassData data = MassDataOf(body);
+            data.*member = part;
+            body.SetMassData(&data);
+            CheckMisuse();
+        },
+        doc);
 }
 
 py::list FixturesOf(const BodyHandle& handle)
@@ -127,32 +154,15 @@ void BindMotion(py::class_<BodyHandle>& type)
 
 void BindMass(py::class_<BodyHandle>& type)
 {
+    MassPart<&b2MassData::mass>(type, "mass", "Mass [kg]; 0 for static and kinematic bodies.");
+    MassPart<&b2MassData::I>(type, "inertia", "Rotational inertia about the origin [kg m^2].");
+    MassPart<&b2MassData::center>(type, "localCenter", "Centre of mass in the body's frame [m].");
     type.def_property(
-            "mass", [](const BodyHandle& h) { return BodyOf(h).GetMass(); },
-            [](BodyHandle& h, py::handle value) {
-                ChangeMassData(h,
-                               [&](b2MassData& data) { data.mass = From<float32>(value, "mass"); });
-            },
-            "Mass [kg]; 0 for static and kinematic bodies.")
-        .def_property(
-            "inertia", [](const BodyHandle& h) { return BodyOf(h).GetInertia(); },
-            [](BodyHandle& h, py::handle value) {
-                ChangeMassData(h,
-                               [&](b2MassData& data) { data.I = From<float32>(value, "inertia"); });
-            },
-            "Rotational inertia about the origin [kg m^2].")
-        .def_property(
-            "localCenter", [](const BodyHandle& h) { return BodyOf(h).GetLocalCenter(); },
-            [](BodyHandle& h, py::handle value) {
-                ChangeMassData(
-                    h, [&](b2MassData& data) { data.center = From<b2Vec2>(value, "localCenter"); });
-            },
-            "Centre of mass in the body's frame [m].")
-        .def_property(
             "massData", [](const BodyHandle& h) { return MassDataOf(BodyOf(h)); },
             [](BodyHandle& h, py::handle value) {
-                ChangeMassData(
-                    h, [&](b2MassData& data) { data = From<b2MassData>(value, "massData"); });
+                const b2MassData data = From<b2MassData>(value, "massData");
+                BodyOf(h).SetMassData(&data);
+                CheckMisuse();
             },
             "Mass, centre and rotational inertia.")
         .def(
@@ -171,9 +181,11 @@ void BindForces(py::class_<BodyHandle>& type)
                                  const char* amount, const char* doc) {
         type.def(
             name,
-            [apply, amount](BodyHandle& h, py::handle vector, py::handle point, bool wake) {
-                b2Body& body = h.Get();
-                (body.*apply)(From<b2Vec2>(vector, amount), From<b2Vec2>(point, "point"), wake);
+            [apply, amount](BodyHandle& h, py::handle vector, py::handle point, py::handle wake) {
+                const b2Vec2 value = From<b2Vec2>(vector, amount);
+                const b2Vec2 place = From<b2Vec2>(point, "point");
+                const bool wakes = From<bool>(wake, "wake");
+                (BodyOf(h).*apply)(value, place, wakes);
                 CheckMisuse();
             },
             py::arg(amount), py::arg("point"), py::arg("wake") = true, doc);
@@ -186,9 +198,10 @@ void BindForces(py::class_<BodyHandle>& type)
                                   const char* amount, const char* doc) {
         type.def(
             name,
-            [apply, amount](BodyHandle& h, py::handle vector, bool wake) {
-                b2Body& body = h.Get();
-                (body.*apply)(From<b2Vec2>(vector, amount), wake);
+            [apply, amount](BodyHandle& h, py::handle vector, py::handle wake) {
+                const b2Vec2 value = From<b2Vec2>(vector, amount);
+                const bool wakes = From<bool>(wake, "wake");
+                (BodyOf(h).*apply)(value, wakes);
                 CheckMisuse();
             },
             py::arg(amount), py::arg("wake") = true, doc);
@@ -201,9 +214,10 @@ void BindForces(py::class_<BodyHandle>& type)
                                  const char* amount, const char* doc) {
         type.def(
             name,
-            [apply, amount](BodyHandle& h, py::handle number, bool wake) {
-                b2Body& body = h.Get();
-                (body.*apply)(From<float32>(number, amount), wake);
+            [apply, amount](BodyHandle& h, py::handle number, py::handle wake) {
+                const float32 value = From<float32>(number, amount);
+                const bool wakes = From<bool>(wake, "wake");
+                (BodyOf(h).*apply)(value, wakes);
                 CheckMisuse();
             },
             py::arg(amount), py::arg("wake") = true, doc);
@@ -221,7 +235,8 @@ void BindFrames(py::class_<BodyHandle>& type)
         type.def(
             name,
             [function, argument](const BodyHandle& h, py::handle vector) {
-                return (BodyOf(h).*function)(From<b2Vec2>(vector, argument));
+                const b2Vec2 value = From<b2Vec2>(vector, argument);
+                return (BodyOf(h).*function)(value);
             },
             py::arg(argument), doc);
     };
@@ -278,9 +293,9 @@ void BindBody(py::module_& module)
             "The world that the body is in.")
         .def("_create_fixture",
              [](BodyHandle& h, const py::dict& fields) {
+                 const b2FixtureDef def = FixtureDefFrom(fields);
                  b2Body& body = h.Get();
                  h.world->RequireUnlocked("b2Body.CreateFixture");
-                 const b2FixtureDef def = FixtureDefFrom(fields);
                  ++h.world->epoch;
                  b2Fixture* fixture = body.CreateFixture(&def);
                  CheckMisuse();
@@ -309,19 +324,50 @@ b2Fixture& FixtureOf(const FixtureHandle& handle)
     return handle.Get();
 }
 
-/// Adds a property of the collision filter.
-template <auto member>
-void FilterPart(py::class_<FixtureHandle>& type, const char* name, const char* doc)
+b2Fixture& FixtureOf(const FixtureFilter& filter)
 {
+    return filter.Fixture();
+}
+
+/// Adds a property of the collision filter to fixtures or to their filters.
+template <auto member, class Class>
+void FilterPart(Class& type, const char* name, const char* doc)
+{
+    using Owner = typename Class::type;
     using T = std::remove_cvref_t<decltype(b2Filter().*member)>;
     type.def_property(
-        name, [](const FixtureHandle& h) { return FixtureOf(h).GetFilterData().*member; },
-        [name](FixtureHandle& h, py::handle value) {
-            b2Filter filter = FixtureOf(h).GetFilterData();
-            filter.*member = From<T>(value, name);
-            FixtureOf(h).SetFilterData(filter);
+        name, [](const Owner& owner) { return FixtureOf(owner).GetFilterData().*member; },
+        [name](Owner& owner, py::handle value) {
+            const T part = From<T>(value, name);
+            b2Filter filter = FixtureOf(owner).GetFilterData();
+            filter.*member = part;
+            FixtureOf(owner).SetFilterData(filter);
         },
         doc);
+}
+
+template <class Class>
+void FilterParts(Class& type)
+{
+    FilterPart<&b2Filter::categoryBits>(type, "categoryBits",
+                                        "Categories of the fixture, 0 to 65535.");
+    FilterPart<&b2Filter::maskBits>(type, "maskBits",
+                                    "Categories that it collides with, 0 to 65535.");
+    FilterPart<&b2Filter::groupIndex>(type, "groupIndex",
+                                      "Group that always or never collides; 0: none.");
+}
+
+void BindFixtureFilter(py::module_& module)
+{
+    py::class_<FixtureFilter, b2Filter> type(
+        module, "b2FixtureFilter", "The filter of a fixture. What is written reaches the fixture.");
+    FilterParts(type);
+    const auto copy = [](const FixtureFilter& self) { return FixtureOf(self).GetFilterData(); };
+    type.def("copy", copy, "Returns a b2Filter of the same numbers.")
+        .def("__copy__", copy)
+        .def(
+            "__deepcopy__", [copy](const FixtureFilter& self, py::handle) { return copy(self); },
+            py::arg("memo"));
 }
 
 void BindFixture(py::module_& module)
@@ -339,14 +385,18 @@ void BindFixture(py::module_& module)
              "Restitution, 0 or more.");
     Property(type, "sensor", &b2Fixture::IsSensor, &b2Fixture::SetSensor,
              "True if it reports contacts without a collision response.");
-    Property(type, "filterData", &b2Fixture::GetFilterData, &b2Fixture::SetFilterData,
-             "The collision filter.");
-    FilterPart<&b2Filter::categoryBits>(type, "categoryBits",
-                                        "Categories of the fixture, 0 to 65535.");
-    FilterPart<&b2Filter::maskBits>(type, "maskBits",
-                                    "Categories that it collides with, 0 to 65535.");
-    FilterPart<&b2Filter::groupIndex>(type, "groupIndex",
-                                      "Group that always or never collides; 0: none.");
+    type.def_property(
+        "filterData",
+        [](py::handle self) {
+            FixtureOf(self.cast<FixtureHandle&>());
+            return FixtureFilter(self);
+        },
+        [](FixtureHandle& h, py::handle value) {
+            const b2Filter filter = From<b2Filter>(value, "filterData");
+            FixtureOf(h).SetFilterData(filter);
+        },
+        "The collision filter. What is written to it reaches the fixture.");
+    FilterParts(type);
     ReadOnly(type, "type", &b2Fixture::GetType, "Type of the shape.");
     type.def_property_readonly(
             "shape", [](const FixtureHandle& h) { return CopyOfShape(*FixtureOf(h).GetShape()); },
@@ -362,7 +412,7 @@ void BindFixture(py::module_& module)
             [](const FixtureHandle& h) {
                 b2MassData data;
                 FixtureOf(h).GetMassData(&data);
-                return data;
+                return Checked(data);
             },
             "Mass, centre and rotational inertia of the shape.")
         .def(
@@ -371,7 +421,8 @@ void BindFixture(py::module_& module)
         .def(
             "TestPoint",
             [](const FixtureHandle& h, py::handle p) {
-                return FixtureOf(h).TestPoint(From<b2Vec2>(p, "p"));
+                const b2Vec2 point = From<b2Vec2>(p, "p");
+                return FixtureOf(h).TestPoint(point);
             },
             py::arg("p"), "True if the world point [m] is inside.")
         .def(
@@ -401,15 +452,34 @@ void BindFixture(py::module_& module)
                  return py::make_tuple(hit, output);
              })
         .def(
-            "Dump", [](FixtureHandle& h, int32 index) { FixtureOf(h).Dump(index); },
+            "Dump",
+            [](FixtureHandle& h, py::handle index) {
+                const int32 number = From<int32>(index, "bodyIndex");
+                FixtureOf(h).Dump(number);
+            },
             py::arg("bodyIndex") = 0, "Writes the fixture as code of C++ to standard output.");
 }
 
 } // namespace
 
+template <>
+b2Filter From<b2Filter>(py::handle value, const char* name)
+{
+    if (py::isinstance<FixtureFilter>(value))
+    {
+        return FixtureOf(value.cast<const FixtureFilter&>()).GetFilterData();
+    }
+    if (!py::isinstance<b2Filter>(value))
+    {
+        ThrowType(name, "a b2Filter", value);
+    }
+    return value.cast<b2Filter&>();
+}
+
 void BindBodies(py::module_& module)
 {
     BindBody(module);
+    BindFixtureFilter(module);
     BindFixture(module);
 }
 

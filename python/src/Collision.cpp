@@ -9,9 +9,8 @@ namespace boxreel::python
 namespace
 {
 
-int32 ChildOf(const ShapeObject& shape, py::handle index, const char* name)
+int32 ChildOf(const ShapeObject& shape, int32 child, const char* name)
 {
-    const int32 child = From<int32>(index, name);
     if (child < 0 || child >= shape.Get().GetChildCount())
     {
         ThrowMisuse(std::string(name) + ": " + std::to_string(child) +
@@ -21,7 +20,8 @@ int32 ChildOf(const ShapeObject& shape, py::handle index, const char* name)
     return child;
 }
 
-b2DistanceProxy ProxyOf(const ShapeObject& shape, py::handle index, const char* name)
+/// The proxy refers to the shape, so that conversions come before: they may run code.
+b2DistanceProxy ProxyOf(const ShapeObject& shape, int32 index, const char* name)
 {
     b2DistanceProxy proxy;
     proxy.Set(&shape.Get(), ChildOf(shape, index, name));
@@ -41,11 +41,22 @@ void BindBoxes(py::module_& module)
     Member<&b2RayCastInput::p1>(input, "p1", "Start [m].");
     Member<&b2RayCastInput::p2>(input, "p2", "End at fraction 1 [m].");
     Member<&b2RayCastInput::maxFraction>(input, "maxFraction", "Length as a multiple of p2 - p1.");
+    Copies(
+        input, [](const b2RayCastInput& r) { return py::make_tuple(r.p1, r.p2, r.maxFraction); },
+        [](const py::tuple& s) {
+            return b2RayCastInput{From<b2Vec2>(s[0], ""), From<b2Vec2>(s[1], ""),
+                                  From<float32>(s[2], "")};
+        });
 
     py::class_<b2RayCastOutput> output(module, "b2RayCastOutput", "Where a ray hits.");
     KeywordInit<b2RayCastOutput>(output);
     Member<&b2RayCastOutput::normal>(output, "normal", "Unit normal of the surface.");
     Member<&b2RayCastOutput::fraction>(output, "fraction", "Fraction of the ray.");
+    Copies(
+        output, [](const b2RayCastOutput& r) { return py::make_tuple(r.normal, r.fraction); },
+        [](const py::tuple& s) {
+            return b2RayCastOutput{From<b2Vec2>(s[0], ""), From<float32>(s[1], "")};
+        });
 
     py::class_<b2AABB> box(module, "b2AABB", "An axis-aligned box: lowerBound=, upperBound=.");
     box.def(py::init([](py::handle lower, py::handle upper) {
@@ -91,6 +102,13 @@ void BindBoxes(py::module_& module)
                 return py::make_tuple(hit, result);
             },
             py::arg("input"), "Returns (hit, b2RayCastOutput).")
+        .def(
+            "RayCast",
+            [](const b2AABB& self, b2RayCastOutput& result, const b2RayCastInput& ray) {
+                return self.RayCast(&result, ray);
+            },
+            py::arg("output"), py::arg("input"),
+            "Returns whether the ray hits, and fills the output.")
         .def("__eq__",
              [](const b2AABB& a, const b2AABB& b) {
                  return a.lowerBound == b.lowerBound && a.upperBound == b.upperBound;
@@ -144,6 +162,7 @@ void BindManifolds(py::module_& module)
         .def_readonly("indexB", &b2ContactFeature::indexB, "Vertex or face of shape B.")
         .def_readonly("typeA", &b2ContactFeature::typeA, "e_vertex or e_face.")
         .def_readonly("typeB", &b2ContactFeature::typeB, "e_vertex or e_face.");
+    Copies(feature);
 
     py::class_<b2ContactID> id(module, "b2ContactID",
                                "Identifies a contact point from step to step.");
@@ -151,6 +170,7 @@ void BindManifolds(py::module_& module)
           "key", [](const b2ContactID& i) { return i.key; }, "The features as one number.")
         .def_property_readonly(
             "cf", [](const b2ContactID& i) { return i.cf; }, "The features.");
+    Copies(id);
 
     py::class_<b2ManifoldPoint> point(module, "b2ManifoldPoint", "A contact point.");
     point
@@ -162,6 +182,7 @@ void BindManifolds(py::module_& module)
         .def_property_readonly(
             "isNew", [](const b2ManifoldPoint& p) { return p.normalImpulse == 0.0f; },
             "True if it has no impulse yet.");
+    Copies(point);
 
     py::class_<b2Manifold> manifold(module, "b2Manifold",
                                     "The contact of two shapes: a normal and up to two points.");
@@ -190,10 +211,8 @@ void BindManifolds(py::module_& module)
         .def_property_readonly(
             "type", [](const b2Manifold& m) { return int(m.type); },
             "e_circles, e_faceA or e_faceB.")
-        .def_readonly("pointCount", &b2Manifold::pointCount, "Number of points, 0 to 2.")
-        .def(
-            "copy", [](const b2Manifold& m) { return m; }, "Returns a copy.")
-        .def("__copy__", [](const b2Manifold& m) { return m; });
+        .def_readonly("pointCount", &b2Manifold::pointCount, "Number of points, 0 to 2.");
+    Copies(manifold);
 
     py::class_<b2WorldManifold> world(module, "b2WorldManifold", "A manifold in the world.");
     world.def(py::init<>())
@@ -210,13 +229,15 @@ void BindManifolds(py::module_& module)
             "Separations of the points [m]; negative: overlap.")
         .def(
             "Initialize",
-            [](b2WorldManifold& m, const b2Manifold& local, py::handle xfA, float32 radiusA,
-               py::handle xfB, float32 radiusB) {
-                m.Initialize(&local, From<b2Transform>(xfA, "xfA"), radiusA,
-                             From<b2Transform>(xfB, "xfB"), radiusB);
+            [](b2WorldManifold& m, const b2Manifold& local, py::handle xfA, py::handle radiusA,
+               py::handle xfB, py::handle radiusB) {
+                m.Initialize(&local, From<b2Transform>(xfA, "xfA"),
+                             From<float32>(radiusA, "radiusA"), From<b2Transform>(xfB, "xfB"),
+                             From<float32>(radiusB, "radiusB"));
             },
             py::arg("manifold"), py::arg("xfA"), py::arg("radiusA"), py::arg("xfB"),
             py::arg("radiusB"), "Computes the manifold in the world.");
+    Copies(world);
 
     py::class_<b2ContactImpulse> impulse(module, "b2ContactImpulse",
                                          "Impulses of a contact in a step [N s].");
@@ -233,10 +254,18 @@ void BindManifolds(py::module_& module)
                 return py::make_tuple(i.tangentImpulses[0], i.tangentImpulses[1]);
             },
             "Friction impulses [N s].");
+    Copies(impulse);
 
     module.def(
         "b2GetPointStates",
-        [](const b2Manifold& first, const b2Manifold& second) {
+        [](py::handle old, py::handle current) {
+            if (!py::isinstance<b2Manifold>(old) || !py::isinstance<b2Manifold>(current))
+            {
+                ThrowType("b2GetPointStates", "two b2Manifold",
+                          py::isinstance<b2Manifold>(old) ? current : old);
+            }
+            const b2Manifold& first = old.cast<const b2Manifold&>();
+            const b2Manifold& second = current.cast<const b2Manifold&>();
             b2PointState state1[b2_maxManifoldPoints];
             b2PointState state2[b2_maxManifoldPoints];
             b2GetPointStates(state1, state2, &first, &second);
@@ -256,6 +285,8 @@ void Collide(py::module_& module, const char* name,
 {
     const auto compute = [collide](const ShapeOf<A>& a, py::handle xfA, const ShapeOf<B>& b,
                                    py::handle xfB) {
+        const b2Transform transformA = From<b2Transform>(xfA, "xfA");
+        const b2Transform transformB = From<b2Transform>(xfB, "xfB");
         if constexpr (std::is_same_v<A, b2PolygonShape>)
         {
             if (a.shape.m_count < 3)
@@ -271,9 +302,8 @@ void Collide(py::module_& module, const char* name,
             }
         }
         b2Manifold manifold;
-        collide(&manifold, &a.shape, From<b2Transform>(xfA, "xfA"), &b.shape,
-                From<b2Transform>(xfB, "xfB"));
-        return manifold;
+        collide(&manifold, &a.shape, transformA, &b.shape, transformB);
+        return Checked(manifold);
     };
     module.def(name, compute, py::arg("shapeA"), py::arg("xfA"), py::arg("shapeB"), py::arg("xfB"),
                "Returns the manifold of two shapes.");
@@ -299,39 +329,46 @@ void BindQueries(py::module_& module)
         "b2TestOverlap",
         [](const ShapeObject& a, py::handle indexA, const ShapeObject& b, py::handle indexB,
            py::handle xfA, py::handle xfB) {
-            const int32 childA = ChildOf(a, indexA, "idxA");
-            const int32 childB = ChildOf(b, indexB, "idxB");
-            return b2TestOverlap(&a.Get(), childA, &b.Get(), childB,
-                                 From<b2Transform>(xfA, "transformA"),
-                                 From<b2Transform>(xfB, "transformB"));
+            const int32 first = From<int32>(indexA, "idxA");
+            const int32 second = From<int32>(indexB, "idxB");
+            const b2Transform transformA = From<b2Transform>(xfA, "transformA");
+            const b2Transform transformB = From<b2Transform>(xfB, "transformB");
+            return Checked(b2TestOverlap(&a.Get(), ChildOf(a, first, "idxA"), &b.Get(),
+                                         ChildOf(b, second, "idxB"), transformA, transformB));
         },
         py::arg("shapeA"), py::arg("idxA"), py::arg("shapeB"), py::arg("idxB"),
         py::arg("transformA"), py::arg("transformB"),
         "True if the shapes, or these children, overlap.");
     module.def("_distance", [](const ShapeObject& a, py::handle indexA, const ShapeObject& b,
                                py::handle indexB, py::handle xfA, py::handle xfB, bool useRadii) {
+        const int32 first = From<int32>(indexA, "idxA");
+        const int32 second = From<int32>(indexB, "idxB");
         b2DistanceInput input;
-        input.proxyA = ProxyOf(a, indexA, "idxA");
-        input.proxyB = ProxyOf(b, indexB, "idxB");
         input.transformA = From<b2Transform>(xfA, "transformA");
         input.transformB = From<b2Transform>(xfB, "transformB");
+        input.proxyA = ProxyOf(a, first, "idxA");
+        input.proxyB = ProxyOf(b, second, "idxB");
         input.useRadii = useRadii;
         b2SimplexCache cache;
         b2DistanceOutput output;
         b2Distance(&output, &cache, &input);
+        CheckMisuse();
         return py::make_tuple(output.pointA, output.pointB, output.distance, output.iterations);
     });
     module.def("_time_of_impact",
                [](const ShapeObject& a, py::handle indexA, const ShapeObject& b, py::handle indexB,
                   const b2Sweep& sweepA, const b2Sweep& sweepB, py::handle tMax) {
+                   const int32 first = From<int32>(indexA, "idxA");
+                   const int32 second = From<int32>(indexB, "idxB");
                    b2TOIInput input;
-                   input.proxyA = ProxyOf(a, indexA, "idxA");
-                   input.proxyB = ProxyOf(b, indexB, "idxB");
+                   input.tMax = From<float32>(tMax, "tMax");
                    input.sweepA = sweepA;
                    input.sweepB = sweepB;
-                   input.tMax = From<float32>(tMax, "tMax");
+                   input.proxyA = ProxyOf(a, first, "idxA");
+                   input.proxyB = ProxyOf(b, second, "idxB");
                    b2TOIOutput output;
                    b2TimeOfImpact(&output, &input);
+                   CheckMisuse();
                    return py::make_tuple(int(output.state), output.t);
                });
 }

@@ -54,15 +54,16 @@ bool Numbers(py::handle value, float32* numbers, Py_ssize_t count)
     {
         return false;
     }
-    const py::object fast = py::reinterpret_steal<py::object>(PySequence_Fast(value.ptr(), ""));
-    if (!fast || PySequence_Fast_GET_SIZE(fast.ptr()) != count)
+    // By its length and not by iteration, which need not end. A conversion may change the sequence.
+    if (PySequence_Size(value.ptr()) != count)
     {
         PyErr_Clear();
         return false;
     }
     for (Py_ssize_t i = 0; i < count; ++i)
     {
-        const double number = PyFloat_AsDouble(PySequence_Fast_GET_ITEM(fast.ptr(), i));
+        const auto item = py::reinterpret_steal<py::object>(PySequence_GetItem(value.ptr(), i));
+        const double number = item ? PyFloat_AsDouble(item.ptr()) : -1.0;
         if (number == -1.0 && PyErr_Occurred() != nullptr)
         {
             PyErr_Clear();
@@ -265,24 +266,33 @@ b2MassData From<b2MassData>(py::handle value, const char* name)
     return Registered<b2MassData>(value, name, "a b2MassData");
 }
 
-template <>
-b2Filter From<b2Filter>(py::handle value, const char* name)
+py::list ItemsOf(py::handle value, const char* name)
 {
-    return Registered<b2Filter>(value, name, "a b2Filter");
+    if (PyUnicode_Check(value.ptr()) || !py::isinstance<py::iterable>(value))
+    {
+        ThrowType(name, "a list of points", value);
+    }
+    py::list items;
+    if (PySequence_Check(value.ptr()) == 0 || !py::hasattr(value, "__len__"))
+    {
+        for (const py::handle item : value)
+        {
+            items.append(item);
+        }
+        return items;
+    }
+    for (std::size_t i = 0; i < py::len(value); ++i)
+    {
+        items.append(value[py::int_(i)]);
+    }
+    return items;
 }
 
 template <>
 std::vector<b2Vec2> From<std::vector<b2Vec2>>(py::handle value, const char* name)
 {
-    if (PyUnicode_Check(value.ptr()) || PySequence_Check(value.ptr()) == 0)
-    {
-        if (!py::isinstance<py::iterable>(value) || PyUnicode_Check(value.ptr()))
-        {
-            ThrowType(name, "a list of points", value);
-        }
-    }
     std::vector<b2Vec2> points;
-    for (const py::handle point : py::reinterpret_borrow<py::iterable>(value))
+    for (const py::handle point : ItemsOf(value, name))
     {
         points.push_back(From<b2Vec2>(point, name));
     }

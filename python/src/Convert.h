@@ -23,6 +23,14 @@ namespace py = pybind11;
 /// Throws b2Error if the engine refused a call of this thread since the last check.
 void CheckMisuse();
 
+/// Returns the result of a call, unless the engine refused that.
+template <class T>
+T Checked(T result)
+{
+    CheckMisuse();
+    return result;
+}
+
 /// Registers b2Error, and lets the engine report refused calls instead of aborting.
 void InstallMisuse(py::module_& module);
 
@@ -64,6 +72,9 @@ template <>
 b2MassData From<b2MassData>(py::handle value, const char* name);
 template <>
 b2Filter From<b2Filter>(py::handle value, const char* name);
+/// Returns the items of a list or another iterable. A sequence has as many as its length says,
+/// because its iteration need not end.
+py::list ItemsOf(py::handle value, const char* name);
 template <>
 std::vector<b2Vec2> From<std::vector<b2Vec2>>(py::handle value, const char* name);
 

@@ -37,6 +37,7 @@ template <class Def>
 struct Field
 {
     const char* name;
+    bool isPointer;
     void (*set)(Def& def, py::handle value, const char* name);
     py::object (*get)(const Def& def);
 };
@@ -46,7 +47,7 @@ constexpr Field<Def> F(const char* name)
 {
     using T = std::remove_cvref_t<decltype(std::declval<Def>().*member)>;
     return {
-        name,
+        name, std::is_pointer_v<T>,
         [](Def& def, py::handle value, const char* field) { def.*member = From<T>(value, field); },
         [](const Def& def) -> py::object {
             if constexpr (std::is_pointer_v<T>)
@@ -193,11 +194,16 @@ template <class Def, std::size_t count>
 Def Fill(const std::array<Field<Def>, count>& table, const py::dict& fields)
 {
     Def def;
-    for (const Field<Def>& field : table)
+    // Conversions of numbers may run code that destroys a body, so pointers come last.
+    for (const bool isPointer : {false, true})
     {
-        if (PyObject* value = PyDict_GetItemString(fields.ptr(), field.name))
+        for (const Field<Def>& field : table)
         {
-            field.set(def, value, field.name);
+            PyObject* value = PyDict_GetItemString(fields.ptr(), field.name);
+            if (value != nullptr && field.isPointer == isPointer)
+            {
+                field.set(def, value, field.name);
+            }
         }
     }
     return def;
@@ -244,7 +250,7 @@ b2FixtureDef FixtureDefFrom(const py::dict& fields)
     return Fill(kFixture, fields);
 }
 
-b2Joint* CreateJointFrom(b2World& world, const std::string& name, const py::dict& fields)
+b2Joint* CreateJointFrom(WorldObject& owner, const std::string& name, const py::dict& fields)
 {
     b2Joint* joint = nullptr;
     ForEachJoint([&](const char* known, const auto& table) {
@@ -255,7 +261,9 @@ b2Joint* CreateJointFrom(b2World& world, const std::string& name, const py::dict
             {
                 ThrowMisuse(name + ": bodyA and bodyB must be set");
             }
-            joint = world.CreateJoint(&def);
+            owner.RequireUnlocked("b2World.CreateJoint");
+            ++owner.epoch; // contacts of bodies that no longer collide are destroyed
+            joint = owner.world.CreateJoint(&def);
         }
     });
     CheckMisuse();

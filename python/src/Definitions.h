@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "Handles.h"
+#include "WorldObject.h"
 
 namespace boxreel::python
 {
@@ -10,6 +10,6 @@ namespace boxreel::python
 b2BodyDef BodyDefFrom(const py::dict& fields);
 b2FixtureDef FixtureDefFrom(const py::dict& fields);
 /// Creates a joint from the fields of the definition class `name`.
-b2Joint* CreateJointFrom(b2World& world, const std::string& name, const py::dict& fields);
+b2Joint* CreateJointFrom(WorldObject& owner, const std::string& name, const py::dict& fields);
 
 } // namespace boxreel::python

@@ -5,7 +5,9 @@
 #include <debugdraw/WorldBounds.h>
 #include <recorder/Recording.h>
 
+#include <filesystem>
 #include <optional>
+#include <regex>
 
 /// Films of worlds and of arrays.
 namespace boxreel::python
@@ -30,6 +32,46 @@ Quality QualityFrom(const std::string& name)
                 "'; expected one of draft, standard, high, lossless");
 }
 
+/// Returns an error whose advice names the keywords of boxreel.film and not options of the program.
+Error InKeywords(Error error)
+{
+    static const std::pair<std::regex, const char*> kOptions[] = {
+        {std::regex("--chroma 444(, | or )?"), ""},
+        {std::regex("--(quality|codec) ([\\w-]+)"), "$1=\"$2\""},
+        {std::regex("--codec-option( \\S+)?"), "codec options"},
+        {std::regex("--(quality|codec)"), "$1"},
+        {std::regex("--force"), "overwrite=True"},
+        {std::regex("use (\\d+)x(\\d+)"), "use size=($1, $2)"}};
+    for (std::string* part : {&error.culprit, &error.problem, &error.remedy})
+    {
+        for (const auto& [option, keyword] : kOptions)
+        {
+            *part = std::regex_replace(*part, option, keyword);
+        }
+    }
+    return error;
+}
+
+/// As Need, with InKeywords.
+template <class T>
+T NeedOfFilm(Result<T> result)
+{
+    return result ? Need(std::move(result)) : Need(Result<T>(InKeywords(result.GetError())));
+}
+
+/// A film of a folder that is not there fails at once, and not after the simulation.
+void RequireFolder(const std::filesystem::path& path)
+{
+    const std::filesystem::path folder = path.parent_path();
+    std::error_code ignored;
+    if (!folder.empty() && path.filename().string().find('#') == std::string::npos &&
+        !std::filesystem::is_directory(folder, ignored))
+    {
+        ThrowError({ErrorKind::Unusable, path.string(),
+                    "the folder " + folder.string() + " does not exist", "create it first"});
+    }
+}
+
 /// Calls a function without Python's lock.
 template <class Function>
 auto Unlocked(Function function)
@@ -52,7 +94,8 @@ public:
         m_video.overwrite = From<bool>(options["overwrite"], "overwrite");
         m_drawing.theme = ThemeFrom(py::str(options["theme"]));
         m_drawing.scale = From<double>(options["scale"], "scale");
-        Need(CheckVideoPath(m_path, m_video)); // before anything is simulated
+        NeedOfFilm(CheckVideoPath(m_path, m_video)); // before anything is simulated
+        RequireFolder(m_path);
     }
 
     void AddWorld(WorldObject& world, py::handle camera, const Look& look)
@@ -68,7 +111,7 @@ public:
         {
             Result<Recording> recording =
                 Unlocked([&] { return Recording::Open(m_path, m_video, m_drawing); });
-            m_recording.emplace(Need(std::move(recording)));
+            m_recording.emplace(NeedOfFilm(std::move(recording)));
         }
         if (!Unlocked([&] { return m_recording->Add(list, view); }))
         {
@@ -94,11 +137,13 @@ public:
                 m_video.width = frame.width;
                 m_video.height = frame.height;
             }
+            RequireSize(frame);
             Result<VideoWriter> writer =
                 Unlocked([&] { return VideoWriter::Open(m_path, m_video); });
-            m_writer.emplace(Need(std::move(writer)));
+            m_writer.emplace(NeedOfFilm(std::move(writer)));
         }
-        Need(Unlocked([&] { return m_writer->Append(frame); }));
+        RequireSize(frame);
+        NeedOfFilm(Unlocked([&] { return m_writer->Append(frame); }));
         ++m_frames;
     }
 
@@ -140,6 +185,17 @@ private:
         if (m_isDone)
         {
             ThrowMisuse("this film is closed; nothing can be added");
+        }
+    }
+
+    void RequireSize(const Frame& frame) const
+    {
+        if (frame.width != m_video.width || frame.height != m_video.height)
+        {
+            ThrowMisuse("this frame is " + std::to_string(frame.width) + " x " +
+                        std::to_string(frame.height) + " pixels, and the film is " +
+                        std::to_string(m_video.width) + " x " + std::to_string(m_video.height) +
+                        "; all frames have the size of the film");
         }
     }
 

@@ -139,8 +139,10 @@ void Property(Class& type, const char* name, Get get, Result (Object::*set)(Argu
             return Value(std::invoke(get, static_cast<const Self&>(handle.Get())));
         },
         [set, name](H& handle, py::handle value) {
+            // The conversion may run code that destroys the object.
+            const auto argument = From<std::remove_cvref_t<Argument>>(value, name);
             Self& object = handle.Get();
-            (object.*set)(From<std::remove_cvref_t<Argument>>(value, name));
+            (object.*set)(argument);
             CheckMisuse();
         },
         doc);

@@ -24,7 +24,8 @@ void Reaction(Class& type, const char* name, Function function, const char* doc)
     type.def(
         name,
         [function](const typename Class::type& handle, py::handle inverse) {
-            return function(handle.Get(), From<float32>(inverse, "inv_dt"));
+            const float32 rate = From<float32>(inverse, "inv_dt");
+            return Checked(function(handle.Get(), rate));
         },
         py::arg("inv_dt"), doc);
 }

@@ -224,8 +224,9 @@ void BindVec2(py::module_& module)
         .def_property(
             "length", &b2Vec2::Length,
             [](b2Vec2& v, py::handle value) {
+                const float32 length = From<float32>(value, "length");
                 v.Normalize();
-                v *= From<float32>(value, "length");
+                v *= length;
             },
             "Length, in the unit of the components.")
         .def_property_readonly("lengthSquared", &b2Vec2::LengthSquared, "Squared length.")
@@ -328,11 +329,42 @@ void BindVec3(py::module_& module)
         .def("SetZero", &b2Vec3::SetZero, "Sets all components to 0.");
 }
 
+b2Mat22 Sum(const b2Mat22& a, const b2Mat22& b, float32 sign)
+{
+    return {a.ex + sign * b.ex, a.ey + sign * b.ey};
+}
+b2Mat33 Sum(const b2Mat33& a, const b2Mat33& b, float32 sign)
+{
+    return {a.ex + sign * b.ex, a.ey + sign * b.ey, a.ez + sign * b.ez};
+}
+
+/// Adds sums and differences. Those in place change the matrix itself, as other names see it.
+template <class T>
+void Sums(py::class_<T>& type)
+{
+    const auto sum = [&type](const char* name, const char* inPlace, float32 sign) {
+        type.def(
+            name, [sign](const T& a, const T& b) { return Sum(a, b, sign); }, py::is_operator());
+        type.def(
+            inPlace,
+            [sign](py::object self, const T& b) {
+                T& a = self.cast<T&>();
+                a = Sum(a, b, sign);
+                return self;
+            },
+            py::is_operator());
+    };
+    sum("__add__", "__iadd__", 1.0f);
+    sum("__sub__", "__isub__", -1.0f);
+}
+
 void BindMatrices(py::module_& module)
 {
     py::class_<b2Mat22> m22(module, "b2Mat22", "A 2-by-2 matrix of the columns ex and ey.");
     Member<&b2Mat22::ex>(m22, "ex", "First column.");
     Member<&b2Mat22::ey>(m22, "ey", "Second column.");
+    Member<&b2Mat22::ex>(m22, "col1", "First column, as ex.");
+    Member<&b2Mat22::ey>(m22, "col2", "Second column, as ey.");
     m22.def_property_readonly("inverse", &b2Mat22::GetInverse, "The inverse; zero if singular.")
         .def_property(
             "angle", [](const b2Mat22& m) { return b2Atan2(m.ex.y, m.ex.x); },
@@ -350,6 +382,7 @@ void BindMatrices(py::module_& module)
                                From<float32>(a21, "a21"), From<float32>(a22, "a22"));
             }),
             py::arg("a11"), py::arg("a12"), py::arg("a21"), py::arg("a22"));
+    m22.def(py::init([] { return b2Mat22(1.0f, 0.0f, 0.0f, 1.0f); })); // as in the 2.3 module
     KeywordInit<b2Mat22>(m22);
     m22.def("__mul__",
             [](const b2Mat22& m, py::handle other) -> py::object {
@@ -360,8 +393,6 @@ void BindMatrices(py::module_& module)
                 return IsVec2(other) ? py::cast(b2Mul(m, From<b2Vec2>(other, "")))
                                      : NotImplemented();
             })
-        .def("__add__", [](const b2Mat22& a, const b2Mat22& b) { return a + b; })
-        .def("__iadd__", [](const b2Mat22& a, const b2Mat22& b) { return a + b; })
         .def("__abs__", [](const b2Mat22& m) { return b2Abs(m); })
         .def("__eq__",
              [](const b2Mat22& a, const b2Mat22& b) { return a.ex == b.ex && a.ey == b.ey; })
@@ -382,6 +413,7 @@ void BindMatrices(py::module_& module)
             py::arg("ex"), py::arg("ey"), "Sets both columns.")
         .def("SetIdentity", &b2Mat22::SetIdentity, "Sets the identity.")
         .def("SetZero", &b2Mat22::SetZero, "Sets all numbers to 0.");
+    Sums(m22);
     Copies(
         m22, [](const b2Mat22& m) { return py::make_tuple(m.ex, m.ey); },
         [](const py::tuple& s) {
@@ -392,18 +424,20 @@ void BindMatrices(py::module_& module)
     Member<&b2Mat33::ex>(m33, "ex", "First column.");
     Member<&b2Mat33::ey>(m33, "ey", "Second column.");
     Member<&b2Mat33::ez>(m33, "ez", "Third column.");
+    Member<&b2Mat33::ex>(m33, "col1", "First column, as ex.");
+    Member<&b2Mat33::ey>(m33, "col2", "Second column, as ey.");
+    Member<&b2Mat33::ez>(m33, "col3", "Third column, as ez.");
     m33.def(py::init([](py::handle ex, py::handle ey, py::handle ez) {
                 return b2Mat33(From<b2Vec3>(ex, "ex"), From<b2Vec3>(ey, "ey"),
                                From<b2Vec3>(ez, "ez"));
             }),
             py::arg("ex"), py::arg("ey"), py::arg("ez"));
+    m33.def(py::init([] {
+        return b2Mat33({1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f});
+    }));
     KeywordInit<b2Mat33>(m33);
     m33.def("__mul__",
             [](const b2Mat33& m, py::handle v) { return b2Mul(m, From<b2Vec3>(v, "vector")); })
-        .def("__add__",
-             [](const b2Mat33& a, const b2Mat33& b) {
-                 return b2Mat33(a.ex + b.ex, a.ey + b.ey, a.ez + b.ez);
-             })
         .def(
             "Solve33",
             [](const b2Mat33& m, py::handle b) { return m.Solve33(From<b2Vec3>(b, "b")); },
@@ -413,6 +447,7 @@ void BindMatrices(py::module_& module)
             [](const b2Mat33& m, py::handle b) { return m.Solve22(From<b2Vec2>(b, "b")); },
             py::arg("b"), "Returns x with A x = b for the upper left block.")
         .def("SetZero", &b2Mat33::SetZero, "Sets all numbers to 0.");
+    Sums(m33);
     Copies(
         m33, [](const b2Mat33& m) { return py::make_tuple(m.ex, m.ey, m.ez); },
         [](const py::tuple& s) {
@@ -524,6 +559,12 @@ void BindTransforms(py::module_& module)
             },
             py::arg("alpha"), "Returns the transform at a fraction of the step, 0 to 1.")
         .def(
+            "GetTransform",
+            [](const b2Sweep& s, b2Transform& result, py::handle alpha) {
+                s.GetTransform(&result, From<float32>(alpha, "alpha"));
+            },
+            py::arg("xf"), py::arg("alpha"), "Sets xf to the transform at a fraction of the step.")
+        .def(
             "Advance",
             [](b2Sweep& s, py::handle alpha) {
                 if (s.alpha0 >= 1.0f)
@@ -533,7 +574,26 @@ void BindTransforms(py::module_& module)
                 s.Advance(From<float32>(alpha, "alpha"));
             },
             py::arg("alpha"), "Advances the start to a fraction of the step.")
-        .def("Normalize", &b2Sweep::Normalize, "Removes whole turns from both angles.");
+        .def("Normalize", &b2Sweep::Normalize, "Removes whole turns from both angles.")
+        .def("__repr__", [](const b2Sweep& s) {
+            return Text("b2Sweep(c0=b2Vec2(%g,%g), c=b2Vec2(%g,%g)", s.c0.x, s.c0.y, s.c.x, s.c.y) +
+                   Text(", a0=%g, a=%g)", s.a0, s.a);
+        });
+    Copies(
+        sweep,
+        [](const b2Sweep& s) {
+            return py::make_tuple(s.localCenter, s.c0, s.c, s.a0, s.a, s.alpha0);
+        },
+        [](const py::tuple& state) {
+            b2Sweep s;
+            s.localCenter = From<b2Vec2>(state[0], "localCenter");
+            s.c0 = From<b2Vec2>(state[1], "c0");
+            s.c = From<b2Vec2>(state[2], "c");
+            s.a0 = From<float32>(state[3], "a0");
+            s.a = From<float32>(state[4], "a");
+            s.alpha0 = From<float32>(state[5], "alpha0");
+            return s;
+        });
 }
 
 void BindColor(py::module_& module)
@@ -563,9 +623,14 @@ void BindColor(py::module_& module)
         .def_property_readonly(
             "bytes",
             [](const b2Color& c) {
-                return py::make_tuple(int(255 * c.r), int(255 * c.g), int(255 * c.b));
+                py::list bytes;
+                for (const float32 channel : {c.r, c.g, c.b})
+                {
+                    bytes.append(int(255 * channel));
+                }
+                return bytes;
             },
-            "Red, green and blue from 0 to 255.")
+            "Red, green and blue from 0 to 255, as a list.")
         .def(
             "Set",
             [](b2Color& c, py::handle r, py::handle g, py::handle b, py::handle a) {

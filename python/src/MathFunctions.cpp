@@ -85,31 +85,39 @@ void BindMathFunctions(py::module_& module)
     module.def(
         "b2Mul22", [](const b2Mat33& m, py::handle v) { return b2Mul22(m, From<b2Vec2>(v, "v")); },
         py::arg("A"), py::arg("v"), "Returns the upper left block of A times v.");
-    module.def(
-        "b2IsValid", [](double x) { return b2IsValid(static_cast<float32>(x)); }, py::arg("x"),
-        "True if the number is finite.");
-    module.def(
-        "b2Sqrt", [](double x) { return b2Sqrt(static_cast<float32>(x)); }, py::arg("x"),
-        "Returns the square root.");
-    module.def(
-        "b2InvSqrt", [](double x) { return b2InvSqrt(static_cast<float32>(x)); }, py::arg("x"),
-        "Returns one over the square root.");
-    module.def(
-        "b2Atan2",
-        [](double y, double x) {
-            return b2Atan2(static_cast<float32>(y), static_cast<float32>(x));
-        },
-        py::arg("y"), py::arg("x"), "Returns the angle of the vector (x, y) [rad].");
-    module.def("b2NextPowerOfTwo", &b2NextPowerOfTwo, py::arg("x"),
-               "Returns the smallest power of two above x.");
-    module.def("b2IsPowerOfTwo", &b2IsPowerOfTwo, py::arg("x"), "True if x is a power of two.");
-    const auto mix = [&module](const char* name, float32 (*function)(float32, float32),
-                               const char* doc) {
-        module.def(name, function, py::arg("a"), py::arg("b"), doc);
+    const auto ofNumber = [&module](const char* name, auto function, const char* doc) {
+        module.def(
+            name, [function](py::handle x) { return function(From<float32>(x, "x")); },
+            py::arg("x"), doc);
     };
-    mix("b2MixFriction", &b2MixFriction, "Returns the friction of a contact of two fixtures.");
-    mix("b2MixRestitution", &b2MixRestitution,
-        "Returns the restitution of a contact of two fixtures.");
+    ofNumber(
+        "b2IsValid", [](float32 x) { return b2IsValid(x); }, "True if the number is finite.");
+    ofNumber(
+        "b2Sqrt", [](float32 x) { return b2Sqrt(x); }, "Returns the square root.");
+    ofNumber(
+        "b2InvSqrt", [](float32 x) { return b2InvSqrt(x); }, "Returns one over the square root.");
+    const auto ofTwo = [&module](const char* name, const char* first, const char* second,
+                                 float32 (*function)(float32, float32), const char* doc) {
+        module.def(
+            name,
+            [=](py::handle a, py::handle b) {
+                return function(From<float32>(a, first), From<float32>(b, second));
+            },
+            py::arg(first), py::arg(second), doc);
+    };
+    ofTwo(
+        "b2Atan2", "y", "x", [](float32 y, float32 x) { return b2Atan2(y, x); },
+        "Returns the angle of the vector (x, y) [rad].");
+    ofTwo("b2MixFriction", "a", "b", &b2MixFriction,
+          "Returns the friction of a contact of two fixtures.");
+    ofTwo("b2MixRestitution", "a", "b", &b2MixRestitution,
+          "Returns the restitution of a contact of two fixtures.");
+    module.def(
+        "b2NextPowerOfTwo", [](py::handle x) { return b2NextPowerOfTwo(From<uint32>(x, "x")); },
+        py::arg("x"), "Returns the smallest power of two above x.");
+    module.def(
+        "b2IsPowerOfTwo", [](py::handle x) { return b2IsPowerOfTwo(From<uint32>(x, "x")); },
+        py::arg("x"), "True if x is a power of two.");
 }
 
 } // namespace boxreel::python

@@ -41,6 +41,11 @@ void BindConstants(py::module_& module)
     number("b2_linearSleepTolerance", double(b2_linearSleepTolerance));
     number("b2_angularSleepTolerance", double(b2_angularSleepTolerance));
     number("b2_minPulleyLength", double(b2_minPulleyLength));
+    number("b2_chunkSize", b2_chunkSize);
+    number("b2_maxBlockSize", b2_maxBlockSize);
+    number("b2_blockSizes", b2_blockSizes);
+    number("b2_stackSize", b2_stackSize);
+    number("b2_maxStackEntries", b2_maxStackEntries);
     number("b2_nullFeature", int(b2_nullFeature));
     number("b2_staticBody", int(b2_staticBody));
     number("b2_kinematicBody", int(b2_kinematicBody));
@@ -77,11 +82,6 @@ void BindConstants(py::module_& module)
 PYBIND11_MODULE(_boxreel, module)
 {
     using namespace boxreel::python;
-    py::options options;
-    if (std::getenv("BOXREEL_SIGNATURES") == nullptr) // python/stubs.py reads them
-    {
-        options.disable_function_signatures();
-    }
     module.doc() = "The engine and the toolkit, for the packages Box2D and boxreel.";
     InstallMisuse(module);
     BindConstants(module);
@@ -98,4 +98,9 @@ PYBIND11_MODULE(_boxreel, module)
     BindFilms(module);
     BindScenes(module);
     BindGolden(module);
+    BindHints(module);
+    if (std::getenv("BOXREEL_SIGNATURES") == nullptr) // else python/stubs.py reads the signatures
+    {
+        AddFallbacks(module);
+    }
 }

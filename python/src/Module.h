@@ -20,5 +20,8 @@ void BindPictures(pybind11::module_& module);
 void BindFilms(pybind11::module_& module);
 void BindScenes(pybind11::module_& module);
 void BindGolden(pybind11::module_& module);
+void BindHints(pybind11::module_& module);
+/// Adds sentences for wrong arguments to all functions; last.
+void AddFallbacks(pybind11::module_& module);
 
 } // namespace boxreel::python

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "Bind.h"
 #include "Module.h"
 #include "Toolkit.h"
 
@@ -78,11 +79,17 @@ void BindCamera(py::module_& module)
 {
     py::class_<Camera> type(
         module, "Camera", "The visible part of the world, in a picture of width x height pixels.");
-    type.def(py::init([](int width, int height, py::handle center, double pixelsPerMeter) {
+    type.def(py::init([](py::handle width, py::handle height, py::handle center,
+                         py::handle pixelsPerMeter) {
                  const b2Vec2 middle = From<b2Vec2>(center, "center");
-                 const Camera camera{width, height, double(middle.x), double(middle.y),
-                                     pixelsPerMeter};
-                 if (width < 1 || height < 1 || !CanBeDrawn(camera))
+                 const Camera camera{From<int32>(width, "width"), From<int32>(height, "height"),
+                                     double(middle.x), double(middle.y),
+                                     From<double>(pixelsPerMeter, "pixelsPerMeter")};
+                 if (!middle.IsValid())
+                 {
+                     ThrowMisuse("Camera: center: expected finite numbers");
+                 }
+                 if (camera.width < 1 || camera.height < 1 || !CanBeDrawn(camera))
                  {
                      ThrowMisuse("Camera: expected a size above 0 and a scale above 0");
                  }
@@ -119,6 +126,16 @@ void BindCamera(py::module_& module)
                    std::string(py::str(py::float_(c.centerX))) + ", " +
                    std::string(py::str(py::float_(c.centerY))) +
                    "), pixelsPerMeter=" + std::string(py::str(py::float_(c.pixelsPerMeter))) + ")";
+        });
+    Copies(
+        type,
+        [](const Camera& c) {
+            return py::make_tuple(c.width, c.height, c.centerX, c.centerY, c.pixelsPerMeter);
+        },
+        [](const py::tuple& s) {
+            return Camera{From<int32>(s[0], "width"), From<int32>(s[1], "height"),
+                          From<double>(s[2], "center"), From<double>(s[3], "center"),
+                          From<double>(s[4], "pixelsPerMeter")};
         });
     module.def("_fit", [](py::handle world, int width, int height, double margin) {
         return FitTo(BoundsAtStart(WorldFrom(world, "world").world), width, height, margin);

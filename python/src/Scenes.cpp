@@ -52,7 +52,8 @@ void BindScenes(py::module_& module)
         }
         return scenes;
     });
-    module.def("_scene", [](const std::string& name, uint32 seed) {
+    module.def("_scene", [](const std::string& name, py::handle number) {
+        const uint32 seed = From<uint32>(number, "seed");
         for (const SceneEntry& entry : AllScenes())
         {
             if (name == entry.name)

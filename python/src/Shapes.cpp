@@ -38,7 +38,18 @@ int32 Child(const b2Shape& shape, py::handle index)
 void SetVertices(Polygon& self, py::handle value)
 {
     RequireOwn(self);
+    if (IsVec2(value)) // the kind of error that programs catch
+    {
+        ThrowMisuse("vertices: expected a list of at least 3 points, not one point");
+    }
     const std::vector<b2Vec2> points = From<std::vector<b2Vec2>>(value, "vertices");
+    if (points.empty())
+    {
+        const float32 radius = self.shape.m_radius;
+        self.shape = b2PolygonShape();
+        self.shape.m_radius = radius;
+        return;
+    }
     if (const char* reason =
             b2PolygonShape::WhyNotConvex(points.data(), static_cast<int32>(points.size())))
     {
@@ -73,22 +84,30 @@ void SetBoxTuple(Polygon& self, py::handle value)
            count > 3 ? py::object(box[3]) : py::object(py::float_(0.0)));
 }
 
+/// Sets an edge by 2 points, or by 3 or 4 with its neighbours', which may be None.
 void SetVertices(Edge& self, py::handle value)
 {
     RequireOwn(self);
-    const std::vector<b2Vec2> points = From<std::vector<b2Vec2>>(value, "vertices");
-    if (points.size() < 2 || points.size() > 4)
+    const py::list points = ItemsOf(value, "vertices");
+    const std::size_t count = points.size();
+    if (count < 2 || count > 4)
     {
         ThrowMisuse("vertices: an edge has 2 points, up to 4 with those of its neighbours; got " +
-                    std::to_string(points.size()));
+                    std::to_string(count));
     }
+    const std::size_t first = count == 4 ? 1 : 0;
+    const py::object before = first == 1 ? py::object(points[0]) : py::none();
+    const py::object after = count > 2 ? py::object(points[count - 1]) : py::none();
+    const b2Vec2 start = From<b2Vec2>(py::object(points[first]), "vertices");
+    const b2Vec2 end = From<b2Vec2>(py::object(points[first + 1]), "vertices");
+    const b2Vec2 vertex0 = before.is_none() ? b2Vec2() : From<b2Vec2>(before, "vertices");
+    const b2Vec2 vertex3 = after.is_none() ? b2Vec2() : From<b2Vec2>(after, "vertices");
     b2EdgeShape& edge = self.shape;
-    const std::size_t first = points.size() == 4 ? 1 : 0;
-    edge.Set(points[first], points[first + 1]);
-    edge.m_hasVertex0 = first == 1;
-    edge.m_vertex0 = first == 1 ? points[0] : b2Vec2();
-    edge.m_hasVertex3 = points.size() > 2;
-    edge.m_vertex3 = points.size() > 2 ? points.back() : b2Vec2();
+    edge.Set(start, end);
+    edge.m_hasVertex0 = !before.is_none();
+    edge.m_vertex0 = vertex0;
+    edge.m_hasVertex3 = !after.is_none();
+    edge.m_vertex3 = vertex3;
     CheckMisuse();
 }
 
@@ -119,12 +138,32 @@ py::object ChildEdge(const Chain& self, py::handle index)
     return py::cast(std::move(object));
 }
 
-/// Casts a ray. `points` are those of the ray in the world.
-py::object CastRay(const ShapeObject& self, const b2RayCastInput& input,
-                   const b2Transform& transform, int32 child)
+/// A polygon without vertices has no inside, and the engine's functions answer at random for it.
+const b2Shape& RequireVertices(const ShapeObject& self)
+{
+    const b2Shape& shape = self.Get();
+    if (shape.GetType() == b2Shape::e_polygon &&
+        static_cast<const b2PolygonShape&>(shape).m_count < 3)
+    {
+        ThrowMisuse("the polygon has no vertices; set its vertices or its box first");
+    }
+    return shape;
+}
+
+/// Casts a ray. The child is checked last, because conversions may run code that changes the shape.
+bool CastInto(b2RayCastOutput& output, const ShapeObject& self, const b2RayCastInput& input,
+              py::handle transform, py::handle child)
+{
+    const b2Transform xf = From<b2Transform>(transform, "transform");
+    const int32 index = Child(RequireVertices(self), child);
+    return Checked(self.Get().RayCast(&output, input, xf, index));
+}
+
+py::object CastRay(const ShapeObject& self, const b2RayCastInput& input, py::handle transform,
+                   py::handle child)
 {
     b2RayCastOutput output;
-    const bool hit = self.Get().RayCast(&output, input, transform, child);
+    const bool hit = CastInto(output, self, input, transform, child);
     return py::make_tuple(hit, output.normal, static_cast<double>(output.fraction));
 }
 
@@ -172,16 +211,15 @@ void BindBase(py::module_& module)
         .def(
             "TestPoint",
             [](const ShapeObject& s, py::handle xf, py::handle p) {
-                return s.Get().TestPoint(From<b2Transform>(xf, "xf"), From<b2Vec2>(p, "p"));
+                const b2Transform transform = From<b2Transform>(xf, "xf");
+                const b2Vec2 point = From<b2Vec2>(p, "p");
+                return Checked(RequireVertices(s).TestPoint(transform, point));
             },
             py::arg("xf"), py::arg("p"), "True if the world point [m] is inside.")
         .def(
             "RayCast",
             [](const ShapeObject& s, b2RayCastOutput& output, const b2RayCastInput& input,
-               py::handle xf, py::handle child) {
-                return s.Get().RayCast(&output, input, From<b2Transform>(xf, "transform"),
-                                       Child(s.Get(), child));
-            },
+               py::handle xf, py::handle child) { return CastInto(output, s, input, xf, child); },
             py::arg("output"), py::arg("input"), py::arg("transform"), py::arg("childIndex") = 0,
             "Returns whether the ray hits, and fills the output.")
         .def(
@@ -190,7 +228,7 @@ void BindBase(py::module_& module)
                py::handle xf, py::handle child) {
                 const b2RayCastInput input{From<b2Vec2>(p1, "p1"), From<b2Vec2>(p2, "p2"),
                                            From<float32>(fraction, "maxFraction")};
-                return CastRay(s, input, From<b2Transform>(xf, "transform"), Child(s.Get(), child));
+                return CastRay(s, input, xf, child);
             },
             py::arg("p1"), py::arg("p2"), py::arg("maxFraction"), py::arg("transform"),
             py::arg("childIndex") = 0,
@@ -198,26 +236,28 @@ void BindBase(py::module_& module)
         .def(
             "RayCast",
             [](const ShapeObject& s, const b2RayCastInput& input, py::handle xf, py::handle child) {
-                return CastRay(s, input, From<b2Transform>(xf, "transform"), Child(s.Get(), child));
+                return CastRay(s, input, xf, child);
             },
             py::arg("input"), py::arg("transform"), py::arg("childIndex") = 0,
             "Returns (hit, normal, fraction) of the ray of a b2RayCastInput.")
         .def(
             "getAABB",
             [](const ShapeObject& s, py::handle xf, py::handle child) {
+                const b2Transform transform = From<b2Transform>(xf, "transform");
+                const int32 index = Child(RequireVertices(s), child);
                 b2AABB box;
-                s.Get().ComputeAABB(&box, From<b2Transform>(xf, "transform"),
-                                    Child(s.Get(), child));
-                return box;
+                s.Get().ComputeAABB(&box, transform, index);
+                return Checked(box);
             },
             py::arg("transform"), py::arg("childIndex") = 0,
             "Returns the bounding box of a child [m].")
         .def(
             "getMass",
             [](const ShapeObject& s, py::handle density) {
+                const float32 amount = From<float32>(density, "density");
                 b2MassData mass;
-                s.Get().ComputeMass(&mass, From<float32>(density, "density"));
-                return mass;
+                RequireVertices(s).ComputeMass(&mass, amount);
+                return Checked(mass);
             },
             py::arg("density"), "Returns the mass data for a density [kg/m^2].");
     type.attr("ComputeAABB") = type.attr("getAABB");

@@ -62,8 +62,8 @@ py::object ReportOf(const py::object& callback)
 
 void QueryAABB(WorldObject& self, const py::object& callback, py::handle aabb)
 {
-    self.RequireThread();
     const b2AABB box = From<b2AABB>(aabb, "aabb");
+    self.RequireThread();
     if (!box.IsValid())
     {
         ThrowMisuse("aabb: the bounds must be finite and sorted");
@@ -75,9 +75,9 @@ void QueryAABB(WorldObject& self, const py::object& callback, py::handle aabb)
 
 void RayCast(WorldObject& self, const py::object& callback, py::handle point1, py::handle point2)
 {
-    self.RequireThread();
     const b2Vec2 p1 = From<b2Vec2>(point1, "point1");
     const b2Vec2 p2 = From<b2Vec2>(point2, "point2");
+    self.RequireThread();
     if (!p1.IsValid() || !p2.IsValid())
     {
         ThrowMisuse("b2World.RayCast: both points must be finite");
@@ -161,8 +161,9 @@ void Setting(Class& type, const char* name, Value (b2World::*get)() const,
             return (self.world.*get)();
         },
         [set, name](WorldObject& self, py::handle value) {
+            const Value argument = From<Value>(value, name);
             self.RequireThread();
-            (self.world.*set)(From<Value>(value, name));
+            (self.world.*set)(argument);
             CheckMisuse();
         },
         doc);
@@ -185,8 +186,9 @@ void BindSettings(Class& type)
     type.def_property(
         "gravity", [](const WorldObject& self) { return self.world.GetGravity(); },
         [](WorldObject& self, py::handle value) {
+            const b2Vec2 gravity = From<b2Vec2>(value, "gravity");
             self.RequireThread();
-            self.world.SetGravity(From<b2Vec2>(value, "gravity"));
+            self.world.SetGravity(gravity);
             CheckMisuse();
         },
         "Acceleration of all dynamic bodies [m/s^2].");
@@ -226,14 +228,13 @@ void BindSettings(Class& type)
             &WorldObject::SetDestructionListener, "The b2DestructionListener, or None.")
         .def_property(
             "renderer", [](const WorldObject& self) { return self.renderer; },
-            [](WorldObject& self, py::object renderer) { std::swap(self.renderer, renderer); },
-            "The b2Draw that DrawDebugData calls, or None.");
+            &WorldObject::SetRenderer, "The b2Draw that DrawDebugData calls, or None.");
 }
 
 py::object CreateBody(WorldObject& self, const py::dict& fields)
 {
-    self.RequireUnlocked("b2World.CreateBody");
     const b2BodyDef def = BodyDefFrom(fields);
+    self.RequireUnlocked("b2World.CreateBody");
     self.bodies.clear();
     b2Body* body = self.world.CreateBody(&def);
     CheckMisuse();
@@ -245,9 +246,7 @@ py::object CreateBody(WorldObject& self, const py::dict& fields)
 
 py::object CreateJoint(WorldObject& self, const std::string& name, const py::dict& fields)
 {
-    self.RequireUnlocked("b2World.CreateJoint");
-    ++self.epoch; // contacts of bodies that no longer collide are destroyed
-    b2Joint* joint = CreateJointFrom(self.world, name, fields);
+    b2Joint* joint = CreateJointFrom(self, name, fields);
     if (joint == nullptr)
     {
         ThrowMisuse(name + ": the engine cannot create this joint");
@@ -303,8 +302,9 @@ void BindActions(Class& type)
         .def(
             "ShiftOrigin",
             [](WorldObject& self, py::handle origin) {
+                const b2Vec2 place = From<b2Vec2>(origin, "newOrigin");
                 self.RequireUnlocked("b2World.ShiftOrigin");
-                self.world.ShiftOrigin(From<b2Vec2>(origin, "newOrigin"));
+                self.world.ShiftOrigin(place);
                 CheckMisuse();
             },
             py::arg("newOrigin"), "Makes this point [m] the origin of the world.")
@@ -344,6 +344,7 @@ void BindWorld(py::module_& module)
              py::arg("gravity") = py::make_tuple(0.0, -10.0), py::arg("doSleep") = true);
     BindSettings(type);
     BindActions(type);
+    type.attr("DebugDraw") = type.attr("DrawDebugData");
     type.def_property_readonly("bodies", BodiesOf, "The bodies, in the order of creation.")
         .def_property_readonly(
             "joints",

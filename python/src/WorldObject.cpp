@@ -8,6 +8,17 @@ namespace boxreel::python
 namespace
 {
 
+/// Throws TypeError for an object that has none of the functions of a callback.
+void RequireCallback(const py::object& object, const char* name, const char* expected,
+                     std::initializer_list<const char*> functions)
+{
+    const auto has = [&object](const char* function) { return py::hasattr(object, function); };
+    if (!object.is_none() && std::none_of(functions.begin(), functions.end(), has))
+    {
+        ThrowType(name, expected, object);
+    }
+}
+
 /// True if the object has the function and did not inherit it from the class of this module.
 bool Overrides(const py::object& object, const char* function, const char* base)
 {
@@ -440,6 +451,8 @@ void* WorldObject::ToPointer(std::uint64_t number)
 
 void WorldObject::SetContactListener(py::object listener)
 {
+    RequireCallback(listener, "contactListener", "a b2ContactListener or None",
+                    {"BeginContact", "EndContact", "PreSolve", "PostSolve"});
     RequireThread();
     calls = {};
     if (!listener.is_none())
@@ -458,10 +471,27 @@ void WorldObject::SetContactListener(py::object listener)
 
 void WorldObject::SetContactFilter(py::object filter)
 {
+    RequireCallback(filter, "contactFilter", "a b2ContactFilter or None", {"ShouldCollide"});
     RequireUnlocked("setting contactFilter");
     const bool isUsed = !filter.is_none() && Overrides(filter, "ShouldCollide", "b2ContactFilter");
     world.SetContactFilter(isUsed ? this : nullptr);
     std::swap(contactFilter, filter);
+}
+
+void WorldObject::SetDestructionListener(py::object listener)
+{
+    RequireCallback(listener, "destructionListener", "a b2DestructionListener or None",
+                    {"SayGoodbye"});
+    std::swap(destructionListener, listener);
+}
+
+void WorldObject::SetRenderer(py::object drawer)
+{
+    if (!drawer.is_none() && !py::isinstance(drawer, py::module_::import("Box2D").attr("b2Draw")))
+    {
+        ThrowType("renderer", "a b2Draw or None", drawer);
+    }
+    std::swap(renderer, drawer);
 }
 
 void WorldObject::BeginContact(b2Contact* contact)

@@ -60,7 +60,8 @@ struct WorldObject final : b2ContactListener,
 
     void SetContactListener(py::object listener);
     void SetContactFilter(py::object filter);
-    void SetDestructionListener(py::object listener) { destructionListener = std::move(listener); }
+    void SetDestructionListener(py::object listener);
+    void SetRenderer(py::object drawer);
 
     // b2ContactListener, b2ContactFilter, b2DestructionListener, b2SnapshotUserData
     void BeginContact(b2Contact* contact) override;

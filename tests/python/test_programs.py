@@ -243,5 +243,26 @@ class Examples(unittest.TestCase):
                     self.assertGreater(os.path.getsize(film), 5000)
 
 
+class Page(unittest.TestCase):
+    def test_its_first_program_and_its_pictures_run(self):
+        page = os.path.join(EXAMPLES, "..", "..", "docs", "python.md")
+        with open(page, encoding="utf-8") as file:
+            blocks = [part.partition("```")[0] for part in file.read().split("```python\n")[1:]]
+        first = next(block for block in blocks if "hello.mp4" in block)
+        pictures = next(block for block in blocks if "boxreel.shot" in block)
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, "-c", first + pictures], check=True, cwd=folder,
+                           env={**os.environ, "PYTHONPATH": os.path.dirname(_boxreel.__file__)})
+            self.assertEqual(set(os.listdir(folder)), {"hello.mp4", "figure.svg", "figure.pdf"})
+
+    def test_the_package_brings_its_inner_names(self):
+        for text in ("import Box2D; assert Box2D.b2.world is Box2D.b2World; Box2D.b2.globals.b2_pi",
+                     "from Box2D.Box2D import *; assert b2World().bodyCount == 0 and RAND_LIMIT == 32767",
+                     "from Box2D.b2 import *; assert globals()['world']; random(0, 1)",
+                     "import Box2D; Box2D.__author__, Box2D.__license__, Box2D.__date__"):
+            subprocess.run([sys.executable, "-c", text], check=True,
+                           env={**os.environ, "PYTHONPATH": os.path.dirname(_boxreel.__file__)})
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -49,6 +49,15 @@ class Arguments(unittest.TestCase):
                 change()
         self.assertEqual(self.world.subStepCount, 1)
 
+    def test_an_error_is_raised_by_the_call_that_made_it(self):
+        empty, box, place = b2PolygonShape(), b2PolygonShape(box=(1, 1)), Box2D.b2Transform()
+        for use in (lambda: empty.getMass(1), lambda: empty.getAABB(place), lambda: empty.TestPoint(place, (0, 0)),
+                    lambda: empty.RayCast((0, 0), (1, 0), 1, place), lambda: Box2D.b2Distance(shapeA=empty, shapeB=box),
+                    lambda: Box2D.b2TestOverlap(empty, 0, box, 0, place, place)):
+            with self.assertRaises(b2Error):
+                use()
+            self.world.gravity = 0, -10  # raised the error of the call before
+
     def test_an_error_is_each_kind_that_programs_catch(self):
         for kind in (ValueError, AssertionError, RuntimeError):
             with self.assertRaises(kind):
@@ -65,6 +74,40 @@ class Arguments(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, name):
                 change()
 
+    def test_wrong_calls_get_a_sentence(self):
+        world, body = self.world, self.body
+        for call, text in ((lambda: world.DestroyBody(None), r"^b2World.DestroyBody: expected \(body\), not \(None\)$"),
+                           (lambda: world.Step(1 / 60), r"^b2World.Step: expected \(timeStep, .*\), not \('float'\)$"),
+                           (lambda: body.ApplyForce((1, 2)), r"^b2Body.ApplyForce: expected \(force, point, wake\)"),
+                           (lambda: Box2D.b2Dot(1), r"^b2Dot: expected \(a, b\), not \('int'\)$"),
+                           (lambda: Box2D.b2Vec2(1, 2, 3), r"^b2Vec2: expected \(x, y\), not \('int', 'int', 'int'\)$"),
+                           (lambda: body.GetWorldPoint(localpoint=(1, 2)), "did you mean 'localPoint'"),
+                           (lambda: Box2D.b2GetPointStates(None, None), "^b2GetPointStates: expected two b2Manifold, not None$"),
+                           (lambda: body.fixtures[0].RayCast(3), "^b2Fixture.RayCast: input: .*, not 'int'$"),
+                           (lambda: body.fixtures[0].RayCast(p1=(0, 0)), "^b2Fixture.RayCast: .*p2 is missing$"),
+                           (lambda: world.CreateJoint(type=3), "^type: expected a class of joint definitions, not 3$"),
+                           (lambda: Box2D.b2Body(), "^b2Body: ")):
+            with self.assertRaisesRegex(TypeError, text):
+                call()
+
+    def test_unknown_keywords_name_the_nearest(self):
+        for call, near in ((lambda: self.body.CreateCircleFixture(raduis=1), "radius"),
+                           (lambda: b2CircleShape(raduis=1), "radius"),
+                           (lambda: Box2D.b2Vec2(X=1), "x"),
+                           (lambda: self.world.CreateDynamicBody(pos=(0, 0)), "position"),
+                           (lambda: self.body.CreatePolygonFixture(box=(1, 1), frction=1), "friction"),
+                           (lambda: b2World(gravty=(0, 0)), "gravity"),
+                           (lambda: Box2D.b2RevoluteJointDef(enableMoter=True), "enableMotor")):
+            with self.assertRaisesRegex(TypeError, f"did you mean '{near}'"):
+                call()
+
+    def test_callbacks_of_a_wrong_kind_are_refused(self):
+        for name in ("contactListener", "contactFilter", "destructionListener", "renderer"):
+            for value in (3, object()):
+                with self.assertRaisesRegex(TypeError, f"{name}: expected a b2.* or None"):
+                    setattr(self.world, name, value)
+            self.assertIsNone(getattr(self.world, name))
+
     def test_joints_need_two_bodies_of_this_world(self):
         second = b2World()
         other = ball(second)
@@ -74,6 +117,82 @@ class Arguments(unittest.TestCase):
                 self.world.CreateWeldJoint(**bodies)
         with self.assertRaises(b2Error):
             self.world.DestroyBody(other)
+
+
+class Destroying:
+    """A number whose conversion destroys a body."""
+
+    def __init__(self, world, body):
+        self.world, self.body = world, body
+
+    def __float__(self):
+        if self.body in self.world.bodies:
+            self.world.DestroyBody(self.body)
+        return 1.0
+
+
+class Conversions(unittest.TestCase):
+    """Arguments whose conversion runs code."""
+
+    def test_a_body_that_its_argument_destroys_is_refused(self):
+        for use in (lambda body, bad: body.CreateCircleFixture(radius=1, density=bad),
+                    lambda body, bad: body.CreateFixture(shape=b2CircleShape(radius=1), friction=bad),
+                    lambda body, bad: body.ApplyForce((bad, 0), (0, 0)),
+                    lambda body, bad: body.ApplyTorque(bad),
+                    lambda body, bad: body.ApplyLinearImpulseToCenter((0, bad)),
+                    lambda body, bad: body.GetWorldPoint((bad, 0)),
+                    lambda body, bad: body.fixtures[0].TestPoint((bad, 0)),
+                    lambda body, bad: setattr(body.fixtures[0], "friction", bad),
+                    *(lambda body, bad, name=name: setattr(body, name, bad)
+                      for name in ("angle", "mass", "inertia", "linearDamping", "gravityScale")),
+                    *(lambda body, bad, name=name: setattr(body, name, (bad, 0))
+                      for name in ("position", "linearVelocity", "localCenter"))):
+            world = b2World()
+            body = ball(world)
+            with self.assertRaises(b2Error):
+                use(body, Destroying(world, body))
+
+    def test_a_joint_that_its_argument_destroys_is_refused(self):
+        world = b2World()
+        for use in (lambda joint, bad: setattr(joint, "maxMotorTorque", bad), lambda joint, bad: joint.SetLimits(0, bad),
+                    lambda joint, bad: joint.GetReactionForce(bad)):
+            body = ball(world)
+            joint = world.CreateRevoluteJoint(bodyA=ground(world), bodyB=body, anchor=(0, 0))
+            with self.assertRaises(b2Error):
+                use(joint, Destroying(world, body))
+
+    def test_a_joint_whose_definition_destroys_a_body_is_refused(self):
+        world = b2World()
+        body = ball(world)
+        definition = Box2D.b2RevoluteJointDef(bodyA=body, bodyB=ground(world))
+        definition.motorSpeed = Destroying(world, body)
+        with self.assertRaises(b2Error):
+            world.CreateJoint(definition)
+        self.assertEqual(world.jointCount, 0)
+
+    def test_a_list_that_its_item_empties_is_refused(self):
+        pair = []
+        clears = type("Clears", (), {"__float__": lambda self: pair.clear() or 1.0})()
+        pair[:] = [clears, 2]
+        with self.assertRaises(TypeError):
+            Box2D.b2Vec2(pair)
+
+    def test_a_sequence_is_as_long_as_it_says(self):
+        class Endless:
+            def __init__(self, item, length):
+                self.item, self.length = item, length
+
+            def __len__(self):
+                return self.length
+
+            def __getitem__(self, index):
+                return self.item
+
+        self.assertEqual(Box2D.b2Vec2(Endless(3, 2)), (3, 3))
+        with self.assertRaises(TypeError):
+            Box2D.b2Vec2(Endless(3, 5))
+        with self.assertRaises(ValueError):
+            b2PolygonShape(vertices=Endless((0, 0), 4))
 
 
 class Destroyed(unittest.TestCase):
@@ -310,6 +429,28 @@ class Copies(unittest.TestCase):
             self.assertEqual(twin.joints[0].name, "rod")
             self.assertEqual(self.run_world(twin), expected)
         self.assertIsNot(twins[0].bodies[1], self.body)
+
+    def test_every_protocol_of_pickle(self):
+        values = Box2D.b2Vec2(1, 2), Box2D.b2Color(1, 0, 0), b2PolygonShape(box=(1, 2)), Box2D.b2Sweep(c=(1, 2), a=3)
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            for value in values:
+                twin = pickle.loads(pickle.dumps(value, protocol))
+                self.assertEqual(repr(twin), repr(value))
+            world = pickle.loads(pickle.dumps(self.world, protocol))
+            self.assertIs(world.bodies[1].friend, world.bodies[2])
+            self.assertEqual(self.world.bodies[1].__reduce__(), self.body.__reduce_ex__(protocol))
+        self.assertEqual(len(self.world.__reduce__()), 3)
+
+    def test_what_cannot_be_copied_says_so(self):
+        self.body.position = 0, 0.4
+        self.world.Step(1 / 60, 8, 3)
+        for value in (self.world.contacts[0], self.world.profile):
+            for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+                with self.assertRaisesRegex(TypeError, "cannot be copied or pickled"):
+                    pickle.dumps(value, protocol)
+            for use in (value.__reduce__, lambda: copy.copy(value), lambda: copy.deepcopy(value)):
+                with self.assertRaises(TypeError):
+                    use()
 
     def test_a_program_that_holds_a_world_is_copied(self):
         class Environment:

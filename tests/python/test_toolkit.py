@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Films, pictures, snapshots, scenes and comparisons of the package boxreel."""
 
+import copy
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -63,6 +65,11 @@ class Pictures(InFolder):
             boxreel.render(world, layers=["shape"])
         with self.assertRaises(TypeError):
             boxreel.render(None)
+
+    def test_cameras_are_copied_and_pickled(self):
+        camera = boxreel.Camera(200, 100, center=(0, 3))
+        for twin in (camera.copy(), copy.copy(camera), pickle.loads(pickle.dumps(camera, 0))):
+            self.assertEqual(twin, camera)
 
     def test_shot_writes_pictures_and_figures(self):
         world = drop()
@@ -136,6 +143,40 @@ class Films(InFolder):
         film.close()
         with self.assertRaises(b2Error):
             film.add(drop())
+
+    def test_errors_of_films_name_keywords(self):
+        with self.assertRaisesRegex(boxreel.Error, r"use size=\(322, 180\), quality=") as caught:
+            boxreel.film(self.path("a.mp4"), size=(321, 180))
+        self.assertNotIn("--", str(caught.exception))
+        with self.assertRaisesRegex(boxreel.Error, "folder .*none does not exist"):
+            boxreel.film(self.path("none/a.mp4"))
+        film = boxreel.film(self.path("a.mp4"), size=(320, 180))
+        with self.assertRaisesRegex(b2Error, "16 x 9 pixels.*320 x 180"):
+            film.add(numpy.zeros((9, 16, 3), numpy.uint8))
+        film.add(numpy.zeros((180, 320, 3), numpy.uint8))
+        with self.assertRaisesRegex(b2Error, "16 x 9 pixels.*320 x 180"):
+            film.add(numpy.zeros((9, 16, 3), numpy.uint8))
+        film.close()
+
+    def test_a_dropped_film_warns(self):
+        with self.assertWarnsRegex(ResourceWarning, "a.mp4"):
+            boxreel.film(self.path("a.mp4"), size=(320, 180)).add(drop())
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_wrong_calls_get_a_sentence(self):
+        for call, text in ((lambda: boxreel.Camera(640, 360, centre=(0, 0)), "^Camera: .*did you mean 'center'"),
+                           (lambda: boxreel.fit(drop(), 3), "^size: expected width and height"),
+                           (lambda: boxreel.film("a.mp4", "ab"), "^size: expected width and height"),
+                           (lambda: boxreel.render(drop(), camera=3), "^camera: expected a boxreel.Camera"),
+                           (lambda: boxreel.film(3), "^path: expected the name of a file, not 'int'$"),
+                           (lambda: boxreel.scene(3), "^boxreel.scene: name: expected the name of a scene, not 'int'$"),
+                           (lambda: boxreel.restore(drop(), None), "^boxreel.restore: snapshot: .*, not None$")):
+            with self.assertRaisesRegex(TypeError, text):
+                call()
+        with self.assertRaisesRegex(ValueError, "seed"):
+            boxreel.scene("Pyramid", -1)
+        with self.assertRaisesRegex(ValueError, "center"):
+            boxreel.Camera(center=(float("nan"), 0))
 
     def test_the_same_film_has_the_same_bytes(self):
         contents = []

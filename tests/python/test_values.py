@@ -88,6 +88,22 @@ class Matrices(unittest.TestCase):
         self.assertEqual(n.Solve33((2, 4, 8)), (1, 1, 1))
         self.assertEqual(n.Solve22((2, 4)), (1, 1))
 
+    def test_matrices_begin_as_the_identity(self):
+        self.assertEqual(b2Mat22(), b2Mat22((1, 0), (0, 1)))
+        m = b2Mat33()
+        self.assertEqual((m.ex, m.ey, m.ez), ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+
+    def test_matrices_subtract(self):
+        m = n = b2Mat22((1, 2), (3, 4))
+        self.assertEqual((m - m, m + m - m), (b2Mat22((0, 0), (0, 0)), m))
+        n -= b2Mat22()
+        n += b2Mat22((1, 1), (1, 1))
+        self.assertEqual((m is n, m.col1, m.col2), (True, (1, 3), (4, 4)))
+        big = b2Mat33() - b2Mat33()
+        self.assertEqual((big.col1, big.col2, big.col3), ((0, 0, 0),) * 3)
+        with self.assertRaises(TypeError):
+            m - 3
+
     def test_transform_rotates_then_moves(self):
         t = b2Transform(position=(1, 0), angle=math.pi / 2)
         moved = t * (1, 0)
@@ -104,9 +120,17 @@ class Matrices(unittest.TestCase):
         sweep = b2Sweep(c0=(0, 0), c=(2, 0), a=1.0)
         self.assertEqual(sweep.GetTransform(0.5).position, (1, 0))
 
+    def test_sweep_fills_a_transform(self):
+        transform = b2Transform()
+        self.assertIsNone(b2Sweep(c=(2, 0)).GetTransform(transform, 0.5))
+        self.assertEqual(transform.position, (1, 0))
+
+    def test_colour_has_a_list_of_bytes(self):
+        self.assertEqual(b2Color(1, 1, 1).bytes + [127], [255, 255, 255, 127])
+
     def test_colour(self):
         c = b2Color(1, 0.5, 0)
-        self.assertEqual((c.bytes, c.list, tuple(c * 0.5)), ((255, 127, 0), [1, 0.5, 0], (0.5, 0.25, 0)))
+        self.assertEqual((c.bytes, c.list, tuple(c * 0.5)), ([255, 127, 0], [1, 0.5, 0], (0.5, 0.25, 0)))
 
     def test_box(self):
         box = b2AABB(lowerBound=b2Vec2(0, 0) - (1, 1), upperBound=(1, 2))
@@ -125,7 +149,7 @@ class Shapes(unittest.TestCase):
         self.assertEqual((triangle.vertexCount, len(triangle.normals), triangle.valid), (3, 3, True))
 
     def test_polygon_refuses_what_is_none(self):
-        for vertices in ([], [(0, 0), (1, 1)], [(0, 0), (1, 0), (2, 0)], [(i, i * i) for i in range(9)]):
+        for vertices in ((2, 1), [(0, 0), (1, 1)], [(0, 0), (1, 0), (2, 0)], [(i, i * i) for i in range(9)]):
             with self.assertRaises(ValueError):
                 b2PolygonShape(vertices=vertices)
         with self.assertRaises(ValueError):
@@ -134,6 +158,22 @@ class Shapes(unittest.TestCase):
             b2PolygonShape(vertices=3)
         with self.assertRaises(TypeError):
             b2PolygonShape(boxes=(1, 1))
+
+    def test_no_vertices_clear_a_polygon(self):
+        polygon = b2PolygonShape(box=(1, 1), radius=0.5)
+        polygon.vertices = []
+        self.assertEqual((polygon.vertexCount, polygon.valid, polygon.radius), (0, False, 0.5))
+        self.assertEqual(b2PolygonShape(vertices=[]).vertices, [])
+
+    def test_an_edge_may_lack_a_neighbour(self):
+        edge = b2EdgeShape(vertices=[None, (0, 0), (1, 0), (2, 0)])
+        self.assertEqual((edge.hasVertex0, edge.hasVertex3, edge.vertices), (False, True, [(0, 0), (1, 0)]))
+        edge.vertices = [(-1, 0), (0, 0), (1, 0), None]
+        self.assertEqual((edge.hasVertex0, edge.hasVertex3, edge.vertex0), (True, False, (-1, 0)))
+        edge.vertices = [None, (0, 0), (1, 0), None]
+        self.assertEqual((edge.hasVertex0, edge.hasVertex3), (False, False))
+        with self.assertRaises(TypeError):
+            b2EdgeShape(vertices=[(0, 0), None])
 
     def test_circle(self):
         circle = b2CircleShape(radius=2, pos=(1, 0))
@@ -170,6 +210,19 @@ class Shapes(unittest.TestCase):
             for twin in (copy.copy(shape), copy.deepcopy(shape), pickle.loads(pickle.dumps(shape))):
                 self.assertEqual((type(twin), twin.vertices, twin.radius), (type(shape), shape.vertices, shape.radius))
 
+    def test_rays_and_manifolds_are_copied(self):
+        for value, name in ((b2RayCastInput(p1=(1, 2), maxFraction=3), "p1"), (b2RayCastOutput(normal=(0, 1)), "normal"),
+                            (Box2D.b2Manifold(), "pointCount"), (Box2D.b2WorldManifold(), "points")):
+            for twin in (copy.copy(value), copy.deepcopy(value), value.copy()):
+                self.assertEqual(getattr(twin, name), getattr(value, name))
+
+    def test_a_box_fills_the_output_of_a_ray(self):
+        output = b2RayCastOutput()
+        box = b2AABB((-1, -1), (1, 1))
+        self.assertIs(box.RayCast(output, b2RayCastInput(p1=(-3, 0), p2=(3, 0), maxFraction=1)), True)
+        self.assertEqual(output.normal, (-1, 0))
+        self.assertIs(box.RayCast(output, b2RayCastInput(p1=(-3, 9), p2=(3, 9), maxFraction=1)), False)
+
     def test_distance_and_time_of_impact(self):
         box, circle = b2PolygonShape(box=(1, 1)), b2CircleShape(radius=1)
         result = Box2D.b2Distance(shapeA=box, shapeB=circle, transformB=b2Transform(position=(5, 0), angle=0),
@@ -180,6 +233,32 @@ class Shapes(unittest.TestCase):
                                         sweepB=b2Sweep(c0=(6, 0), c=(0, 0)), tMax=1)
         self.assertEqual(state, Box2D.b2TOIOutput.e_touching)
         self.assertAlmostEqual(t, 4 / 6, 2)
+
+    def test_inputs_of_distance_and_time_of_impact(self):
+        box, circle = Box2D.b2DistanceProxy(b2PolygonShape(box=(1, 1))), Box2D.b2DistanceProxy(b2CircleShape(radius=1))
+        self.assertEqual((box.GetVertexCount(), box.GetSupportVertex((1, 1)), circle.radius), (4, (1, 1), 1))
+        place = b2Transform(position=(5, 0), angle=0)
+        result = Box2D.b2Distance(Box2D.b2DistanceInput(proxyA=box, proxyB=circle, transformB=place))
+        self.assertAlmostEqual(result.distance, 3, 1)
+        state, t = Box2D.b2TimeOfImpact(Box2D.b2TOIInput(proxyA=box, proxyB=circle, sweepB=b2Sweep(c0=(6, 0)), tMax=1))
+        self.assertEqual(state, Box2D.b2TOIOutput.e_touching)
+        self.assertAlmostEqual(t, 4 / 6, 2)
+        chain = Box2D.b2DistanceProxy(b2LoopShape(vertices=[(0, 0), (1, 0), (1, 1)]), 1)
+        self.assertEqual(chain.vertices, [(1, 0), (1, 1)])
+        with self.assertRaisesRegex(TypeError, "shapeA: expected a shape, not None"):
+            Box2D.b2Distance(Box2D.b2DistanceInput())
+        with self.assertRaisesRegex(TypeError, "transformA"):
+            Box2D.b2DistanceInput(tranformA=box)
+
+    def test_small_functions(self):
+        self.assertTrue(Box2D.b2CheckPolygon(b2PolygonShape(box=(1, 1))))
+        with self.assertRaises(ValueError):
+            Box2D.b2CheckPolygon(b2PolygonShape())
+        shape = b2CircleShape()
+        self.assertEqual((Box2D.b2ShapeCompare(shape, shape), Box2D.b2ShapeCompare(shape, b2CircleShape())), (True, False))
+        self.assertEqual((str(Box2D.b2Version()), Box2D.b2_maxBlockSize), ("2.3.0", 640))
+        self.assertEqual(Box2D.b2ContactPoint(position=(1, 2)).position, (1, 2))
+        self.assertTrue(all(-1 <= Box2D.b2Random() <= 1 and 2 <= Box2D.b2Random(2, 3) <= 3 for _ in range(100)))
 
     def test_manifold(self):
         a, b = b2PolygonShape(box=(1, 1)), b2PolygonShape(box=(1, 1))

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Worlds, bodies, fixtures and joints, by the names that programs of the 2.3 generation use."""
 
+import copy
 import math
+import pickle
 import unittest
 
 import Box2D
@@ -107,6 +109,25 @@ class Worlds(unittest.TestCase):
                 self.assertTrue(hasattr(Box2D, name), name)
                 self.assertTrue(hasattr(b2, name[2].lower() + name[3:]), name)
             self.assertTrue(hasattr(b2World, f"Create{kind}Joint"))
+
+    def test_callbacks_may_be_functions(self):
+        world, found = b2World(), []
+        ball(world, (0, 0))
+        world.RayCast(lambda fixture, point, normal, fraction: found.append(point.x) or 1, (-3, 0), (3, 0))
+        world.QueryAABB(lambda fixture: found.append(fixture) or True, b2AABB((-1, -1), (1, 1)))
+        self.assertEqual((len(found), found[1]), (2, world.bodies[0].fixtures[0]))
+        self.assertAlmostEqual(found[0], -0.5, 2)
+
+    def test_draws_by_its_other_name(self):
+        class Draw(Box2D.b2Draw):
+            def DrawSolidCircle(self, center, radius, axis, color):
+                drawn.append(radius)
+
+        drawn, world = [], b2World()
+        ball(world, (0, 0))
+        world.renderer = Draw()
+        world.DebugDraw()
+        self.assertEqual(drawn, [0.5])
 
     def test_draws_through_the_renderer(self):
         calls = []
@@ -241,6 +262,35 @@ class Bodies(unittest.TestCase):
             self.world.CreateDynamicBody(fixtures=b2FixtureDef(shape=b2PolygonShape(), density=1))
         self.assertEqual(self.world.bodyCount, 0)
 
+    def test_a_filter_can_be_written(self):
+        fixture = ball(self.world, (0, 0)).fixtures[0]
+        kept = fixture.filterData
+        fixture.filterData.maskBits = 0
+        kept.groupIndex = -2
+        self.assertEqual((fixture.maskBits, kept.maskBits, fixture.groupIndex), (0, 0, -2))
+        other = ball(self.world, (9, 0)).fixtures[0]
+        other.filterData = kept
+        self.assertEqual((other.maskBits, other.groupIndex), (0, -2))
+        other.filterData = Box2D.b2Filter(categoryBits=8)
+        self.assertEqual((other.categoryBits, fixture.categoryBits), (8, 1))
+        for twin in (kept.copy(), copy.copy(kept), copy.deepcopy(kept), pickle.loads(pickle.dumps(kept))):
+            self.assertEqual((type(twin), twin.maskBits), (Box2D.b2Filter, 0))
+        with self.assertRaises(ValueError):
+            kept.maskBits = -1
+        self.world.DestroyBody(fixture.body)
+        with self.assertRaises(Box2D.b2Error):
+            kept.maskBits
+
+    def test_generators_and_the_broad_phase(self):
+        a, b = ball(self.world, (0, 0)), ball(self.world, (0.5, 0))
+        joint = self.world.CreateWeldJoint(bodyA=a, bodyB=b, anchor=(0, 0), collideConnected=True)
+        self.world.Step(1 / 60, 8, 3)
+        self.assertEqual((list(self.world.bodies_gen), next(self.world.joints_gen)), ([a, b], joint))
+        self.assertEqual(next(self.world.contacts_gen), next(a.contacts_gen).contact)
+        self.assertEqual((next(a.joints_gen).other, next(a.fixtures_gen)), (b, a.fixtures[0]))
+        phase = self.world.contactManager.broadPhase
+        self.assertEqual((phase.proxyCount, phase.GetTreeHeight()), (2, self.world.treeHeight))
+
     def test_names_of_the_cpp_interface(self):
         body = ball(self.world, (1, 2))
         self.assertEqual((body.GetPosition(), body.GetMass(), body.IsAwake()), ((1, 2), body.mass, True))
@@ -322,6 +372,46 @@ class Joints(unittest.TestCase):
         joint = self.world.CreateWeldJoint(anchor=(1, 0), **self.bodies())
         self.world.DestroyJoint(joint)
         self.assertEqual((self.world.jointCount, self.world.joints), (0, []))
+
+    def test_definitions_are_initialized_from_the_world(self):
+        hinge = Box2D.b2RevoluteJointDef()
+        hinge.Initialize(self.a, self.b, (1, 0))
+        self.assertEqual((hinge.bodyA, hinge.bodyB, hinge.localAnchorA), (self.a, self.b, (1, 0)))
+        self.assertEqual((hinge.anchorB, hinge.referenceAngle), (self.b.GetWorldPoint(hinge.localAnchorB), 0.5))
+        self.assertEqual(self.world.CreateJoint(hinge).angle, 0)
+        for kind in (Box2D.b2WeldJointDef, Box2D.b2FrictionJointDef):
+            joint = kind()
+            joint.Initialize(bodyA=self.a, bodyB=self.b, anchor=(1, 0))
+            self.assertIsNotNone(self.world.CreateJoint(joint))
+        for kind in (Box2D.b2PrismaticJointDef, Box2D.b2WheelJointDef):
+            joint = kind()
+            joint.Initialize(bodyA=self.b, bodyB=self.a, anchor=(1, 0), axis=(0, 1))
+            self.assertEqual((joint.localAxisA, joint.localAnchorB), (self.b.GetLocalVector((0, 1)), (1, 0)))
+            self.assertIsNotNone(self.world.CreateJoint(joint))
+
+    def test_definitions_are_initialized_with_lengths_and_offsets(self):
+        rod, pulley, motor = Box2D.b2DistanceJointDef(), Box2D.b2PulleyJointDef(), Box2D.b2MotorJointDef()
+        rod.Initialize(self.a, self.b, anchorA=(0, 0), anchorB=(2, 0))
+        self.assertEqual(rod.length, 2)
+        pulley.Initialize(self.a, self.b, (0, 5), (2, 6), (0, 0), (2, 0), 1.5)
+        self.assertEqual((pulley.lengthA, pulley.lengthB, pulley.ratio, pulley.groundAnchorB), (5, 6, 1.5, (2, 6)))
+        motor.Initialize(self.a, self.b)
+        self.assertEqual((motor.linearOffset, motor.angularOffset), ((2, 0), 0.5))
+        for joint in (rod, pulley, motor):
+            self.assertIsNotNone(self.world.CreateJoint(joint))
+        with self.assertRaisesRegex(TypeError, "b2MotorJointDef.Initialize: bodyB: expected a b2Body, not None"):
+            motor.Initialize(self.a, None)
+
+    def test_definitions_become_keywords(self):
+        first = Box2D.b2RevoluteJointDef(anchor=(1, 0), enableMotor=True, **self.bodies())
+        keywords = first.to_kwargs()
+        self.assertEqual((keywords["enableMotor"], keywords["bodyA"]), (True, self.a))
+        keywords["localAnchorA"].x = 7
+        self.assertEqual(first.localAnchorA.x, 1)
+        second = Box2D.b2RevoluteJointDef(**first.to_kwargs())
+        self.assertEqual(second.to_kwargs(), first.to_kwargs())
+        self.assertEqual(b2BodyDef(angle=2).to_kwargs()["angle"], 2)
+        self.assertEqual(b2FixtureDef(**b2FixtureDef(maskBits=3).to_kwargs()).maskBits, 3)
 
     def test_create_by_class(self):
         joint = self.world.CreateJoint(type=Box2D.b2WeldJoint, anchor=(0, 0), **self.bodies())
