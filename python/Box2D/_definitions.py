@@ -3,7 +3,7 @@
 
 import copy
 
-from _boxreel import _defaults, _hint, b2Body, b2Error, b2Filter, b2Vec2
+from _boxreel import _defaults, _hint, b2Body, b2Error, b2Filter, b2Joint, b2Vec2
 
 
 class _Definition:
@@ -211,6 +211,8 @@ class _Pulley(_Anchors):
 class _Gear(b2JointDef):
     def __init__(self, **keywords):
         for joint, body in (("joint1", "bodyA"), ("joint2", "bodyB")):
+            if keywords.get(joint) is not None and not isinstance(keywords[joint], b2Joint):
+                raise TypeError(f"b2GearJointDef: {joint}: expected a b2Joint, not '{type(keywords[joint]).__name__}'")
             if keywords.get(joint) is not None and keywords.get(body) is None:
                 keywords[body] = keywords[joint].bodyB
         super().__init__(**keywords)

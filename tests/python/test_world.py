@@ -367,6 +367,8 @@ class Joints(unittest.TestCase):
         second = self.world.CreateRevoluteJoint(bodyA=ground, bodyB=self.b, anchor=(2, 0))
         gear = self.world.CreateGearJoint(joint1=first, joint2=second, ratio=2)
         self.assertEqual((gear.ratio, gear.joint1, gear.joint2), (2, first, second))
+        with self.assertRaisesRegex(TypeError, "joint1: expected a b2Joint, not 'int'"):
+            Box2D.b2GearJointDef(joint1=1, joint2=second)
 
     def test_destroy(self):
         joint = self.world.CreateWeldJoint(anchor=(1, 0), **self.bodies())
