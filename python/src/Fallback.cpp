@@ -186,7 +186,7 @@ void BindHints(py::module_& module)
 void AddFallbacks(py::module_& module)
 {
     py::options options;
-    options.disable_function_signatures(); // in the documentation that is written anew
+    options.disable_function_signatures(); // in the documentation that follows
     AddToAll(module, "");
     for (const py::handle item : py::list(module.attr("__dict__").attr("items")()))
     {
