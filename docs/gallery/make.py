@@ -196,7 +196,8 @@ def page_of(scenes):
         "",
         f"All {len(scenes)} scenes of `boxreel list`. The name leads to the source. The command makes the film; `boxreel ui NAME`",
         "opens the scene in [the window](window.md). With a name that ends in `.html`, the command makes a page in which one can",
-        f"stop, zoom and point at bodies ([recording.md](recording.md#a-page-to-play)). The site has these pages of {len(INTERACTIVE)} scenes.",
+        f"stop, zoom and point at bodies ([recording.md](recording.md#a-page-to-play)). On the site, {len(INTERACTIVE)} scenes",
+        f"can be played in the browser, by \"play it\" beside their names: {', '.join(INTERACTIVE)}.",
         "",
     ]
     categories = list(dict.fromkeys(category for category, _, _ in scenes))
