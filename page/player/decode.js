@@ -5,6 +5,8 @@ const kShapes = 0, kContacts = 4; // DrawLayer
 const kPolygon = 0, kSolidPolygon = 1, kCircle = 2, kSolidCircle = 3, kSegment = 4, kTransform = 5,
   kPoint = 6, kText = 7; // DrawKind
 const kFormSteps = 16, kViewSteps = 16; // points of forms and views are this much finer than places
+const kVelocityUnit = 0.02; // [m/s, rad/s]
+const kAngleUnit = 0.0001;  // of a body with a place of its own [rad]
 const kFirstLarge = 0xf8;
 
 class Bytes {
@@ -93,16 +95,18 @@ class Predictor {
 
 // What items are, without their place.
 function readForm(bytes, quantum) {
-  const type = bytes.varint(); // 0: each point moves on its own; 1: all as one; 2: with a body's origin
-  const form = {isRigid: type > 0, hasOrigin: type === 2, items: [], pointCount: 0, points: null,
-                origin: [0, 0], angleUnit: 1, numbers: 0};
+  // 0: each point moves on its own; 1: all as one; 2: with a body's origin; 3: the velocity of a body;
+  // 4: its place and velocity
+  const type = bytes.varint();
+  const form = {isRigid: type === 1 || type === 2, hasOrigin: type === 2, isBody: type > 2, hasPlace: type === 4,
+                items: [], pointCount: 0, points: null, origin: [0, 0], angleUnit: 1, numbers: 0};
   for (let left = bytes.varint(); left > 0; --left) {
     const item = {kind: bytes.varint(), count: bytes.varint(), size: bytes.float(), text: -1};
     if (item.kind === kText) item.text = bytes.varint();
     form.items.push(item);
     form.pointCount += item.count;
   }
-  form.numbers = form.isRigid ? 3 : 2 * form.pointCount;
+  form.numbers = form.isBody ? (form.hasPlace ? 6 : 3) : form.isRigid ? 3 : 2 * form.pointCount;
   if (!form.isRigid) return form;
   const unit = quantum / kFormSteps;
   form.points = new Float64Array(2 * form.pointCount);
@@ -134,6 +138,7 @@ class FrameGroup {
     this.rigid = [new Column(bytes), new Column(bytes), new Column(bytes)];
     this.loose = [new Column(bytes), new Column(bytes)];
     this.view = new Column(bytes);
+    this.velocity = [new Column(bytes), new Column(bytes), new Column(bytes)];
     this.viewPredictors = [new Predictor(), new Predictor(), new Predictor()];
     this.tracks = [];
     this.predictors = [];
@@ -155,10 +160,12 @@ class FrameGroup {
     for (let t = 0; t < this.tracks.length; ++t) {
       const form = this.tracks[t].form;
       const predictors = this.predictors[t];
-      const columns = form.isRigid ? this.rigid : this.loose;
-      for (let k = 0; k < form.numbers; ++k) {
+      const columns = form.isRigid || form.isBody ? this.rigid : this.loose;
+      const places = form.isBody ? form.numbers - 3 : form.numbers;
+      for (let k = 0; k < places; ++k) {
         numbers[at++] = columns[k % columns.length].next(predictors[k]);
       }
+      for (let k = 0; k < form.numbers - places; ++k) numbers[at++] = this.velocity[k].difference();
     }
     return {tracks: this.tracks, numbers, view};
   }
@@ -226,6 +233,7 @@ class Film {
   static async open(head, packedGroups) {
     const film = new Film();
     Object.assign(film, head);
+    film.damaged = () => {}; // called with a group that cannot be read, and the error
     film.forms = readForms(await unpack(head.forms), head.quantum);
     film.groups = [];
     let first = 0;
@@ -244,6 +252,9 @@ class Film {
       group.loading = null;
       this.dropOthers(group);
       return group;
+    }, error => {
+      this.damaged(group, error);
+      throw error;
     });
     return group.loading;
   }
@@ -259,9 +270,9 @@ class Film {
   frame(number, done) {
     const group = this.groupAt(number);
     const next = this.groups[this.groups.indexOf(group) + 1];
-    if (next && !next.content && number > group.first + group.frames / 2) this.load(next);
+    if (next && !next.content && number > group.first + group.frames / 2) this.load(next).catch(() => {});
     if (group.content) return group.content.frame(number - group.first);
-    this.load(group).then(done);
+    this.load(group).then(done, () => {});
     return null;
   }
   async frameLater(number) {

@@ -2,6 +2,7 @@
 
 const kSpeeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4, 8];
 const kZoomStep = 1.25;
+const kLinkDelay = 200; // [ms]
 const kContactReach = 24, kBodyReach = 4, kClickReach = 3; // [CSS px]
 
 const kIsFramed = parent !== window;
@@ -25,6 +26,8 @@ class Player {
     this.pointer = null;  // [CSS px]; null: not over the picture
     this.isAsked = false; // to draw
     this.fingers = new Map(); // places of those that are down [CSS px]
+    this.linkedAt = -Infinity; // when the address was set [ms]
+    this.linkTimer = null; // for the next one
     this.leads = false;   // players beside this one show what it shows
     this.build();
     this.listen();
@@ -96,11 +99,18 @@ class Player {
       this.frame = frame;
       this.view.track(frame);
     }
+    this.showFollowed();
     const look = {view: this.view.of(frame), ratio: this.ratio, theme: this.film.themes[this.theme], hidden: this.hidden};
     const isExact = !this.isPlaying && this.ratio < 2; // smaller pixels hide it
     isExact ? this.painter.drawExactly(this.canvas, frame, look) : this.painter.draw(this.canvas, frame, look);
     this.showBody(look.view);
     if (this.leads) this.lead();
+  }
+  showFollowed() {
+    const body = this.view.followed;
+    const name = `body ${body} ${this.film.names[body] ?? ""}`.trim();
+    const isThere = body >= 0 && describeBody(this.film, this.frame, body) !== null;
+    $("follow").textContent = body < 0 ? "" : isThere ? `following ${name}` : `${name} is not in this frame`;
   }
   showClock() {
     const seconds = this.film.secondsOf(this.number);
@@ -133,7 +143,8 @@ class Player {
   showBody(view) {
     const number = this.bodyAtPointer(view);
     const before = number < 0 || this.number === 0 ? null : this.film.frame(this.number - 1, () => this.redraw());
-    const body = number < 0 ? null : describeBody(this.film, this.frame, number, before);
+    const isWaiting = number >= 0 && this.number > 0 && !before; // for the frame before
+    const body = number < 0 || isWaiting ? null : describeBody(this.film, this.frame, number, before);
     const card = $("body");
     card.hidden = !body;
     if (!body) return;
@@ -148,8 +159,9 @@ class Player {
   bodyText(body) {
     const text = value => value.toFixed(3).padStart(9);
     const lines = [`\nposition ${text(body.x)} ${text(body.y)} m`];
-    if (body.form.isRigid) lines.push(`angle    ${text(body.angle)} rad`);
-    if (body.vx !== undefined) lines.push(`velocity ${text(body.vx)} ${text(body.vy)} m/s`, `spin     ${text(body.spin)} rad/s`);
+    if (body.hasAngle) lines.push(`angle    ${text(body.angle)} rad`);
+    const speed = value => (Object.is(Number(value.toFixed(2)), -0) ? 0 : value).toFixed(2).padStart(9); // as exact as they are
+    if (body.vx !== undefined) lines.push(`velocity ${speed(body.vx)} ${speed(body.vy)} m/s`, `spin     ${speed(body.spin)} rad/s`);
     return lines.join("\n");
   }
   setTheme(index) {
@@ -200,6 +212,7 @@ class Player {
   zoom(factor, x = 0.5 * this.canvas.width, y = 0.5 * this.canvas.height) {
     if (!this.frame) return;
     this.view.zoom(this.frame, factor, x, y);
+    this.keepLink();
     this.redraw();
   }
   resetView() {
@@ -211,7 +224,6 @@ class Player {
   follow(body) {
     this.view.follow(body);
     if (body >= 0 && this.frame) this.view.track(this.frame);
-    $("follow").textContent = body < 0 ? "" : `following body ${body} ${this.film.names[body] ?? ""}`.trim();
     this.keepLink();
     this.redraw();
   }
@@ -225,9 +237,11 @@ class Player {
     const view = this.view.of(this.frame);
     const [worldX, worldY] = this.view.toWorld(view, x, y);
     const reach = kContactReach * this.ratio / view.scale;
-    const contact = this.hidden.has(kContacts) ? null : contactAt(this.film, this.frame, worldX, worldY, reach);
+    const stored = this.hidden.has(kContacts) ? null : contactAt(this.film, this.frame, worldX, worldY, reach);
+    const contact = stored ?? touchAt(this.film, this.frame, worldX, worldY, reach);
     const [middleX, middleY] = contact ?? [worldX, worldY];
     this.view.choose({x: middleX, y: middleY, scale: this.view.limited(4 * view.scale)});
+    this.keepLink();
     this.redraw();
   }
 
@@ -242,16 +256,24 @@ class Player {
     if (this.view.followed >= 0) parts.push(`follow=${this.view.followed}`);
     return `#${parts.join("&")}`;
   }
-  // The address of the page is that of the moment, unless it plays.
+  // The address of the page is that of the moment, unless it plays. Browsers take few changes a second.
   keepLink() {
+    clearTimeout(this.linkTimer);
     if (this.isPlaying || kIsFramed) return;
+    const wait = this.linkedAt + kLinkDelay - performance.now();
+    if (wait > 0) {
+      this.linkTimer = setTimeout(() => this.keepLink(), wait);
+      return;
+    }
+    this.linkedAt = performance.now();
     this.ownLink = this.link();
     history.replaceState(null, "", this.ownLink);
   }
   openLink() {
     if (location.hash === this.ownLink) return;
+    clearTimeout(this.linkTimer); // of a moment before this one
     const asked = new URLSearchParams(location.hash.slice(1));
-    const time = Number.parseFloat(asked.get("t"));
+    const time = Number.parseFloat(asked.get("t")) * (/ms$/.test(asked.get("t") ?? "") ? 0.001 : 1);
     const at = (asked.get("at") ?? "").split(",").map(Number);
     const body = Number.parseInt(asked.get("follow") ?? "-1", 10);
     if (at.length === 3 && at.every(Number.isFinite) && at[2] > 0) {
@@ -261,7 +283,6 @@ class Player {
     if (body >= 0) this.follow(body);
   }
   async copyLink() {
-    this.keepLink();
     const text = location.href.split("#")[0] + this.link();
     try {
       await navigator.clipboard.writeText(text);
@@ -291,9 +312,13 @@ class Player {
     for (const name of ["pointerup", "pointercancel"]) {
       this.canvas.addEventListener(name, event => this.onUp(event, name === "pointerup"));
     }
-    this.canvas.addEventListener("pointerleave", () => {
+    this.canvas.addEventListener("pointerleave", event => {
+      if (event.pointerType === "touch") return; // what was tapped stays described
       this.pointer = null;
       this.redraw();
+    });
+    addEventListener("pointerdown", event => {
+      if (!$("layers").contains(event.target)) $("layers").open = false;
     });
     this.canvas.addEventListener("dblclick", event => this.zoomToContact(...this.inCanvas(this.placeOf(event))));
   }
@@ -310,8 +335,10 @@ class Player {
   }
   onKey(event) {
     if (event.ctrlKey || event.altKey || event.metaKey || $("keys").open) return;
-    const isOfControl = ["SELECT", "BUTTON", "SUMMARY"].includes(event.target.tagName) || event.target.type === "checkbox";
-    if (isOfControl && [" ", "Enter", "ArrowLeft", "ArrowRight", "Home", "End"].includes(event.key)) return;
+    const isPressed = ["BUTTON", "SUMMARY"].includes(event.target.tagName) || event.target.type === "checkbox";
+    const isChosen = event.target.tagName === "SELECT";
+    if ((isPressed || isChosen) && [" ", "Enter"].includes(event.key)) return;
+    if (isChosen && ["ArrowLeft", "ArrowRight", "Home", "End"].includes(event.key)) return;
     const second = Math.max(Math.round(this.film.framesPerSecond / this.film.speed), 1);
     const onKeys = {
       " ": () => this.toggle(),
@@ -322,7 +349,7 @@ class Player {
       "+": () => this.zoom(kZoomStep), "=": () => this.zoom(kZoomStep), "-": () => this.zoom(1 / kZoomStep),
       0: () => this.resetView(), f: () => this.followPointed(), d: () => this.setTheme(1 - this.theme),
       l: () => $("layers").toggleAttribute("open"), r: () => $("repeat").click(), c: () => this.copyLink(),
-      "?": () => $("keys").showModal(),
+      "?": () => $("keys").showModal(), Escape: () => $("layers").open = false,
     };
     const act = onKeys[event.key];
     if (!act) return;
@@ -346,6 +373,7 @@ class Player {
   onDown(event) {
     this.canvas.setPointerCapture(event.pointerId);
     this.fingers.set(event.pointerId, this.placeOf(event));
+    this.pointer = this.placeOf(event);
     this.isClick = this.fingers.size === 1;
     this.downAt = this.placeOf(event);
   }
@@ -395,6 +423,10 @@ async function open() {
     const film = await Film.open(JSON.parse($("head").textContent), groups);
     await film.frameLater(0);
     player = new Player(film);
+    film.damaged = (group, error) => {
+      player.pause(Math.max(group.first - 1, 0));
+      $("message").textContent = `This page is damaged from frame ${group.first} on (${error.message}).`;
+    };
     player.openLink();
     $("message").textContent = "";
     return player;

@@ -1,6 +1,7 @@
 // What of the world is seen: the view of the film, or one that the reader has chosen.
 
 const kLeastScale = 1 / 4096; // of the largest; farther away everything is a dot
+const kTouch = 0.02;          // bodies this near touch: slops and skins of the engine [m]
 
 class View {
   constructor(film) {
@@ -77,74 +78,125 @@ function eachTrack(frame, visit) {
   }
 }
 
-// The origin and the angle of a body, or the centre of its first shape where the page has no more; null
-// if it has no shape. Its velocity needs the frame before.
+// The place of a body, and its velocity if the page has it; null without either. `before`: the frame
+// before, or null.
 function describeBody(film, frame, number, before = null) {
-  let found = null;
+  let state = null, shape = null;
   eachTrack(frame, (track, at) => {
-    if (found || track.owner !== number || film.styles[track.style] !== kShapes) return;
-    const place = placeOf(film, track, frame.numbers, at);
-    found = {number, name: film.names[number] ?? "", style: track.style, form: track.form, ...place};
+    if (track.owner !== number) return;
+    if (track.form.isBody) state = {track, at};
+    else if (!shape && film.styles[track.style] === kShapes) shape = {track, at};
   });
-  if (!found || !before) return found;
-  const earlier = describeBody(film, before, number);
-  if (earlier && earlier.form === found.form) {
-    const rate = film.framesPerSecond / film.speed;
-    found.vx = (found.x - earlier.x) * rate;
-    found.vy = (found.y - earlier.y) * rate;
-    found.spin = (found.angle - earlier.angle) * rate;
-  }
+  const placed = state?.track.form.hasPlace ? state : shape;
+  if (!placed) return null;
+  const found = {number, name: film.names[number] ?? "", hasAngle: !!state || placed.track.form.isRigid,
+                 ...placeOf(film, placed.track, frame.numbers, placed.at)};
+  if (!state) return found;
+  // Stored is the velocity less what the change of place since the frame before says.
+  const rate = film.framesPerSecond / film.speed;
+  const earlier = before?.tracks.includes(state.track) ? describeBody(film, before, number) : found;
+  const at = state.at + state.track.form.numbers - 3;
+  [found.vx, found.vy, found.spin] = ["x", "y", "angle"].map((key, k) =>
+    frame.numbers[at + k] * kVelocityUnit + (found[key] - earlier[key]) * rate);
   return found;
 }
 
-function placeOf(film, track, numbers, at) {
-  const {form} = track;
-  if (!form.isRigid) return {x: numbers[at] * film.quantum, y: numbers[at + 1] * film.quantum, angle: 0};
+function placeOf(film, {form}, numbers, at) {
+  const x = numbers[at] * film.quantum, y = numbers[at + 1] * film.quantum;
+  if (form.isBody) return {x, y, angle: numbers[at + 2] * kAngleUnit};
+  if (!form.isRigid) return {x, y, angle: 0};
   const angle = numbers[at + 2] * form.angleUnit;
-  const [x, y] = form.origin;
+  const [localX, localY] = form.origin;
   const c = Math.cos(angle), s = Math.sin(angle);
-  return {x: numbers[at] * film.quantum + c * x - s * y, y: numbers[at + 1] * film.quantum + s * x + c * y, angle};
+  return {x: x + c * localX - s * localY, y: y + s * localX + c * localY, angle};
+}
+
+// Calls `visit(item, points, owner)` for each item of a body's shapes; `points` [m] are overwritten
+// afterwards.
+function eachShape(film, frame, visit) {
+  let world = new Float64Array(64);
+  eachTrack(frame, (track, at) => {
+    if (track.owner < 0 || film.styles[track.style] !== kShapes) return;
+    if (world.length < 2 * track.form.pointCount) world = new Float64Array(4 * track.form.pointCount);
+    placePoints(track.form, frame.numbers, at, film.quantum, world);
+    let first = 0;
+    for (const item of track.form.items) {
+      visit(item, world.subarray(first, first + 2 * item.count), track.owner);
+      first += 2 * item.count;
+    }
+  });
 }
 
 // The number of the topmost body with a shape at the point [m] or within `reach` [m] of it, or -1.
 function bodyAt(film, frame, x, y, reach, hidden) {
   let found = -1, nearest = reach;
-  let world = new Float64Array(64);
-  eachTrack(frame, (track, at) => {
-    if (track.owner < 0 || film.styles[track.style] !== kShapes || hidden.has(kShapes)) return;
-    if (world.length < 2 * track.form.pointCount) world = new Float64Array(4 * track.form.pointCount);
-    placePoints(track.form, frame.numbers, at, film.quantum, world);
-    let first = 0;
-    for (const item of track.form.items) {
-      const distance = distanceTo(item, world.subarray(first, first + 2 * item.count), x, y);
-      if (distance <= nearest) {
-        nearest = Math.max(distance, 0); // a shape above covers it
-        found = track.owner;
-      }
-      first += 2 * item.count;
+  if (hidden.has(kShapes)) return found;
+  eachShape(film, frame, (item, points, owner) => {
+    const distance = distanceTo(item, points, x, y);
+    if (distance <= nearest) {
+      nearest = Math.max(distance, 0); // a shape above covers it
+      found = owner;
     }
   });
   return found;
 }
 
+// The point of an item's outline next to a place: [x, y, distance], or null.
+function outlineAt(item, points, x, y) {
+  if (item.kind === kCircle || item.kind === kSolidCircle) {
+    const dx = x - points[0], dy = y - points[1], length = Math.hypot(dx, dy), radius = Math.abs(item.size);
+    const share = length > 0 ? radius / length : 0;
+    return [points[0] + share * dx, points[1] + share * dy, Math.abs(length - radius)];
+  }
+  if (item.kind > kSegment) return null;
+  let nearest = null;
+  for (let i = 0, j = points.length - 2; i < points.length; j = i, i += 2) {
+    const ax = points[j], ay = points[j + 1], dx = points[i] - ax, dy = points[i + 1] - ay;
+    const share = Math.min(Math.max(((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1), 0), 1);
+    const px = ax + share * dx, py = ay + share * dy, distance = Math.hypot(x - px, y - py);
+    if (!nearest || distance < nearest[2]) nearest = [px, py, distance];
+  }
+  return nearest;
+}
 
 // To an item's edge [m]; 0 or less inside of a solid one.
 function distanceTo(item, points, x, y) {
-  if (item.kind === kCircle || item.kind === kSolidCircle) {
-    const distance = Math.hypot(x - points[0], y - points[1]) - Math.abs(item.size);
-    return item.kind === kCircle ? Math.abs(distance) : Math.max(distance, 0);
+  const outline = outlineAt(item, points, x, y);
+  if (!outline) return Infinity;
+  if (item.kind === kSolidCircle) return Math.max(Math.hypot(x - points[0], y - points[1]) - Math.abs(item.size), 0);
+  let isInside = false;
+  for (let i = 0, j = points.length - 2; i < points.length; j = i, i += 2) {
+    const ax = points[j], ay = points[j + 1], bx = points[i], by = points[i + 1];
+    if (ay > y !== by > y && x < ax + (y - ay) / (by - ay) * (bx - ax)) isInside = !isInside;
   }
-  if (item.kind > kSegment) return Infinity;
-  const count = points.length / 2;
-  let nearest = Infinity, isInside = false;
-  for (let i = 0, j = count - 1; i < count; j = i++) {
-    const ax = points[2 * j], ay = points[2 * j + 1], bx = points[2 * i], by = points[2 * i + 1];
-    const dx = bx - ax, dy = by - ay;
-    const share = Math.min(Math.max(((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1), 0), 1);
-    nearest = Math.min(nearest, Math.hypot(x - ax - share * dx, y - ay - share * dy));
-    if (ay > y !== by > y && x < ax + (y - ay) / dy * dx) isInside = !isInside;
+  return isInside && item.kind === kSolidPolygon ? 0 : outline[2];
+}
+
+// Where two bodies touch, next to a place [m] and within `reach` [m] of it, or null: a corner of one at
+// the outline of the other, or the point of a circle next to it. Pages need not store contacts for it.
+function touchAt(film, frame, x, y, reach) {
+  const shapes = [];
+  eachShape(film, frame, (item, points, owner) => {
+    if (distanceTo(item, points, x, y) <= reach) shapes.push({item, points: points.slice(), owner});
+  });
+  let found = null, nearest = reach;
+  const offer = (point, gap) => {
+    const distance = Math.hypot(x - point[0], y - point[1]);
+    if (gap > kTouch || distance > nearest) return;
+    nearest = distance;
+    found = [point[0], point[1]];
+  };
+  for (const a of shapes) {
+    for (const b of shapes) {
+      if (a.owner === b.owner) continue;
+      const isRound = a.item.kind === kCircle || a.item.kind === kSolidCircle;
+      for (let i = 0; i < (isRound ? 2 : a.points.length); i += 2) {
+        const px = a.points[i], py = a.points[i + 1], outline = outlineAt(b.item, b.points, px, py);
+        if (outline) offer(outline, isRound ? Math.abs(outline[2] - Math.abs(a.item.size)) : outline[2]);
+      }
+    }
   }
-  return isInside && item.kind === kSolidPolygon ? 0 : nearest;
+  return found;
 }
 
 // The contact point next to a place [m] and within `reach` [m], or null.

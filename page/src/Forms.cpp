@@ -109,6 +109,13 @@ PagePoint FormTable::PutPoint(PagePoint point, std::string& bytes) const
     return {double(x) * unit, double(y) * unit};
 }
 
+std::uint32_t FormTable::AddBody(bool hasPlace)
+{
+    std::string bytes(1, hasPlace ? '\4' : '\3');
+    PutVarint(bytes, 0); // items
+    return Add(bytes);
+}
+
 std::uint32_t FormTable::AddRigid(const std::string& signature, std::span<const PagePoint> points,
                                   double angle, const std::optional<PagePoint>& origin)
 {
@@ -133,7 +140,7 @@ std::uint32_t FormTable::AddRigid(const std::string& signature, std::span<const 
     }
     if (origin)
     {
-        PutPoint(local(*origin), bytes);
+        rigid.origin = PutPoint(local(*origin), bytes);
     }
     rigid.angleUnit = farthest > 0.0 ? m_quantum / std::sqrt(farthest) : 1.0;
     const std::uint32_t form = Add(bytes);

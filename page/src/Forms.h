@@ -38,6 +38,7 @@ struct RigidForm
 {
     std::vector<PagePoint> points; ///< as the page has them [m]
     double angleUnit = 1.0;        ///< turning by it moves the farthest point by a quantum [rad]
+    std::optional<PagePoint> origin{}; ///< of the body, as the page has it [m]
 };
 
 /// All forms of a page. The numbers of forms are in the order of their addition.
@@ -55,6 +56,9 @@ public:
     /// The form of points that move as one. `angle`: of the body; `origin`: its origin [m].
     std::uint32_t AddRigid(const std::string& signature, std::span<const PagePoint> points,
                            double angle, const std::optional<PagePoint>& origin);
+
+    /// The form of a body's state: its velocity, and its place if no rigid form has it.
+    std::uint32_t AddBody(bool hasPlace);
 
     const RigidForm& Rigid(std::uint32_t form) const { return m_rigid.at(form); }
 

@@ -23,6 +23,14 @@ constexpr double kViewSteps = 16.0;
 
 constexpr double kNearPixels = 6.0;
 
+// Velocities are rounded to kPageVelocityError.
+constexpr double kVelocityUnit = 2.0 * kPageVelocityError;
+
+// A body whose shapes place it this well needs no place of its own: half of the last digit that the
+// page shows of it.
+constexpr double kSamePlace = 0.0005; // [m, rad]
+constexpr double kAngleUnit = 0.0001; // of a place of its own [rad]
+
 // Of larger places, differences of predictions would not be whole numbers in a double, which is
 // what JavaScript has.
 constexpr double kMaxQuanta = 1e14;
@@ -46,11 +54,11 @@ bool IsOfRigidThings(DrawLayer layer)
 
 } // namespace
 
-PageEncoder::PageEncoder(const Camera& first)
+PageEncoder::PageEncoder(const Camera& first, double rate)
     : m_fullScale(kPageZoom * first.pixelsPerMeter),
       m_quantum(kPagePixelError / (kQuantaInError * m_fullScale)),
-      m_tolerance(kPagePixelError / m_fullScale), m_near(kNearPixels / first.pixelsPerMeter),
-      m_forms(m_quantum)
+      m_tolerance(kPagePixelError / m_fullScale), m_rate(rate),
+      m_near(kNearPixels / first.pixelsPerMeter), m_forms(m_quantum)
 {}
 
 bool PageEncoder::CanHold(const Camera& camera) const
@@ -194,21 +202,127 @@ void PageEncoder::Follow(const DrawList& list, std::span<const PageBody> bodies)
     m_tracks = std::move(tracks);
 }
 
+/// Returns where a rigid shape places the body, if that is the body's place.
+std::optional<BodyPlace> PageEncoder::PlaceOfShape(const Track* shape, const PageBody& body) const
+{
+    if (shape == nullptr || !shape->isRigid || !m_forms.Rigid(shape->form).origin)
+    {
+        return std::nullopt;
+    }
+    const RigidPlace placed{shape->numbers[0], shape->numbers[1], shape->numbers[2]};
+    const BodyPlace place = BodyPlaceOf(m_forms.Rigid(shape->form), placed, m_quantum);
+    const auto isSame = [](double a, double b) { return std::abs(a - b) <= kSamePlace; };
+    return isSame(place.x, body.position.x) && isSame(place.y, body.position.y) &&
+                   isSame(place.angle, body.angle)
+               ? std::optional(place)
+               : std::nullopt;
+}
+
+/// `place`: as its shape has it, or none.
+void PageEncoder::PlaceBody(BodyTrack& track, const PageBody& body,
+                            const std::optional<BodyPlace>& place, const BodyTrack* before)
+{
+    if (place)
+    {
+        track.place = *place;
+    }
+    else
+    {
+        track.numbers = {std::llround(body.position.x / m_quantum),
+                         std::llround(body.position.y / m_quantum),
+                         std::llround(body.angle / kAngleUnit)};
+        track.place = {double(track.numbers[0]) * m_quantum, double(track.numbers[1]) * m_quantum,
+                       double(track.numbers[2]) * kAngleUnit};
+    }
+    const BodyPlace from = before != nullptr ? before->place : track.place;
+    const auto rest = [this](double velocity, double now, double then) {
+        const double limit = kMaxQuanta * kVelocityUnit;
+        return std::llround(std::clamp(velocity - (now - then) * m_rate, -limit, limit) /
+                            kVelocityUnit);
+    };
+    track.velocities = {rest(body.velocity.x, track.place.x, from.x),
+                        rest(body.velocity.y, track.place.y, from.y),
+                        rest(body.spin, track.place.angle, from.angle)};
+}
+
+/// Bodies come behind the tracks of the list, so that those go on as without them.
+void PageEncoder::FollowBodies(std::span<const PageBody> bodies, std::size_t tracksBefore)
+{
+    std::unordered_map<std::uint32_t, const Track*> shapes; // for lookups only
+    for (const Track& track : m_tracks)
+    {
+        if (track.run.layer == DrawLayer::Shapes)
+        {
+            shapes.emplace(track.run.owner, &track);
+        }
+    }
+    std::vector<const PageBody*> sorted;
+    for (const PageBody& body : bodies)
+    {
+        const double limit = kMaxQuanta * m_quantum;
+        const bool isUsable = std::abs(body.position.x) <= limit &&
+                              std::abs(body.position.y) <= limit && std::isfinite(body.angle) &&
+                              std::isfinite(body.velocity.x) && std::isfinite(body.velocity.y) &&
+                              std::isfinite(body.spin);
+        if (isUsable)
+        {
+            sorted.push_back(&body);
+        }
+    }
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const PageBody* a, const PageBody* b) { return a->number < b->number; });
+    sorted.erase(
+        std::unique(sorted.begin(), sorted.end(),
+                    [](const PageBody* a, const PageBody* b) { return a->number == b->number; }),
+        sorted.end());
+    std::vector<BodyTrack> tracks;
+    std::size_t old = 0;
+    for (const PageBody* body : sorted)
+    {
+        for (; old < m_bodies.size() && m_bodies[old].owner < body->number; ++old)
+        {}
+        const auto shape = shapes.find(body->number);
+        const auto place = PlaceOfShape(shape != shapes.end() ? shape->second : nullptr, *body);
+        const bool isKept = m_frames > 0 && old < m_bodies.size() &&
+                            m_bodies[old].owner == body->number && m_bodies[old].hasPlace == !place;
+        BodyTrack track = isKept ? m_bodies[old] : BodyTrack();
+        track.owner = body->number;
+        track.hasPlace = !place;
+        track.form = m_forms.AddBody(track.hasPlace);
+        PlaceBody(track, *body, place, isKept ? &m_bodies[old] : nullptr);
+        m_from.push_back(isKept ? std::ptrdiff_t(tracksBefore + old) : -1);
+        tracks.push_back(std::move(track));
+    }
+    m_bodies = std::move(tracks);
+}
+
+/// Returns what a track is, with those of bodies behind those of the list.
+PageEncoder::NewTrack PageEncoder::TrackAt(std::size_t index) const
+{
+    if (index >= m_tracks.size())
+    {
+        const BodyTrack& body = m_bodies[index - m_tracks.size()];
+        return {body.form, 0, body.owner};
+    }
+    const Track& track = m_tracks[index];
+    return {track.form, track.run.style, track.run.owner};
+}
+
 /// How the tracks of the frame before become those of this one: "keep, end, begin" by turns.
 void PageEncoder::PutSequence(std::size_t before)
 {
     std::string turns;
     std::uint64_t count = 0;
     std::size_t old = 0;
-    for (std::size_t i = 0; i < m_tracks.size() || old < before;)
+    for (std::size_t i = 0; i < m_from.size() || old < before;)
     {
         std::size_t kept = 0;
-        for (; i < m_tracks.size() && m_from[i] == std::ptrdiff_t(old); ++i, ++old, ++kept)
+        for (; i < m_from.size() && m_from[i] == std::ptrdiff_t(old); ++i, ++old, ++kept)
         {}
         std::size_t end = i;
-        for (; end < m_tracks.size() && m_from[end] < 0; ++end)
+        for (; end < m_from.size() && m_from[end] < 0; ++end)
         {}
-        const std::size_t next = end < m_tracks.size() ? std::size_t(m_from[end]) : before;
+        const std::size_t next = end < m_from.size() ? std::size_t(m_from[end]) : before;
         if (next == old && end == i)
         {
             break; // all that follow are kept
@@ -218,10 +332,10 @@ void PageEncoder::PutSequence(std::size_t before)
         PutVarint(turns, end - i);
         for (; i < end; ++i)
         {
-            const Track& track = m_tracks[i];
+            const NewTrack track = TrackAt(i);
             PutVarint(turns, track.form);
-            PutVarint(turns, track.run.style);
-            PutVarint(turns, track.run.owner == kNoOwner ? 0 : std::uint64_t(track.run.owner) + 1);
+            PutVarint(turns, track.style);
+            PutVarint(turns, track.owner == kNoOwner ? 0 : std::uint64_t(track.owner) + 1);
         }
         old = next;
         ++count;
@@ -258,13 +372,16 @@ void PageEncoder::Add(const DrawList& list, const Camera& camera, std::span<cons
     {
         styles.push_back(track.run.style);
     }
+    const std::size_t before = styles.size() + m_bodies.size();
+    const std::size_t tracksBefore = styles.size();
     Follow(list, bodies);
+    FollowBodies(bodies, tracksBefore);
     if (m_frames == 0) // a group can be read without those before it
     {
         styles.clear();
-        m_from.assign(m_tracks.size(), -1);
+        m_from.assign(m_from.size(), -1);
     }
-    PutSequence(styles.size());
+    PutSequence(m_frames == 0 ? 0 : before);
     PutStyles(styles);
     PutView(camera);
     for (std::size_t i = 0; i < m_tracks.size(); ++i)
@@ -280,7 +397,23 @@ void PageEncoder::Add(const DrawList& list, const Camera& camera, std::span<cons
             Put(column, track.predictors[k], track.numbers[k]);
         }
     }
+    for (std::size_t i = 0; i < m_bodies.size(); ++i)
+    {
+        PutBody(m_bodies[i]);
+    }
     ++m_frames;
+}
+
+void PageEncoder::PutBody(BodyTrack& track)
+{
+    for (std::size_t k = 0; track.hasPlace && k < track.numbers.size(); ++k)
+    {
+        Put(ColumnOf(RigidX + k), track.predictors[k], track.numbers[k]);
+    }
+    for (std::size_t k = 0; k < track.velocities.size(); ++k)
+    {
+        m_columns[VelocityX + k].Put(track.velocities[k]);
+    }
 }
 
 } // namespace boxreel

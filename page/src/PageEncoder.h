@@ -7,6 +7,7 @@
 #include <page/PageWriter.h>
 
 #include <array>
+#include <optional>
 #include <unordered_map>
 
 /// Frames as bytes. Frames are packed in groups that can be read without each other; forms and
@@ -18,8 +19,9 @@ namespace boxreel
 class PageEncoder
 {
 public:
-    /// `first`: the camera of the first frame, whose scale sets the quantum.
-    explicit PageEncoder(const Camera& first);
+    /// `first`: the camera of the first frame, whose scale sets the quantum. `rate`: frames for
+    /// each simulated second.
+    PageEncoder(const Camera& first, double rate);
 
     /// Whether the view is near enough to the origin, at its scale, to be stored.
     bool CanHold(const Camera& camera) const;
@@ -47,10 +49,37 @@ private:
         LooseX,
         LooseY,
         View,
+        VelocityX,
+        VelocityY,
+        Spin,
         Columns
     };
 
+    /// The state of a body as it goes on from frame to frame.
+    struct BodyTrack
+    {
+        std::uint32_t owner = kNoOwner;
+        std::uint32_t form = 0;
+        bool hasPlace = false;
+        BodyPlace place;
+        std::array<std::int64_t, 3> numbers{};    ///< of the place, if it has one
+        std::array<Predictor, 3> predictors;      ///< of these
+        std::array<std::int64_t, 3> velocities{}; ///< less what the change of place says
+    };
+    struct NewTrack
+    {
+        std::uint32_t form = 0;
+        std::uint32_t style = 0;
+        std::uint32_t owner = kNoOwner;
+    };
+
     void Follow(const DrawList& list, std::span<const PageBody> bodies);
+    void FollowBodies(std::span<const PageBody> bodies, std::size_t tracksBefore);
+    std::optional<BodyPlace> PlaceOfShape(const Track* shape, const PageBody& body) const;
+    void PlaceBody(BodyTrack& track, const PageBody& body, const std::optional<BodyPlace>& place,
+                   const BodyTrack* before);
+    void PutBody(BodyTrack& track);
+    NewTrack TrackAt(std::size_t index) const;
     Track Begin(const Run& run, const PageBody* body);
     Track BeginLoose(const Run& run);
     bool Place(Track& track);
@@ -62,11 +91,13 @@ private:
     double m_fullScale;
     double m_quantum;
     double m_tolerance;
+    double m_rate;
     double m_near; // what moves less in a frame is the same [m]
     FormTable m_forms;
     StyleTable m_styles;
     std::vector<Track> m_tracks;        // of the latest list, in its order
-    std::vector<std::ptrdiff_t> m_from; // of each its index in the list before; -1: it is new
+    std::vector<BodyTrack> m_bodies;    // behind them, by number of the body
+    std::vector<std::ptrdiff_t> m_from; // of each its index in the frame before; -1: it is new
     std::array<Predictor, 3> m_view;
     std::int64_t m_frames = 0;
     std::string m_sequence; // tracks that begin and end, and their styles

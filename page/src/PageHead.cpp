@@ -7,6 +7,7 @@
 #include <base/Gzip.h>
 #include <base/Quoting.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -133,6 +134,22 @@ std::string NamesText(const std::map<std::uint32_t, std::string>& names)
     return json + "}";
 }
 
+/// Returns the script without indentation and without lines that are comments: a fifth of it.
+std::string WithoutComments(std::string_view script)
+{
+    std::string lean;
+    while (!script.empty())
+    {
+        const std::size_t end = std::min(script.find('\n'), script.size() - 1) + 1;
+        const std::string_view line = script.substr(0, end);
+        const std::size_t first = std::min(line.find_first_not_of(" \n"), line.size());
+        const std::string_view code = line.substr(first);
+        lean += code.starts_with("//") ? std::string_view() : code;
+        script.remove_prefix(end);
+    }
+    return lean;
+}
+
 /// The template up to the frames, or behind them, with its parts.
 std::string Filled(std::string_view text, const std::map<std::string_view, std::string>& parts)
 {
@@ -192,7 +209,7 @@ Result<std::string> PageEnd(const PageSettings& settings, const PageEncoder& enc
     const std::string script =
         std::string(kDecodeJs).append(kDrawJs).append(kViewJs).append(kPlayerJs);
     return Filled(kPlayerHtml.substr(kPlayerHtml.find(kFramesMark) + kFramesMark.size()),
-                  {{"head", json}, {"script", script}});
+                  {{"head", json}, {"script", WithoutComments(script)}});
 }
 
 } // namespace boxreel

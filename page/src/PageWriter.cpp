@@ -24,18 +24,21 @@ Result<void> Check(const PageSettings& settings)
         settings.height > kMaxSide)
     {
         return Error{ErrorKind::Unusable, "size " + size,
-                     "must be between 1 and " + std::to_string(kMaxSide) + " pixels"};
+                     "must be between 1 and " + std::to_string(kMaxSide) + " pixels",
+                     "set width and height in that range"};
     }
     const auto isAbove0 = [](double value) { return std::isfinite(value) && value > 0.0; };
     if (!isAbove0(settings.framesPerSecond) || settings.framesPerSecond > kMaxRate)
     {
         return Error{ErrorKind::Unusable, "rate " + std::to_string(settings.framesPerSecond),
-                     "must be above 0 and at most 1000 frames per second"};
+                     "must be above 0 and at most 1000 frames per second",
+                     "set framesPerSecond in that range"};
     }
     if (!isAbove0(settings.speed) || !std::isfinite(settings.firstTime))
     {
         return Error{ErrorKind::Unusable, "time of the page",
-                     "speed must be above 0, and the first time finite"};
+                     "must have a speed above 0 and a finite first time",
+                     "set speed and firstTime"};
     }
     return {};
 }
@@ -88,6 +91,11 @@ PageWriter::~PageWriter() = default;
 
 Result<PageWriter> PageWriter::Open(const std::filesystem::path& path, const PageSettings& settings)
 {
+    if (path.extension() != ".html" && path.extension() != ".HTML")
+    {
+        return Error{ErrorKind::Unusable, path.string(), "is not the name of a page",
+                     "end it in .html"};
+    }
     RETURN_IF_ERROR(Check(settings));
     ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(path, settings.overwrite));
     auto impl = std::make_unique<Impl>(std::move(file), settings);
@@ -102,17 +110,19 @@ Result<void> PageWriter::Append(const DrawList& list, const Camera& camera,
     const PageSettings& settings = m_impl->settings;
     if (camera.width != settings.width || camera.height != settings.height)
     {
-        return Error{ErrorKind::Unusable, "camera", "size differs from that of the page"};
+        return Error{ErrorKind::Unusable, "camera", "size differs from that of the page",
+                     "give each frame a camera of the page's width and height"};
     }
     const bool isDrawable = CanBeDrawn(camera);
     if (isDrawable && !m_impl->encoder)
     {
-        m_impl->encoder.emplace(camera);
+        m_impl->encoder.emplace(camera, settings.framesPerSecond / settings.speed);
     }
     if (!isDrawable || !m_impl->encoder->CanHold(camera))
     {
         return Error{ErrorKind::Unusable, "camera",
-                     "view is too far from the origin for its scale, or not finite"};
+                     "view is too far from the origin for its scale, or not finite",
+                     "zoom out or move the view"};
     }
     PageEncoder& encoder = *m_impl->encoder;
     encoder.Add(list, camera, bodies);

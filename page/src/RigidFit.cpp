@@ -23,6 +23,16 @@ PagePoint MeanOf(std::span<const PagePoint> points)
 
 } // namespace
 
+BodyPlace BodyPlaceOf(const RigidForm& form, const RigidPlace& place, double quantum)
+{
+    const double angle = double(place.angle) * form.angleUnit;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const PagePoint o = *form.origin;
+    return {double(place.x) * quantum + c * o.x - s * o.y,
+            double(place.y) * quantum + s * o.x + c * o.y, angle};
+}
+
 // The rotation R and the translation t that minimise the sum of |R l + t - p|^2 over the points l
 // of the form. With both sets about their means:
 //   angle = atan2(sum l x p, sum l . p),   t = mean(p) - R mean(l)

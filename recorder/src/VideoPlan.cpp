@@ -267,6 +267,11 @@ Result<void> AddUsers(EncoderPlan& plan, const VideoSettings& settings)
             return Contradiction("--codec-option flags=" + value, "films are encoded in one pass",
                                  "remove it");
         }
+        if (name == "b" || name == "qp" || name == "cqp")
+        {
+            // Encoders prefer the quality's crf, and would ignore these silently.
+            std::erase_if(plan.codecOptions, [](const auto& set) { return set.first == "crf"; });
+        }
         plan.codecOptions.emplace_back(name == "x264-params" ? "x264opts" : name, value);
     }
     return {};

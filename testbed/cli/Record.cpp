@@ -288,7 +288,7 @@ Command& Declare(Command& program, RecordOptions& record)
     AddBackend(command, record.backend).Group("Picture");
     command.notes =
         "Ctrl-C ends with exit code 75 and leaves NAME.part.EXT, which is playable. The same\n"
-        "command with --resume continues it.\n\n"
+        "command with --resume continues it. Of a page (.html) nothing is left.\n\n"
         "Examples:\n"
         "  boxreel record pyramid -o pyramid.mp4\n"
         "  boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270\n"

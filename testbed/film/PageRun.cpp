@@ -33,18 +33,22 @@ PageSettings SettingsOf(const RecordOptions& options, const std::string& title)
     return settings;
 }
 
-std::vector<PageBody> BodiesOf(const SceneSession& session)
+std::vector<PageBody> BodiesOf(SceneSession& session)
 {
     std::vector<PageBody> bodies;
-    for (const b2Body* b = session.World().GetBodyList(); b != nullptr; b = b->GetNext())
-    {
-        const auto number = std::uint32_t(b->GetNumber());
-        const auto name = session.Names().find(number);
-        bodies.push_back({number,
-                          {b->GetPosition().x, b->GetPosition().y},
-                          b->GetAngle(),
-                          name != session.Names().end() ? name->second : ""});
-    }
+    session.AtShownPoses([&] {
+        for (const b2Body* b = session.World().GetBodyList(); b != nullptr; b = b->GetNext())
+        {
+            const auto number = std::uint32_t(b->GetNumber());
+            const auto name = session.Names().find(number);
+            bodies.push_back({.number = number,
+                              .position = {b->GetPosition().x, b->GetPosition().y},
+                              .angle = b->GetAngle(),
+                              .name = name != session.Names().end() ? name->second : "",
+                              .velocity = {b->GetLinearVelocity().x, b->GetLinearVelocity().y},
+                              .spin = b->GetAngularVelocity()});
+        }
+    });
     return bodies;
 }
 
@@ -75,10 +79,8 @@ Result<std::int64_t> WriteFrames(std::int64_t count, FilmSimulation& simulation,
         }
         FrameContent content;
         simulation.Fill(content);
-        // Between two steps the list shows bodies elsewhere.
-        const std::vector<PageBody> bodies =
-            simulation.IsBetweenSteps() ? std::vector<PageBody>() : BodiesOf(simulation.Session());
-        RETURN_IF_ERROR(writer.Append(content.list, content.camera, bodies));
+        RETURN_IF_ERROR(
+            writer.Append(content.list, content.camera, BodiesOf(simulation.Session())));
         progress.Update({.framesDone = frame + 1, .framesTotal = count});
         if (simulation.IsAtEnd())
         {
@@ -118,7 +120,9 @@ Result<void> CheckPage(const RecordOptions& options)
         {"--constant-rate", film.timing == FrameTiming::Constant},
         {"--variable-rate", film.timing == FrameTiming::Variable},
         {"--threads", film.threads != usual.threads},
+        {"--hud-ms", options.look.hudMilliseconds},
         {"--hud", options.look.hud},
+        {"--backend", options.backend != Backend::Auto},
         {"--ui", options.look.panels},
     };
     for (const auto& [option, isGiven] : ofFilms)

@@ -312,6 +312,19 @@ Camera SceneSession::CurrentCamera() const
                              : m_camera.View());
 }
 
+void SceneSession::AtShownPoses(const std::function<void()>& function)
+{
+    if (m_fraction)
+    {
+        const b2PosesBetween between(m_scene->World(), m_posesBefore, *m_fraction);
+        function();
+    }
+    else
+    {
+        function();
+    }
+}
+
 void SceneSession::Fill(FrameContent& content, const DrawList& notes)
 {
     if (m_fraction)

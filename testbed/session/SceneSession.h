@@ -13,6 +13,7 @@
 #include <script/ScriptInput.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -78,6 +79,8 @@ public:
     /// Simulates the step after `step` too, to show `fraction` of it: 0 to below 1, where 0 is
     /// AdvanceTo. Moments must not go back.
     void AdvanceBetween(std::int64_t step, double fraction);
+    /// Calls the function while bodies have the poses that are shown: between steps, those between.
+    void AtShownPoses(const std::function<void()>& function);
 
     /// Adds the picture of this moment, with `notes` on top of all items except labels. Labels
     /// avoid the notes. Expects an empty list.

@@ -15,6 +15,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace boxreel
@@ -74,7 +75,7 @@ protected:
     }
 
     /// Writes a page of the scene, up to a step, and keeps the list of that.
-    std::string PageOf(const std::string& scene, const std::string& layers, int last,
+    std::string PageOf(const std::string& scene, const std::string& layers, int lastFrame,
                        const Theme& theme = Theme::Classic())
     {
         SceneLook look;
@@ -89,7 +90,7 @@ protected:
         settings.theme = theme;
         Result<PageWriter> writer = PageWriter::Open(path, settings);
         EXPECT_TRUE(writer);
-        for (int frame = 0; frame <= last; ++frame)
+        for (int frame = 0; frame <= lastFrame; ++frame)
         {
             session->AdvanceTo(frame);
             content = {};
@@ -100,8 +101,11 @@ protected:
                 bodies.push_back({std::uint32_t(b->GetNumber()),
                                   {b->GetPosition().x, b->GetPosition().y},
                                   b->GetAngle(),
-                                  "body " + std::to_string(b->GetNumber())});
+                                  "body " + std::to_string(b->GetNumber()),
+                                  {b->GetLinearVelocity().x, b->GetLinearVelocity().y},
+                                  b->GetAngularVelocity()});
             }
+            last = bodies;
             EXPECT_TRUE(writer->Append(content.list, content.camera, bodies));
         }
         EXPECT_TRUE(writer->Close());
@@ -117,7 +121,8 @@ protected:
 
     const std::string browser = Chromium();
     TemporaryFolder folder;
-    FrameContent content; // of the last frame
+    FrameContent content;       // of the last frame
+    std::vector<PageBody> last; // of the last frame
 };
 
 struct Shown
@@ -219,6 +224,7 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
   // Chromium hardly ever draws while its time is virtual, so frames come from a timer.
   window.requestAnimationFrame = draw => setTimeout(() => draw(performance.now()), 16);
   const soon = () => new Promise(done => setTimeout(done, 100));
+  const later = () => new Promise(done => setTimeout(done, 300)); // when the address is set
   const player = await opened, {film, view} = player;
   await soon();
   check("begins at rest", player.number === 0 && !player.isPlaying);
@@ -228,6 +234,7 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
   check("shift steps a second", player.number === 61);
   key("End");
   check("end", player.number === 299);
+  await later();
   check("the address is a link to the moment", location.hash === `#t=${Number((299 / 60).toFixed(6))}s`);
   location.hash = "#t=3.2s&at=1,20,4";
   await soon();
@@ -259,15 +266,16 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
   send("pointerup", x + 30, y + 10);
   check("a drag follows nothing", view.followed === -1);
   send("pointerdown", x + 30, y + 10); send("pointerup", x + 30, y + 10);
+  await later();
   check("a click follows a body", view.followed === 13 && location.hash.includes("follow=13"));
   player.show(299);
   await soon();
-  const later = await film.frameLater(299), there = describeBody(film, later, 13);
-  const [followedX, followedY] = view.toWorld(view.of(later), ...player.inCanvas([x + 30, y + 10]));
+  const end = await film.frameLater(299), there = describeBody(film, end, 13);
+  const [followedX, followedY] = view.toWorld(view.of(end), ...player.inCanvas([x + 30, y + 10]));
   check("the view goes with it", Math.hypot(followedX - there.x - (pointedX - body.x), followedY - there.y - (pointedY - body.y)) < 1e-6 && there.x !== body.x);
   key("0");
   for (let i = 0; i < 60; ++i) key("+");
-  check("zoom ends at the full scale", Math.abs(view.of(later).scale - film.fullScale) < 1e-6 * film.fullScale);
+  check("zoom ends at the full scale", Math.abs(view.of(end).scale - film.fullScale) < 1e-6 * film.fullScale);
   key("0");
   const boxes = [...$("layers").querySelectorAll("input")];
   check("layers that are there have boxes", $("layers").querySelector("div").textContent === "ShapesJointsContact points" || $("layers").querySelector("div").textContent === "ShapesContact points");
@@ -289,6 +297,67 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
 )");
     EXPECT_THAT(results, Not(HasSubstr("WRONG")));
     EXPECT_THAT(results, HasSubstr("right ? shows the keys"));
+}
+
+TEST_F(PageInBrowser, DescribesBodiesAsTheWorldHasThem)
+{
+    constexpr int kLast = 245; // in the second group
+    const std::string page = PageOf("chain", "shapes", kLast);
+    const std::string results = Run(page, R"(
+(async () => {
+  const {film} = await opened;
+  const before = await film.frameLater(244), frame = await film.frameLater(245);
+  const lines = [];
+  for (let number = 0; number < 200; ++number) {
+    const body = describeBody(film, frame, number, before);
+    if (body) lines.push([number, body.x, body.y, body.angle, body.vx, body.vy, body.spin].join(" "));
+  }
+  leave(lines.join("\n"));
+})().catch(error => leave(`WRONG ${error.stack}`));
+)");
+    std::istringstream lines(results);
+    std::uint32_t number = 0;
+    double x = 0.0, y = 0.0, angle = 0.0, vx = 0.0, vy = 0.0, spin = 0.0;
+    std::size_t compared = 0;
+    for (; lines >> number >> x >> y >> angle >> vx >> vy >> spin; ++compared)
+    {
+        const auto body = std::find_if(last.begin(), last.end(), [&](const PageBody& known) {
+            return known.number == number;
+        });
+        ASSERT_NE(body, last.end());
+        constexpr double kShown = 0.00051; // half of the last digit on the page [m, rad]
+        constexpr double kVelocity = kPageVelocityError + 0.001;
+        EXPECT_NEAR(x, double(body->position.x), kShown) << number;
+        EXPECT_NEAR(y, double(body->position.y), kShown) << number;
+        EXPECT_NEAR(angle, double(body->angle), kShown) << number;
+        EXPECT_NEAR(vx, double(body->velocity.x), kVelocity) << number;
+        EXPECT_NEAR(vy, double(body->velocity.y), kVelocity) << number;
+        EXPECT_NEAR(spin, double(body->spin), kVelocity) << number;
+    }
+    EXPECT_EQ(compared, last.size());
+}
+
+TEST_F(PageInBrowser, FindsContactsWithoutTheirLayer)
+{
+    const std::string page = PageOf("pyramid", "shapes", 0);
+    const std::string results = Run(page, R"(
+(async () => {
+  const player = await opened, {film, view} = player;
+  const frame = await film.frameLater(0);
+  // The lowest row stands on the ground, whose top is at 0; its boxes are 1 m wide.
+  const bodies = film.names ? Object.keys(film.names).map(Number).map(number => describeBody(film, frame, number)).filter(Boolean) : [];
+  const lowest = bodies.filter(body => body.y > 0.1).sort((a, b) => a.y - b.y || a.x - b.x)[0];
+  const touch = touchAt(film, frame, lowest.x - 0.4, 0.1, 0.5);
+  leave(`${touch[0] - lowest.x} ${touch[1]} ${touchAt(film, frame, lowest.x, lowest.y, 0.2)}`);
+})().catch(error => leave(`WRONG ${error.stack}`));
+)");
+    std::istringstream numbers(results);
+    double x = 0.0, y = 0.0;
+    std::string nothing;
+    numbers >> x >> y >> nothing;
+    EXPECT_NEAR(x, -0.5, 0.03) << results;
+    EXPECT_NEAR(y, 0.0, 0.03) << results;
+    EXPECT_EQ(nothing, "null") << "the middle of a box touches nothing";
 }
 
 TEST_F(PageInBrowser, TwoWorldsOfAReportShowTheSameMomentAndView)

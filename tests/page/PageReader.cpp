@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 namespace boxreel::test
 {
@@ -126,6 +128,12 @@ struct Column
 
     std::int64_t Next(History& history)
     {
+        last = (history.count == 0 ? last : history.Guess()) + Difference();
+        history.Add(last);
+        return last;
+    }
+    std::int64_t Difference()
+    {
         std::uint64_t number = small.Byte();
         if (number >= 0xf8)
         {
@@ -136,14 +144,14 @@ struct Column
                 number |= std::uint64_t(large.Byte()) << 8 * i;
             }
         }
-        last = (history.count == 0 ? last : history.Guess()) + FromZigzag(number);
-        history.Add(last);
-        return last;
+        return FromZigzag(number);
     }
 };
 
 struct Form
 {
+    bool isBody = false;
+    bool hasPlace = false;
     bool isRigid = false;
     bool hasOrigin = false;
     std::vector<PageItem> items;     // their points are the form's
@@ -161,6 +169,7 @@ struct Track
     std::size_t style = 0;
     std::uint32_t owner = kNoOwner;
     std::vector<History> histories;
+    std::optional<PageOrigin> before; // place of the body in the frame before of the group
 };
 
 class Reader
@@ -182,6 +191,8 @@ private:
     void ReadSequence(Bytes& sequence);
     void Place(const Track& track, const std::vector<std::int64_t>& numbers,
                PageFrame& frame) const;
+    void ReadState(Track& track, const std::vector<std::int64_t>& numbers, Column* velocities,
+                   PageFrame& frame) const;
 
     const nlohmann::json& m_head;
     double m_quantum;
@@ -193,7 +204,9 @@ Form Reader::ReadForm(Bytes& bytes) const
 {
     Form form;
     const std::uint64_t type = bytes.Varint();
-    form.isRigid = type > 0;
+    form.isRigid = type == 1 || type == 2;
+    form.isBody = type > 2;
+    form.hasPlace = type == 4;
     form.hasOrigin = type == 2;
     std::size_t points = 0;
     for (std::uint64_t left = bytes.Varint(); left > 0; --left)
@@ -206,7 +219,7 @@ Form Reader::ReadForm(Bytes& bytes) const
         form.items.push_back(item);
         points += form.counts.back();
     }
-    form.numbers = form.isRigid ? 3 : 2 * points;
+    form.numbers = form.isBody ? (form.hasPlace ? 3 : 0) : form.isRigid ? 3 : 2 * points;
     if (!form.isRigid)
     {
         return form;
@@ -294,12 +307,41 @@ void Reader::Place(const Track& track, const std::vector<std::int64_t>& numbers,
     }
 }
 
+void Reader::ReadState(Track& track, const std::vector<std::int64_t>& numbers, Column* velocities,
+                       PageFrame& frame) const
+{
+    PageOrigin place{track.owner};
+    if (m_forms[track.form].hasPlace)
+    {
+        place = {track.owner, double(numbers[0]) * m_quantum, double(numbers[1]) * m_quantum,
+                 double(numbers[2]) * 0.0001};
+    }
+    else
+    {
+        const auto origin =
+            std::find_if(frame.origins.begin(), frame.origins.end(),
+                         [&](const PageOrigin& known) { return known.owner == track.owner; });
+        ASSERT_NE(origin, frame.origins.end()) << "body " << track.owner << " has no place";
+        place = *origin;
+    }
+    const PageOrigin before = track.before.value_or(place);
+    const double rate = m_head["framesPerSecond"].get<double>() / m_head["speed"].get<double>();
+    const auto velocity = [&](Column& column, double now, double then) {
+        return double(column.Difference()) * 0.02 + (now - then) * rate;
+    };
+    const double x = velocity(velocities[0], place.x, before.x);
+    const double y = velocity(velocities[1], place.y, before.y);
+    const double spin = velocity(velocities[2], place.angle, before.angle);
+    frame.states.push_back({place, x, y, spin});
+    track.before = place;
+}
+
 void Reader::ReadGroup(const std::string& text, std::vector<PageFrame>& frames)
 {
     Bytes bytes{text};
     const std::uint64_t count = bytes.Varint();
     Bytes sequence{bytes.Part()};
-    Column columns[6];
+    Column columns[9];
     for (Column& column : columns)
     {
         column.small.text = bytes.Part();
@@ -320,11 +362,16 @@ void Reader::ReadGroup(const std::string& text, std::vector<PageFrame>& frames)
         }
         for (Track& track : m_tracks)
         {
-            const bool isRigid = m_forms[track.form].isRigid;
+            const bool isRigid = m_forms[track.form].isRigid || m_forms[track.form].isBody;
             std::vector<std::int64_t> numbers;
             for (std::size_t k = 0; k < track.histories.size(); ++k)
             {
                 numbers.push_back(columns[isRigid ? k : 3 + k % 2].Next(track.histories[k]));
+            }
+            if (m_forms[track.form].isBody)
+            {
+                ReadState(track, numbers, &columns[6], frame);
+                continue;
             }
             Place(track, numbers, frame);
         }

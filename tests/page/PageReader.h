@@ -34,10 +34,20 @@ struct PageOrigin
     double angle = 0.0;
 };
 
+/// A body's state.
+struct PageState
+{
+    PageOrigin place;
+    double velocityX = 0.0; ///< [m/s]
+    double velocityY = 0.0; ///< [m/s]
+    double spin = 0.0;      ///< [rad/s]
+};
+
 struct PageFrame
 {
     std::vector<PageItem> items;
     std::vector<PageOrigin> origins;
+    std::vector<PageState> states;
     double viewX = 0.0;      ///< of the middle [m]
     double viewY = 0.0;      ///< of the middle [m]
     double viewHeight = 0.0; ///< [m]

@@ -37,7 +37,9 @@ std::vector<PageBody> BodiesOf(const SceneSession& session)
         bodies.push_back({std::uint32_t(b->GetNumber()),
                           {b->GetPosition().x, b->GetPosition().y},
                           b->GetAngle(),
-                          ""});
+                          "",
+                          {b->GetLinearVelocity().x, b->GetLinearVelocity().y},
+                          b->GetAngularVelocity()});
     }
     return bodies;
 }
@@ -119,6 +121,50 @@ TEST_F(PageScenes, HaveTheOriginsOfBodies)
     }
     EXPECT_GT(compared, 30u);
 }
+
+class StatesOfScene : public PageScenes, public testing::WithParamInterface<const char*>
+{};
+
+TEST_P(StatesOfScene, AreThoseOfTheBodies)
+{
+    std::vector<std::vector<PageBody>> bodies;
+    Write(GetParam(), "shapes", 260, // more than a group
+          [&](const DrawList&, const auto& now) { bodies.push_back(now); });
+    const test::ReadPage page = test::ReadPageFile(path);
+    ASSERT_EQ(page.frames.size(), bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+        const std::vector<test::PageState>& states = page.frames[i].states;
+        ASSERT_EQ(states.size(), bodies[i].size()) << "frame " << i;
+        for (const test::PageState& state : states)
+        {
+            const auto body =
+                std::find_if(bodies[i].begin(), bodies[i].end(), [&](const PageBody& known) {
+                    return known.number == state.place.owner;
+                });
+            ASSERT_NE(body, bodies[i].end());
+            constexpr double kShown = 0.00051; // half of the last digit on the page [m, rad]
+            constexpr double kVelocity = kPageVelocityError + 0.001;
+            SCOPED_TRACE("frame " + std::to_string(i) + ", body " + std::to_string(body->number));
+            ASSERT_NEAR(state.place.x, double(body->position.x), kShown);
+            ASSERT_NEAR(state.place.y, double(body->position.y), kShown);
+            ASSERT_NEAR(state.place.angle, double(body->angle), kShown);
+            ASSERT_NEAR(state.velocityX, double(body->velocity.x), kVelocity);
+            ASSERT_NEAR(state.velocityY, double(body->velocity.y), kVelocity);
+            ASSERT_NEAR(state.spin, double(body->spin), kVelocity);
+        }
+    }
+}
+
+// Far from the origin, and where shapes bend, rigid forms cannot place bodies.
+INSTANTIATE_TEST_SUITE_P(Scenes, StatesOfScene,
+                         testing::Values("dominos", "chain", "far-pyramid", "skier",
+                                         "add-pair-stress-test", "tumbler"),
+                         [](const auto& scene) {
+                             std::string name = scene.param;
+                             std::erase(name, '-');
+                             return name;
+                         });
 
 TEST_F(PageScenes, AreCompact)
 {

@@ -30,6 +30,9 @@ inline constexpr double kPageZoom = 64.0;
 /// Largest difference between a coordinate on the page and in the list at that zoom [px].
 inline constexpr double kPagePixelError = 0.01;
 
+/// Largest difference between a velocity on the page and that of its body [m/s, rad/s].
+inline constexpr double kPageVelocityError = 0.01;
+
 /// Rate, colours and title of a page.
 struct PageSettings
 {
@@ -52,14 +55,16 @@ struct PageBody
     Vec2 position;            ///< of its origin [m]
     float angle = 0.0f;       ///< [rad]
     std::string name{};       ///< UTF-8; empty: none
+    Vec2 velocity{};          ///< of its centre of mass, kept to kPageVelocityError [m/s]
+    float spin = 0.0f;        ///< angular velocity, kept to kPageVelocityError [rad/s]
 };
 
 /// Writes draw lists to a web page.
 class PageWriter
 {
 public:
-    /// Starts the page. An Error (Unusable) for a setting out of range, or when the file exists or
-    /// its folder takes no file.
+    /// Starts the page. An Error (Unusable) for a name that does not end in .html, for a setting
+    /// out of range, or when the file exists or its folder takes no file.
     static Result<PageWriter> Open(const std::filesystem::path& path,
                                    const PageSettings& settings = {});
     /// Leaves the source in a moved-from state.
@@ -69,7 +74,7 @@ public:
     ~PageWriter(); ///< removes the page unless closed
 
     /// Appends a frame. The camera's size must be that of the settings; its view is shown until the
-    /// reader chooses another. `bodies`: position and name of bodies, in any order; may be empty.
+    /// reader chooses another. `bodies`: state and name of bodies, in any order; may be empty.
     /// An Error (Unusable) for a camera that cannot be drawn; (Failed) when the disk is full.
     Result<void> Append(const DrawList& list, const Camera& camera,
                         std::span<const PageBody> bodies = {});
