@@ -88,7 +88,8 @@ class Writer:
     def property(self, name, value):
         first = (inspect.getdoc(value.fget) or "").splitlines()
         found = SIGNATURE.match(first[0]) if first else None
-        kind = self.type_of(found[2]) if found and found[2] else "Any"
+        written = getattr(value.fget, "__annotations__", {}).get("return")  # of a property in Python
+        kind = written.__name__ if written else self.type_of(found[2]) if found and found[2] else "Any"
         text = re.sub(r"^\(.*?\) -> \S+\s*", "", inspect.getdoc(value) or "", flags=re.DOTALL).replace("\n", " ").strip()
         self.lines.append(f"    @property\n    def {name}(self) -> {kind}:" + (f'\n        """{text}"""\n        ...' if text else " ..."))
         if value.fset:

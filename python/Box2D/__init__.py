@@ -18,6 +18,7 @@ from ._definitions import *  # noqa: F401,F403
 from ._callbacks import *  # noqa: F401,F403
 from ._additions import *  # noqa: F401,F403
 from ._collision import *  # noqa: F401,F403
+from ._bound import *  # noqa: F401,F403
 
 __version__ = "2.3.0"
 __version_info__ = (2, 3, 0)

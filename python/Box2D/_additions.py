@@ -5,8 +5,8 @@ import copy
 import copyreg
 
 import _boxreel
-from _boxreel import (b2Body, b2ChainShape, b2CircleShape, b2Contact, b2EdgeShape, b2Filter, b2Fixture,
-                      b2FixtureFilter, b2Joint, b2PolygonShape, b2RayCastInput, b2Shape, b2World)
+from _boxreel import (b2Body, b2ChainShape, b2CircleShape, b2Contact, b2EdgeShape, b2Fixture, b2Joint,
+                      b2PolygonShape, b2RayCastInput, b2Shape, b2World)
 
 from ._definitions import JOINT_DEFINITIONS, b2BodyDef, b2FixtureDef, b2JointDef
 
@@ -19,7 +19,7 @@ class _Edge:
         self._item = item
 
     def __getattr__(self, name):
-        if name.startswith("__"):
+        if name.startswith("_"):
             raise AttributeError(name)
         return getattr(self._item, name)
 
@@ -392,12 +392,6 @@ def _refuse_copies(self, protocol):
     raise TypeError(f"a {type(self).__name__} cannot be copied or pickled; copy the numbers that you need")
 
 
-def _filter_of(categoryBits, maskBits, groupIndex):
-    return b2Filter(categoryBits=categoryBits, maskBits=maskBits, groupIndex=groupIndex)
-
-
-b2FixtureFilter.__reduce_ex__ = lambda self, protocol: (
-    _filter_of, (self.categoryBits, self.maskBits, self.groupIndex))
 for _class in vars(_boxreel).values():
     if isinstance(_class, type) and not issubclass(_class, Exception):
         if "__reduce_ex__" not in vars(_class) and not issubclass(_class, b2Joint):

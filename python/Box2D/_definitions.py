@@ -32,6 +32,8 @@ class _Definition:
     def __setattr__(self, name, value):
         if isinstance(self._fields.get(name), b2Vec2):
             value = b2Vec2(value)
+        elif isinstance(value, b2Filter) and type(value) is not b2Filter:
+            value = value.copy()  # of a fixture, which may change
         object.__setattr__(self, name, value)
 
     def _values(self):

@@ -26,6 +26,7 @@ from . import b2_linearSleepTolerance as linearSleepTolerance
 from . import b2_angularSleepTolerance as angularSleepTolerance
 from . import b2_minPulleyLength as minPulleyLength
 from . import b2_chunkSize as chunkSize
+from . import b2_chunkArrayIncrement as chunkArrayIncrement
 from . import b2_maxBlockSize as maxBlockSize
 from . import b2_blockSizes as blockSizes
 from . import b2_stackSize as stackSize
@@ -101,7 +102,6 @@ from . import b2CollideEdgeAndPolygon as collideEdgeAndPolygon
 from . import b2TestOverlap as testOverlap
 from . import b2Contact as contact
 from . import b2Body as body
-from . import b2FixtureFilter as fixtureFilter
 from . import b2Fixture as fixture
 from . import b2Joint as joint
 from . import b2RevoluteJoint as revoluteJoint
@@ -160,6 +160,8 @@ from . import b2JointCompare as jointCompare
 from . import b2ShapeCompare as shapeCompare
 from . import b2Random as random
 from . import RAND_LIMIT as RAND_LIMIT
+from . import b2BodyVelocity as bodyVelocity
+from . import b2FixtureFilter as fixtureFilter
 from . import b2_version as version
 from . import b2LoopShape as loopShape
 from . import b2DebugDraw as debugDraw

@@ -10,25 +10,6 @@ namespace boxreel::python
 namespace
 {
 
-/// The filter of a fixture. What is written reaches the fixture, as in the 2.3 module. The
-/// fixture's object lives as long as the fixture, so a weak reference is enough.
-struct FixtureFilter final : b2Filter
-{
-    explicit FixtureFilter(py::handle fixture) : owner(fixture) {}
-
-    b2Fixture& Fixture() const
-    {
-        const py::object fixture = owner();
-        if (fixture.is_none())
-        {
-            ThrowMisuse("this fixture was destroyed, or its world was; it cannot be used");
-        }
-        return fixture.cast<FixtureHandle&>().Get();
-    }
-
-    py::weakref owner;
-};
-
 b2Body& BodyOf(const BodyHandle& handle)
 {
     return handle.Get();
@@ -278,6 +259,7 @@ void BindBody(py::module_& module)
                 return EdgesOf(h, BodyOf(h).GetContactList(),
                                [&](b2ContactEdge* e) { return WrapContact(*h.world, e->contact); });
             })
+        .def_property_readonly("_exists", [](const BodyHandle& h) { return h.world != nullptr; })
         .def_property_readonly(
             "next", [](const BodyHandle& h) { return Wrap(*h.world, BodyOf(h).GetNext()); },
             "The body created before this one, or None.")
@@ -324,50 +306,20 @@ b2Fixture& FixtureOf(const FixtureHandle& handle)
     return handle.Get();
 }
 
-b2Fixture& FixtureOf(const FixtureFilter& filter)
+/// Adds a property for a part of the collision filter.
+template <auto member>
+void FilterPart(py::class_<FixtureHandle>& type, const char* name, const char* doc)
 {
-    return filter.Fixture();
-}
-
-/// Adds a property of the collision filter to fixtures or to their filters.
-template <auto member, class Class>
-void FilterPart(Class& type, const char* name, const char* doc)
-{
-    using Owner = typename Class::type;
     using T = std::remove_cvref_t<decltype(b2Filter().*member)>;
     type.def_property(
-        name, [](const Owner& owner) { return FixtureOf(owner).GetFilterData().*member; },
-        [name](Owner& owner, py::handle value) {
+        name, [](const FixtureHandle& h) { return FixtureOf(h).GetFilterData().*member; },
+        [name](FixtureHandle& h, py::handle value) {
             const T part = From<T>(value, name);
-            b2Filter filter = FixtureOf(owner).GetFilterData();
+            b2Filter filter = FixtureOf(h).GetFilterData();
             filter.*member = part;
-            FixtureOf(owner).SetFilterData(filter);
+            FixtureOf(h).SetFilterData(filter);
         },
         doc);
-}
-
-template <class Class>
-void FilterParts(Class& type)
-{
-    FilterPart<&b2Filter::categoryBits>(type, "categoryBits",
-                                        "Categories of the fixture, 0 to 65535.");
-    FilterPart<&b2Filter::maskBits>(type, "maskBits",
-                                    "Categories that it collides with, 0 to 65535.");
-    FilterPart<&b2Filter::groupIndex>(type, "groupIndex",
-                                      "Group that always or never collides; 0: none.");
-}
-
-void BindFixtureFilter(py::module_& module)
-{
-    py::class_<FixtureFilter, b2Filter> type(
-        module, "b2FixtureFilter", "The filter of a fixture. What is written reaches the fixture.");
-    FilterParts(type);
-    const auto copy = [](const FixtureFilter& self) { return FixtureOf(self).GetFilterData(); };
-    type.def("copy", copy, "Returns a b2Filter of the same numbers.")
-        .def("__copy__", copy)
-        .def(
-            "__deepcopy__", [copy](const FixtureFilter& self, py::handle) { return copy(self); },
-            py::arg("memo"));
 }
 
 void BindFixture(py::module_& module)
@@ -386,17 +338,18 @@ void BindFixture(py::module_& module)
     Property(type, "sensor", &b2Fixture::IsSensor, &b2Fixture::SetSensor,
              "True if it reports contacts without a collision response.");
     type.def_property(
-        "filterData",
-        [](py::handle self) {
-            FixtureOf(self.cast<FixtureHandle&>());
-            return FixtureFilter(self);
-        },
+        "filterData", [](const FixtureHandle& h) { return FixtureOf(h).GetFilterData(); },
         [](FixtureHandle& h, py::handle value) {
             const b2Filter filter = From<b2Filter>(value, "filterData");
             FixtureOf(h).SetFilterData(filter);
         },
         "The collision filter. What is written to it reaches the fixture.");
-    FilterParts(type);
+    FilterPart<&b2Filter::categoryBits>(type, "categoryBits",
+                                        "Categories of the fixture, 0 to 65535.");
+    FilterPart<&b2Filter::maskBits>(type, "maskBits",
+                                    "Categories that it collides with, 0 to 65535.");
+    FilterPart<&b2Filter::groupIndex>(type, "groupIndex",
+                                      "Group that always or never collides; 0: none.");
     ReadOnly(type, "type", &b2Fixture::GetType, "Type of the shape.");
     type.def_property_readonly(
             "shape", [](const FixtureHandle& h) { return CopyOfShape(*FixtureOf(h).GetShape()); },
@@ -465,10 +418,6 @@ void BindFixture(py::module_& module)
 template <>
 b2Filter From<b2Filter>(py::handle value, const char* name)
 {
-    if (py::isinstance<FixtureFilter>(value))
-    {
-        return FixtureOf(value.cast<const FixtureFilter&>()).GetFilterData();
-    }
     if (!py::isinstance<b2Filter>(value))
     {
         ThrowType(name, "a b2Filter", value);
@@ -479,7 +428,6 @@ b2Filter From<b2Filter>(py::handle value, const char* name)
 void BindBodies(py::module_& module)
 {
     BindBody(module);
-    BindFixtureFilter(module);
     BindFixture(module);
 }
 

@@ -155,7 +155,20 @@ void RefuseConstruction(const py::object& type, const std::string& name)
             [name](py::handle, const py::args&, const py::kwargs&) {
                 throw py::type_error(name + ": it has no constructor; the engine makes these");
             },
-            py::name("__init__"), py::is_method(type));
+            // Not __init__: of a constructor by name pybind11 demands an object of just this class.
+            py::name("refuse"), py::is_method(type));
+    }
+}
+
+/// Refuses objects of `Class.__new__(Class)`, which no constructor has filled. pybind11 asks this
+/// function for their memory at the first use.
+void RefuseUninitialized(const py::object& type)
+{
+    if (auto* info = py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(type.ptr())))
+    {
+        info->operator_new = [](std::size_t) -> void* {
+            throw py::type_error("the object is not initialized; call its class to make one");
+        };
     }
 }
 
@@ -196,6 +209,7 @@ void AddFallbacks(py::module_& module)
             const py::object type = pair[1];
             AddToAll(type, py::str(pair[0]));
             RefuseConstruction(type, py::str(pair[0]));
+            RefuseUninitialized(type);
         }
     }
 }

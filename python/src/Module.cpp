@@ -42,6 +42,7 @@ void BindConstants(py::module_& module)
     number("b2_angularSleepTolerance", double(b2_angularSleepTolerance));
     number("b2_minPulleyLength", double(b2_minPulleyLength));
     number("b2_chunkSize", b2_chunkSize);
+    number("b2_chunkArrayIncrement", 128); // only a name: this allocator has a list of chunks
     number("b2_maxBlockSize", b2_maxBlockSize);
     number("b2_blockSizes", b2_blockSizes);
     number("b2_stackSize", b2_stackSize);

@@ -5,7 +5,7 @@
 #
 # Packs the build as Debian packages and installs them where nothing else is: a minimal Debian 12 in a
 # folder. The program works there with what its package depends on, its manual page and completions are
-# found, the other package's library is linked, and removing them leaves nothing.
+# found, the other packages' library and Python module are used, and removing them leaves nothing.
 #
 # Exit codes: 0 all is well, 77 this machine cannot try it, anything else a failure. After a failure
 # the folder stays for a look.
@@ -64,7 +64,20 @@ END
 inside 'cd /tmp && c++ -std=c++20 film.cpp -o film $(pkg-config --static --cflags --libs boxreel-recorder boxreel-debugdraw) && ./film && test -s ball.mp4' ||
     fail 'a program that links the libraries'
 
-inside 'apt-get remove -y -q boxreel libboxreel-dev' >"$work/apt.log" 2>&1 || fail 'the packages cannot be removed'
+inside "$apt /tmp/python3-boxreel_*.deb" >"$work/apt.log" 2>&1 || { tail "$work/apt.log"; fail 'the package for Python cannot be installed'; }
+cat >"$root/tmp/ball.py" <<'END'
+import boxreel
+from Box2D import b2World
+world = b2World(gravity=(0, -10))
+world.CreateDynamicBody(position=(0, 4)).CreateCircleFixture(radius=0.5, density=1)
+with boxreel.film("ball.mp4", size=(64, 64)) as film:
+    for _ in range(10):
+        world.Step(1 / 60, 8, 3)
+        film.add(world)
+END
+inside 'cd /tmp && rm ball.mp4 && python3 ball.py && test -s ball.mp4' || fail 'a program in Python'
+
+inside 'apt-get remove -y -q boxreel libboxreel-dev python3-boxreel' >"$work/apt.log" 2>&1 || fail 'the packages cannot be removed'
 left=$(find "$root/usr" -name '*boxreel*')
 [ -z "$left" ] || fail "removing them leaves $left"
 rm -rf "$root"

@@ -195,6 +195,38 @@ class Conversions(unittest.TestCase):
             b2PolygonShape(vertices=Endless((0, 0), 4))
 
 
+class Uninitialized(unittest.TestCase):
+    def test_objects_without_constructor_refuse_every_use(self):
+        for cls in (value for value in vars(Box2D).values() if isinstance(value, type)):
+            try:
+                made = cls.__new__(cls)
+            except TypeError:
+                continue
+            for name in dir(cls):
+                if name not in ("__class__", "__new__", "__init__"):
+                    try:
+                        value = getattr(made, name)
+                        value() if callable(value) else None
+                    except (TypeError, AttributeError, LookupError, ValueError):
+                        pass
+        for cls, name in ((Box2D.b2Body, "position"), (Box2D.b2Vec2, "x"), (b2World, "gravity")):
+            with self.assertRaises(TypeError):
+                getattr(cls.__new__(cls), name)
+
+    def test_constructors_refuse_objects_of_other_classes(self):
+        world = b2World()
+        body = ball(world)
+        fixture = body.fixtures[0]
+        for cls in (value for value in vars(Box2D).values() if isinstance(value, type)):
+            for other in (body, fixture, fixture.shape, fixture.filterData, body.linearVelocity, world, None):
+                for name in ("__init__", "__setstate__", "__copy__"):
+                    for arguments in ((), (1, 2), ((1, 2),)):
+                        try:
+                            getattr(cls, name)(other, *arguments)
+                        except (TypeError, AttributeError, ValueError):
+                            pass
+
+
 class Destroyed(unittest.TestCase):
     def test_objects_refuse_every_use(self):
         world = b2World()

@@ -8,13 +8,55 @@ import unittest
 
 import Box2D
 from Box2D import (b2AABB, b2BodyDef, b2CircleShape, b2EdgeShape, b2FixtureDef, b2MassData, b2PolygonShape,
-                   b2QueryCallback, b2RayCastCallback, b2World)
+                   b2QueryCallback, b2RayCastCallback, b2Vec2, b2World)
 from Box2D import b2
 
 
 def ball(world, position, **keywords):
     return world.CreateDynamicBody(
         position=position, fixtures=b2FixtureDef(shape=b2CircleShape(radius=0.5), density=1, **keywords))
+
+
+class Velocity(unittest.TestCase):
+    def setUp(self):
+        self.world = b2World(gravity=(0, 0))
+        self.body = self.world.CreateDynamicBody()
+
+    def test_reaches_the_body_when_changed(self):
+        velocity = self.body.linearVelocity
+        velocity.x = 4
+        self.assertEqual(self.body.linearVelocity, (4, 0))
+        velocity[1] = 3
+        self.assertEqual(self.body.linearVelocity, (4, 3))
+        self.body.linearVelocity *= 2
+        self.assertEqual(self.body.linearVelocity, (8, 6))
+        velocity.length = 1
+        self.assertAlmostEqual(self.body.linearVelocity.x, 0.8, 6)
+        velocity.tuple = (2, 1)
+        velocity += (1, 0)
+        self.assertEqual(self.body.linearVelocity, (3, 1))
+        velocity.SetZero()
+        self.assertEqual(self.body.linearVelocity, (0, 0))
+
+    def test_component_keeps_the_newer_other_one(self):
+        velocity = self.body.linearVelocity
+        self.body.linearVelocity = 0, 7
+        velocity.x = 1
+        self.assertEqual(self.body.linearVelocity, (1, 7))
+
+    def test_copies_and_sums_are_plain_vectors(self):
+        velocity = self.body.linearVelocity
+        for plain in (copy.copy(velocity), velocity.copy(), copy.deepcopy(velocity), +velocity, velocity + (0, 0),
+                      pickle.loads(pickle.dumps(velocity))):
+            self.assertIs(type(plain), b2Vec2)
+            plain.x = 5
+        self.assertEqual(self.body.linearVelocity, (0, 0))
+
+    def test_outlives_the_body(self):
+        velocity = self.body.linearVelocity
+        self.world.DestroyBody(self.body)
+        velocity.x = 3
+        self.assertEqual(velocity, (3, 0))
 
 
 class Worlds(unittest.TestCase):
