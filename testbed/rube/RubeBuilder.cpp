@@ -70,21 +70,7 @@ private:
 
     void BuildBody(const RubeBody& source)
     {
-        b2BodyDef definition;
-        definition.type = source.type;
-        definition.position = source.position;
-        definition.angle = source.angle;
-        definition.linearVelocity = source.linearVelocity;
-        definition.angularVelocity = source.angularVelocity;
-        definition.linearDamping = source.linearDamping;
-        definition.angularDamping = source.angularDamping;
-        definition.gravityScale = source.gravityScale;
-        definition.bullet = source.isBullet;
-        definition.allowSleep = source.allowSleep;
-        definition.awake = source.isAwake;
-        definition.active = source.isActive;
-        definition.fixedRotation = source.fixedRotation;
-        b2Body* body = m_world.CreateBody(&definition);
+        b2Body* body = m_world.CreateBody(&source);
         m_bodies.push_back(body);
 
         m_weighsTogether = source.fixtures.size() > kManyFixtures;
@@ -149,19 +135,19 @@ private:
     std::string BuildFixture(const RubeFixture& source, b2Body& body)
     {
         const auto attach = [&](const b2Shape& shape) { Attach(source, shape, body); };
-        if (const auto* circle = std::get_if<RubeCircle>(&source.shape))
+        if (const auto* circle = std::get_if<RubeCircle>(&source.geometry))
         {
             return BuildCircle(*circle, attach);
         }
-        if (const auto* edge = std::get_if<RubeEdge>(&source.shape))
+        if (const auto* edge = std::get_if<RubeEdge>(&source.geometry))
         {
             return BuildEdge(*edge, attach);
         }
-        if (const auto* chain = std::get_if<RubeChain>(&source.shape))
+        if (const auto* chain = std::get_if<RubeChain>(&source.geometry))
         {
             return BuildChain(*chain, attach);
         }
-        if (const auto* polygon = std::get_if<RubePolygon>(&source.shape))
+        if (const auto* polygon = std::get_if<RubePolygon>(&source.geometry))
         {
             return BuildPolygon(*polygon, attach);
         }
@@ -170,15 +156,9 @@ private:
 
     void Attach(const RubeFixture& source, const b2Shape& shape, b2Body& body) const
     {
-        b2FixtureDef definition;
+        b2FixtureDef definition(source);
         definition.shape = &shape;
-        definition.friction = source.friction;
-        definition.restitution = source.restitution;
         definition.density = m_weighsTogether ? 0.0f : source.density;
-        definition.isSensor = source.isSensor;
-        definition.filter.categoryBits = source.categoryBits;
-        definition.filter.maskBits = source.maskBits;
-        definition.filter.groupIndex = source.groupIndex;
         if (b2Fixture* const fixture = body.CreateFixture(&definition))
         {
             fixture->SetDensity(source.density);

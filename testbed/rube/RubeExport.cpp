@@ -2,12 +2,14 @@
 #include "RubeExport.h"
 
 #include "RubeBuilder.h"
+#include "RubeFields.h"
 #include "RubeFile.h"
 #include "RubeNames.h"
 #include "RubePolygons.h"
 #include "RubeText.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace boxreel
@@ -29,6 +31,17 @@ std::vector<Part*> InOrder(Part* newest)
     }
     std::reverse(parts.begin(), parts.end());
     return parts;
+}
+
+/// Sets the members that VisitFields names to what a part of the engine says.
+void Take(auto& said, const auto& part)
+{
+    VisitFields(said, [&part](const char*, auto& member, const auto&, const auto& getter) {
+        if constexpr (!std::is_null_pointer_v<std::decay_t<decltype(getter)>>)
+        {
+            member = std::invoke(getter, part);
+        }
+    });
 }
 
 // ---- Shapes
@@ -72,7 +85,7 @@ bool IsOneSided(const b2Shape& shape)
             static_cast<const b2ChainShape&>(shape).m_oneSided);
 }
 
-decltype(RubeFixture::shape) ShapeOf(const b2Shape& shape)
+decltype(RubeFixture::geometry) ShapeOf(const b2Shape& shape)
 {
     switch (shape.GetType())
     {
@@ -94,33 +107,15 @@ decltype(RubeFixture::shape) ShapeOf(const b2Shape& shape)
 RubeFixture FixtureOf(const b2Fixture& fixture)
 {
     RubeFixture said;
-    said.restitution = fixture.GetRestitution();
-    said.friction = fixture.GetFriction();
-    said.density = fixture.GetDensity();
-    said.isSensor = fixture.IsSensor();
-    said.categoryBits = fixture.GetFilterData().categoryBits;
-    said.maskBits = fixture.GetFilterData().maskBits;
-    said.groupIndex = fixture.GetFilterData().groupIndex;
-    said.shape = ShapeOf(*fixture.GetShape());
+    Take(said, fixture);
+    said.geometry = ShapeOf(*fixture.GetShape());
     return said;
 }
 
 RubeBody BodyOf(b2Body& body)
 {
     RubeBody said;
-    said.type = body.GetType();
-    said.position = body.GetPosition();
-    said.angle = body.GetAngle();
-    said.linearVelocity = body.GetLinearVelocity();
-    said.angularVelocity = body.GetAngularVelocity();
-    said.linearDamping = body.GetLinearDamping();
-    said.angularDamping = body.GetAngularDamping();
-    said.gravityScale = body.GetGravityScale();
-    said.isBullet = body.IsBullet();
-    said.allowSleep = body.IsSleepingAllowed();
-    said.isAwake = body.IsAwake();
-    said.isActive = body.IsActive();
-    said.fixedRotation = body.IsFixedRotation();
+    Take(said, body);
     for (const b2Fixture* fixture : InOrder(body.GetFixtureList()))
     {
         said.fixtures.push_back(FixtureOf(*fixture));
@@ -129,45 +124,6 @@ RubeBody BodyOf(b2Body& body)
 }
 
 // ---- Joints
-
-template <class Joint>
-void SetAnchors(RubeJoint& said, const Joint& joint)
-{
-    said.anchorA = joint.GetLocalAnchorA();
-    said.anchorB = joint.GetLocalAnchorB();
-}
-
-template <class Said, class Joint>
-void SetLimitAndMotor(Said& said, const Joint& joint)
-{
-    said.referenceAngle = joint.GetReferenceAngle();
-    said.enableLimit = joint.IsLimitEnabled();
-    said.lowerLimit = joint.GetLowerLimit();
-    said.upperLimit = joint.GetUpperLimit();
-    said.enableMotor = joint.IsMotorEnabled();
-    said.motorSpeed = joint.GetMotorSpeed();
-}
-
-void Describe(RubeJoint& said, b2RevoluteJoint& joint)
-{
-    RubeRevolute revolute;
-    SetLimitAndMotor(revolute, joint);
-    revolute.maxMotorTorque = joint.GetMaxMotorTorque();
-    SetAnchors(said, joint);
-    said.type = "revolute";
-    said.details = revolute;
-}
-
-void Describe(RubeJoint& said, b2PrismaticJoint& joint)
-{
-    RubePrismatic prismatic;
-    SetLimitAndMotor(prismatic, joint);
-    prismatic.axis = joint.GetLocalAxisA();
-    prismatic.maxMotorForce = joint.GetMaxMotorForce();
-    SetAnchors(said, joint);
-    said.type = "prismatic";
-    said.details = prismatic;
-}
 
 /// True if a distance joint is a rope: it has a maximum length and nothing else.
 bool IsRope(const b2DistanceJoint& joint)
@@ -186,74 +142,18 @@ bool HasUnsaidLimits(const b2DistanceJoint& joint)
     return !IsRope(joint) && minimum < maximum && (minimum > 0.0f || maximum < b2_maxFloat);
 }
 
-void Describe(RubeJoint& said, b2DistanceJoint& joint)
+void DescribeKind(RubeJoint&, std::monostate, b2Joint&) {}
+
+void DescribeKind(RubeJoint& said, auto kind, b2Joint& engineJoint)
 {
-    SetAnchors(said, joint);
-    if (IsRope(joint))
+    const auto& joint = static_cast<typename decltype(kind)::Joint&>(engineJoint);
+    Take(kind, joint);
+    if constexpr (requires { joint.GetLocalAnchorA(); })
     {
-        said.type = "rope";
-        said.details = RubeRope{joint.GetMaxLength()};
-        return;
+        said.anchorA = joint.GetLocalAnchorA();
+        said.anchorB = joint.GetLocalAnchorB();
     }
-    const bool isRod = joint.GetMinLength() == joint.GetMaxLength();
-    said.type = "distance";
-    said.details = RubeDistance{isRod ? joint.GetMinLength() : joint.GetLength(),
-                                isRod ? 0.0f : joint.GetFrequency(), joint.GetDampingRatio()};
-}
-
-void Describe(RubeJoint& said, b2PulleyJoint& joint)
-{
-    SetAnchors(said, joint);
-    said.type = "pulley";
-    said.details =
-        RubePulley{joint.GetGroundAnchorA(), joint.GetGroundAnchorB(), joint.GetDefinedLengthA(),
-                   joint.GetDefinedLengthB(), joint.GetRatio()};
-}
-
-void Describe(RubeJoint& said, b2MouseJoint& joint)
-{
-    said.anchorB = joint.GetAnchorB(); // in the world
-    said.type = "mouse";
-    said.details = RubeMouse{joint.GetTarget(), joint.GetMaxForce(), joint.GetFrequency(),
-                             joint.GetDampingRatio()};
-}
-
-void Describe(RubeJoint& said, b2WheelJoint& joint)
-{
-    SetAnchors(said, joint);
-    said.type = "wheel";
-    said.details = RubeWheel{joint.GetLocalAxisA(),        joint.IsMotorEnabled(),
-                             joint.GetMotorSpeed(),        joint.GetMaxMotorTorque(),
-                             joint.GetSpringFrequencyHz(), joint.GetSpringDampingRatio()};
-}
-
-void Describe(RubeJoint& said, b2MotorJoint& joint)
-{
-    said.type = "motor";
-    said.details = RubeMotor{joint.GetLinearOffset(), joint.GetAngularOffset(), joint.GetMaxForce(),
-                             joint.GetMaxTorque(), joint.GetCorrectionFactor()};
-}
-
-void Describe(RubeJoint& said, b2WeldJoint& joint)
-{
-    SetAnchors(said, joint);
-    said.type = "weld";
-    said.details =
-        RubeWeld{joint.GetReferenceAngle(), joint.GetFrequency(), joint.GetDampingRatio()};
-}
-
-void Describe(RubeJoint& said, b2FrictionJoint& joint)
-{
-    SetAnchors(said, joint);
-    said.type = "friction";
-    said.details = RubeFriction{joint.GetMaxForce(), joint.GetMaxTorque()};
-}
-
-void Describe(RubeJoint& said, b2RopeJoint& joint)
-{
-    SetAnchors(said, joint);
-    said.type = "rope";
-    said.details = RubeRope{joint.GetMaxLength()};
+    said.details = kind;
 }
 
 class Exporter
@@ -292,12 +192,7 @@ private:
     void DescribeWorld()
     {
         const b2World& world = m_world;
-        m_said.gravity = world.GetGravity();
-        m_said.allowSleep = world.GetAllowSleeping();
-        m_said.autoClearForces = world.GetAutoClearForces();
-        m_said.warmStarting = world.GetWarmStarting();
-        m_said.continuousPhysics = world.GetContinuousPhysics();
-        m_said.subStepping = world.GetSubStepping();
+        Take(m_said, world);
         if (world.GetSubStepCount() != 1)
         {
             m_leftOut.push_back({std::to_string(world.GetSubStepCount()) + " sub-steps", kNoWord});
@@ -328,53 +223,48 @@ private:
         said.bodyA = m_bodies.at(joint.GetBodyA());
         said.bodyB = m_bodies.at(joint.GetBodyB());
         said.collideConnected = joint.GetCollideConnected();
-        switch (joint.GetType())
+        const auto* const kind =
+            std::find_if(std::begin(kRubeKinds), std::end(kRubeKinds),
+                         [&](const RubeKindName& each) { return each.type == joint.GetType(); });
+        said.type = kind->name;
+        std::visit([&](const auto& empty) { DescribeKind(said, empty, joint); }, kind->empty);
+        if (auto* const gear = std::get_if<RubeGear>(&said.details))
         {
-        case e_revoluteJoint:
-            Describe(said, static_cast<b2RevoluteJoint&>(joint));
-            break;
-        case e_prismaticJoint:
-            Describe(said, static_cast<b2PrismaticJoint&>(joint));
-            break;
-        case e_distanceJoint:
-            Describe(said, static_cast<b2DistanceJoint&>(joint));
-            if (HasUnsaidLimits(static_cast<b2DistanceJoint&>(joint)))
-            {
-                m_leftOut.push_back(
-                    {"minimum and maximum length of " + WithName("joint", m_said.joints.size(), ""),
-                     kNoWord});
-            }
-            break;
-        case e_pulleyJoint:
-            Describe(said, static_cast<b2PulleyJoint&>(joint));
-            break;
-        case e_mouseJoint:
-            Describe(said, static_cast<b2MouseJoint&>(joint));
-            break;
-        case e_gearJoint: {
-            auto& gear = static_cast<b2GearJoint&>(joint);
-            said.type = "gear";
-            said.details = RubeGear{m_joints.at(gear.GetJoint1()), m_joints.at(gear.GetJoint2()),
-                                    gear.GetRatio()};
-            break;
+            gear->index1 = m_joints.at(static_cast<b2GearJoint&>(joint).GetJoint1());
+            gear->index2 = m_joints.at(static_cast<b2GearJoint&>(joint).GetJoint2());
         }
-        case e_wheelJoint:
-            Describe(said, static_cast<b2WheelJoint&>(joint));
-            break;
-        case e_weldJoint:
-            Describe(said, static_cast<b2WeldJoint&>(joint));
-            break;
-        case e_frictionJoint:
-            Describe(said, static_cast<b2FrictionJoint&>(joint));
-            break;
-        case e_ropeJoint:
-            Describe(said, static_cast<b2RopeJoint&>(joint));
-            break;
-        default:
-            Describe(said, static_cast<b2MotorJoint&>(joint));
-            break;
+        else if (joint.GetType() == e_mouseJoint)
+        {
+            said.anchorB = joint.GetAnchorB(); // in the world
+        }
+        else if (joint.GetType() == e_distanceJoint)
+        {
+            DescribeLengths(said, static_cast<b2DistanceJoint&>(joint));
         }
         m_said.joints.push_back(std::move(said));
+    }
+
+    void DescribeLengths(RubeJoint& said, const b2DistanceJoint& joint)
+    {
+        if (IsRope(joint))
+        {
+            RubeRope rope;
+            rope.maxLength = joint.GetMaxLength();
+            said.type = "rope";
+            said.details = rope;
+        }
+        else if (joint.GetMinLength() == joint.GetMaxLength()) // a rod
+        {
+            auto& distance = std::get<RubeDistance>(said.details);
+            distance.length = joint.GetMinLength();
+            distance.frequencyHz = 0.0f;
+        }
+        else if (HasUnsaidLimits(joint))
+        {
+            m_leftOut.push_back(
+                {"minimum and maximum length of " + WithName("joint", m_said.joints.size(), ""),
+                 kNoWord});
+        }
     }
 
     /// Copies the parts of the file that the engine does not use, if nothing was added or removed

@@ -3,6 +3,8 @@
 
 #include "RubeNames.h"
 
+#include <utility>
+
 namespace boxreel
 {
 
@@ -66,8 +68,13 @@ private:
         }
     }
 
-    std::string Create(const RubeJoint& source, b2JointDef& definition)
+    std::string Create(const RubeJoint& source, auto& definition)
     {
+        if constexpr (requires { definition.localAnchorA; })
+        {
+            definition.localAnchorA = source.anchorA;
+            definition.localAnchorB = source.anchorB;
+        }
         definition.bodyA = m_bodies[source.bodyA];
         definition.bodyB = m_bodies[source.bodyB];
         definition.collideConnected = source.collideConnected;
@@ -75,15 +82,15 @@ private:
         return "";
     }
 
-    static void Anchor(const RubeJoint& source, auto& definition)
+    /// Removes a limit that no joint can have.
+    void CheckLimit(bool& isEnabled, float32& lower, float32& upper)
     {
-        definition.localAnchorA = source.anchorA;
-        definition.localAnchorB = source.anchorB;
-    }
-
-    void ReportLimit()
-    {
-        m_leaveOut({"limit of " + m_who, "its lower end is above its upper end"});
+        if (!(lower <= upper))
+        {
+            m_leaveOut({"limit of " + m_who, "its lower end is above its upper end"});
+            isEnabled = false;
+            lower = upper = 0.0f;
+        }
     }
 
     // Empty if the joint was made, otherwise the reason why not.
@@ -93,122 +100,80 @@ private:
         return "joints of this kind cannot be built";
     }
 
-    std::string Make(const RubeJoint& source, const RubeRevolute& revolute)
+    std::string Make(const RubeJoint& source, auto definition)
     {
-        b2RevoluteJointDef definition;
-        Anchor(source, definition);
-        definition.referenceAngle = revolute.referenceAngle;
-        if (revolute.lowerLimit <= revolute.upperLimit)
-        {
-            definition.enableLimit = revolute.enableLimit;
-            definition.lowerAngle = revolute.lowerLimit;
-            definition.upperAngle = revolute.upperLimit;
-        }
-        else
-        {
-            ReportLimit();
-        }
-        definition.enableMotor = revolute.enableMotor;
-        definition.motorSpeed = revolute.motorSpeed;
-        definition.maxMotorTorque = revolute.maxMotorTorque;
         return Create(source, definition);
     }
 
-    std::string Make(const RubeJoint& source, const RubePrismatic& prismatic)
+    std::string Make(const RubeJoint& source, RubeRevolute revolute)
     {
-        b2PrismaticJointDef definition;
-        Anchor(source, definition);
-        definition.localAxisA = prismatic.axis;
-        if (!(definition.localAxisA.Normalize() > 0.0f))
+        CheckLimit(revolute.enableLimit, revolute.lowerAngle, revolute.upperAngle);
+        return Create(source, revolute);
+    }
+
+    std::string Make(const RubeJoint& source, RubePrismatic prismatic)
+    {
+        if (!(prismatic.localAxisA.Normalize() > 0.0f))
         {
             return kNoDirection;
         }
-        definition.referenceAngle = prismatic.referenceAngle;
-        if (prismatic.lowerLimit <= prismatic.upperLimit)
-        {
-            definition.enableLimit = prismatic.enableLimit;
-            definition.lowerTranslation = prismatic.lowerLimit;
-            definition.upperTranslation = prismatic.upperLimit;
-        }
-        else
-        {
-            ReportLimit();
-        }
-        definition.enableMotor = prismatic.enableMotor;
-        definition.motorSpeed = prismatic.motorSpeed;
-        definition.maxMotorForce = prismatic.maxMotorForce;
-        return Create(source, definition);
+        CheckLimit(prismatic.enableLimit, prismatic.lowerTranslation, prismatic.upperTranslation);
+        return Create(source, prismatic);
     }
 
     // The manual warns of short lengths; shorter than the tolerance has no direction at all.
-    std::string Make(const RubeJoint& source, const RubeDistance& distance)
+    std::string Make(const RubeJoint& source, RubeDistance distance)
     {
-        if (distance.length < b2_linearSlop)
-        {
-            return kNoLength;
-        }
-        b2DistanceJointDef definition;
-        Anchor(source, definition);
-        definition.length = distance.length;
-        definition.frequencyHz = distance.frequency;
-        definition.dampingRatio = distance.dampingRatio;
-        return Create(source, definition);
+        return distance.length < b2_linearSlop ? kNoLength : Create(source, distance);
     }
 
-    std::string Make(const RubeJoint& source, const RubePulley& pulley)
+    std::string Make(const RubeJoint& source, RubePulley pulley)
     {
-        if (!(pulley.ratio > b2_epsilon))
-        {
-            return "a pulley needs a ratio above zero";
-        }
-        b2PulleyJointDef definition;
-        Anchor(source, definition);
-        definition.groundAnchorA = pulley.groundAnchorA;
-        definition.groundAnchorB = pulley.groundAnchorB;
-        definition.lengthA = pulley.lengthA;
-        definition.lengthB = pulley.lengthB;
-        definition.ratio = pulley.ratio;
-        return Create(source, definition);
+        return pulley.ratio > b2_epsilon ? Create(source, pulley)
+                                         : "a pulley needs a ratio above zero";
     }
 
     // The body is held where it is, and pulled from the next step on.
-    std::string Make(const RubeJoint& source, const RubeMouse& mouse)
+    std::string Make(const RubeJoint& source, RubeMouse mouse)
     {
-        if (!(mouse.frequency > 0.0f))
+        if (!(mouse.frequencyHz > 0.0f))
         {
             return "a mouse joint needs a frequency above zero";
         }
-        b2MouseJointDef definition;
-        definition.target = source.anchorB;
-        definition.maxForce = mouse.maxForce;
-        definition.frequencyHz = mouse.frequency;
-        definition.dampingRatio = mouse.dampingRatio;
-        Create(source, definition);
-        static_cast<b2MouseJoint*>(m_joints[m_index])->SetTarget(mouse.target);
+        const b2Vec2 target = std::exchange(mouse.target, source.anchorB);
+        Create(source, mouse);
+        static_cast<b2MouseJoint*>(m_joints[m_index])->SetTarget(target);
         return "";
     }
 
-    std::string Make(const RubeJoint& source, const RubeGear& gear)
+    std::string Make(const RubeJoint& source, RubeGear gear)
     {
-        b2GearJointDef definition;
-        definition.joint1 = GearedJoint(gear.joint1);
-        definition.joint2 = GearedJoint(gear.joint2);
-        definition.ratio = gear.ratio;
-        if (definition.joint1 == nullptr || definition.joint2 == nullptr || gear.ratio == 0.0f ||
-            definition.joint1 == definition.joint2)
+        gear.joint1 = GearedJoint(gear.index1);
+        gear.joint2 = GearedJoint(gear.index2);
+        if (gear.joint1 == nullptr || gear.joint2 == nullptr || gear.ratio == 0.0f ||
+            gear.joint1 == gear.joint2)
         {
             return "a gear needs two joints, each revolute or prismatic, and a ratio other than "
                    "zero";
         }
         for (const std::size_t body : {source.bodyA, source.bodyB})
         {
-            if (!Holds(*definition.joint1, m_bodies[body]) &&
-                !Holds(*definition.joint2, m_bodies[body]))
+            if (!Holds(*gear.joint1, m_bodies[body]) && !Holds(*gear.joint2, m_bodies[body]))
             {
                 return "its " + NameOfBody(m_scene, body) + " is not of its two joints";
             }
         }
-        return Create(source, definition);
+        return Create(source, gear);
+    }
+
+    std::string Make(const RubeJoint& source, RubeWheel wheel)
+    {
+        return wheel.localAxisA.Normalize() > 0.0f ? Create(source, wheel) : kNoDirection;
+    }
+
+    std::string Make(const RubeJoint& source, RubeRope rope)
+    {
+        return rope.maxLength > b2_linearSlop ? Create(source, rope) : kNoLength;
     }
 
     static bool Holds(b2Joint& joint, const b2Body* body)
@@ -222,65 +187,6 @@ private:
         const bool turnsOrSlides = joint != nullptr && (joint->GetType() == e_revoluteJoint ||
                                                         joint->GetType() == e_prismaticJoint);
         return turnsOrSlides ? joint : nullptr;
-    }
-
-    std::string Make(const RubeJoint& source, const RubeWheel& wheel)
-    {
-        b2WheelJointDef definition;
-        Anchor(source, definition);
-        definition.localAxisA = wheel.axis;
-        if (!(definition.localAxisA.Normalize() > 0.0f))
-        {
-            return kNoDirection;
-        }
-        definition.enableMotor = wheel.enableMotor;
-        definition.motorSpeed = wheel.motorSpeed;
-        definition.maxMotorTorque = wheel.maxMotorTorque;
-        definition.frequencyHz = wheel.frequency;
-        definition.dampingRatio = wheel.dampingRatio;
-        return Create(source, definition);
-    }
-
-    std::string Make(const RubeJoint& source, const RubeMotor& motor)
-    {
-        b2MotorJointDef definition;
-        definition.linearOffset = motor.linearOffset;
-        definition.angularOffset = motor.angularOffset;
-        definition.maxForce = motor.maxForce;
-        definition.maxTorque = motor.maxTorque;
-        definition.correctionFactor = motor.correctionFactor;
-        return Create(source, definition);
-    }
-
-    std::string Make(const RubeJoint& source, const RubeWeld& weld)
-    {
-        b2WeldJointDef definition;
-        Anchor(source, definition);
-        definition.referenceAngle = weld.referenceAngle;
-        definition.frequencyHz = weld.frequency;
-        definition.dampingRatio = weld.dampingRatio;
-        return Create(source, definition);
-    }
-
-    std::string Make(const RubeJoint& source, const RubeFriction& friction)
-    {
-        b2FrictionJointDef definition;
-        Anchor(source, definition);
-        definition.maxForce = friction.maxForce;
-        definition.maxTorque = friction.maxTorque;
-        return Create(source, definition);
-    }
-
-    std::string Make(const RubeJoint& source, const RubeRope& rope)
-    {
-        if (!(rope.maxLength > b2_linearSlop))
-        {
-            return kNoLength;
-        }
-        b2RopeJointDef definition;
-        Anchor(source, definition);
-        definition.maxLength = rope.maxLength;
-        return Create(source, definition);
     }
 
     const RubeScene& m_scene;

@@ -10,9 +10,10 @@
 #include <vector>
 
 /// The content of a R.U.B.E. / b2dJson scene file as plain data, written by the reader (RubeText.h)
-/// and read by the builder (RubeBuilder.h). The defaults are those of the format, which sometimes
-/// differ from the engine's. Numbers are finite and within the reader's limits, and indices are
-/// valid. Some shapes may still be impossible to build.
+/// and read by the builder (RubeBuilder.h). Bodies, fixtures and joints contain the engine's
+/// definitions; the reader sets the members that RubeFields.h lists, which have other defaults in
+/// the format. Numbers are finite and within the limits of RubeFields.h, and indices are valid.
+/// Some shapes may still be impossible to build.
 namespace boxreel
 {
 
@@ -46,17 +47,10 @@ struct RubePolygon
     std::vector<b2Vec2> normals = {};
 };
 
-struct RubeFixture
+struct RubeFixture : b2FixtureDef
 {
     std::string name;
-    float32 restitution = 0.0f;
-    float32 friction = 0.0f;
-    float32 density = 0.0f; ///< [kg/m^2]
-    bool isSensor = false;
-    uint16 categoryBits = 1;
-    uint16 maskBits = 65535;
-    int16 groupIndex = 0;
-    std::variant<std::monostate, RubeCircle, RubeEdge, RubeChain, RubePolygon> shape;
+    std::variant<std::monostate, RubeCircle, RubeEdge, RubeChain, RubePolygon> geometry;
     std::string properties; ///< JSON text of what the engine has no use for; empty: none
 };
 
@@ -71,119 +65,45 @@ struct RubeImage
     std::optional<std::array<b2Vec2, 4>> corners; ///< in the body's frame [m], in turn
 };
 
-struct RubeBody
+struct RubeBody : b2BodyDef
 {
     std::string name;
-    b2BodyType type = b2_staticBody;
-    b2Vec2 position = b2Vec2(0.0f, 0.0f); ///< [m]
-    float32 angle = 0.0f;                 ///< [rad]
-    b2Vec2 linearVelocity = b2Vec2(0.0f, 0.0f);
-    float32 angularVelocity = 0.0f;
-    float32 linearDamping = 0.0f;
-    float32 angularDamping = 0.0f;
-    float32 gravityScale = 1.0f;
-    bool isBullet = false;
-    bool allowSleep = true;
-    bool isAwake = false;
-    bool isActive = true;
-    bool fixedRotation = false;
     std::optional<b2MassData>
         massData; ///< only when the file gives a mass; I about the body's origin
     std::vector<RubeFixture> fixtures;
     std::string properties; ///< as of a fixture
 };
 
-struct RubeRevolute
+/// A joint as the engine defines it, and its class there. The definition has the numbers of the
+/// file, which the builder may refuse; its bodies and anchors are those of RubeJoint.
+template <class Definition, class EngineJoint>
+struct RubeKind : Definition
 {
-    float32 referenceAngle = 0.0f; ///< [rad]
-    bool enableLimit = false;
-    float32 lowerLimit = 0.0f; ///< [rad]
-    float32 upperLimit = 0.0f; ///< [rad]
-    bool enableMotor = false;
-    float32 motorSpeed = 0.0f;     ///< [rad/s]
-    float32 maxMotorTorque = 0.0f; ///< [N m]
+    using Joint = EngineJoint;
 };
 
-struct RubeDistance
-{
-    float32 length = 0.0f;    ///< [m]
-    float32 frequency = 0.0f; ///< of the spring [Hz], 0 is rigid
-    float32 dampingRatio = 0.0f;
-};
-
-struct RubePrismatic
-{
-    b2Vec2 axis = b2Vec2(1.0f, 0.0f); ///< in body A's frame, of any length
-    float32 referenceAngle = 0.0f;    ///< [rad]
-    bool enableLimit = false;
-    float32 lowerLimit = 0.0f; ///< [m]
-    float32 upperLimit = 0.0f; ///< [m]
-    bool enableMotor = false;
-    float32 motorSpeed = 0.0f;    ///< [m/s]
-    float32 maxMotorForce = 0.0f; ///< [N]
-};
-
-struct RubePulley
-{
-    b2Vec2 groundAnchorA = b2Vec2(0.0f, 0.0f); ///< in the world, as that of B [m]
-    b2Vec2 groundAnchorB = b2Vec2(0.0f, 0.0f);
-    float32 lengthA = 0.0f; ///< [m]
-    float32 lengthB = 0.0f; ///< [m]
-    float32 ratio = 1.0f;
-};
-
+using RubeRevolute = RubeKind<b2RevoluteJointDef, b2RevoluteJoint>;
+using RubeDistance = RubeKind<b2DistanceJointDef, b2DistanceJoint>;
+using RubePrismatic = RubeKind<b2PrismaticJointDef, b2PrismaticJoint>; ///< axis of any length
+using RubePulley = RubeKind<b2PulleyJointDef, b2PulleyJoint>;
 /// Pulls body B at the point of the world that the joint gives as its anchor B.
-struct RubeMouse
+using RubeMouse = RubeKind<b2MouseJointDef, b2MouseJoint>;
+using RubeWheel = RubeKind<b2WheelJointDef, b2WheelJoint>; ///< axis of any length
+using RubeMotor = RubeKind<b2MotorJointDef, b2MotorJoint>;
+using RubeWeld = RubeKind<b2WeldJointDef, b2WeldJoint>;
+using RubeFriction = RubeKind<b2FrictionJointDef, b2FrictionJoint>;
+using RubeRope = RubeKind<b2RopeJointDef, b2RopeJoint>;
+
+struct RubeGear : RubeKind<b2GearJointDef, b2GearJoint>
 {
-    b2Vec2 target = b2Vec2(0.0f, 0.0f); ///< in the world [m]
-    float32 maxForce = 0.0f;            ///< [N]
-    float32 frequency = 0.0f;           ///< [Hz]
-    float32 dampingRatio = 0.0f;
+    std::size_t index1 = 0; ///< of joint 1 in RubeScene::joints, which may not have so many
+    std::size_t index2 = 0;
 };
 
-struct RubeGear
-{
-    std::size_t joint1 = 0; ///< index into RubeScene::joints, which may not have so many
-    std::size_t joint2 = 0;
-    float32 ratio = 1.0f;
-};
-
-struct RubeWheel
-{
-    b2Vec2 axis = b2Vec2(1.0f, 0.0f); ///< in body A's frame, of any length
-    bool enableMotor = false;
-    float32 motorSpeed = 0.0f;     ///< [rad/s]
-    float32 maxMotorTorque = 0.0f; ///< [N m]
-    float32 frequency = 0.0f;      ///< of the spring [Hz], 0: none
-    float32 dampingRatio = 0.0f;
-};
-
-struct RubeMotor
-{
-    b2Vec2 linearOffset = b2Vec2(0.0f, 0.0f); ///< body B's origin in body A's frame [m]
-    float32 angularOffset = 0.0f;             ///< [rad]
-    float32 maxForce = 0.0f;                  ///< [N]
-    float32 maxTorque = 0.0f;                 ///< [N m]
-    float32 correctionFactor = 0.3f;          ///< 0 to 1
-};
-
-struct RubeWeld
-{
-    float32 referenceAngle = 0.0f; ///< [rad]
-    float32 frequency = 0.0f;      ///< against turning [Hz], 0 is rigid
-    float32 dampingRatio = 0.0f;
-};
-
-struct RubeFriction
-{
-    float32 maxForce = 0.0f;  ///< [N]
-    float32 maxTorque = 0.0f; ///< [N m]
-};
-
-struct RubeRope
-{
-    float32 maxLength = 0.0f; ///< [m]
-};
+/// Nothing for other kinds.
+using RubeDetails =
+    std::variant<std::monostate, RubeRevolute, RubeDistance, RubePrismatic, RubePulley, RubeMouse,
+                 RubeGear, RubeWheel, RubeMotor, RubeWeld, RubeFriction, RubeRope>;
 
 struct RubeJoint
 {
@@ -194,14 +114,11 @@ struct RubeJoint
     bool collideConnected = false;
     b2Vec2 anchorA = b2Vec2(0.0f, 0.0f); ///< in body A's frame [m]
     b2Vec2 anchorB = b2Vec2(0.0f, 0.0f); ///< in body B's frame [m]
-    /// Nothing for other kinds.
-    std::variant<std::monostate, RubeRevolute, RubeDistance, RubePrismatic, RubePulley, RubeMouse,
-                 RubeGear, RubeWheel, RubeMotor, RubeWeld, RubeFriction, RubeRope>
-        details;
+    RubeDetails details;
     std::string properties; ///< as of a fixture
 };
 
-struct RubeScene
+struct RubeWorld
 {
     b2Vec2 gravity = b2Vec2(0.0f, 0.0f); ///< [m/s^2]
     bool allowSleep = true;
@@ -212,6 +129,10 @@ struct RubeScene
     float32 stepsPerSecond = 60.0f;
     int32 velocityIterations = 8;
     int32 positionIterations = 3;
+};
+
+struct RubeScene : RubeWorld
+{
     std::vector<RubeBody> bodies;
     std::vector<RubeJoint> joints;
     std::vector<RubeImage> images;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "RubeText.h"
 
+#include "RubeFields.h"
 #include "RubeJson.h"
 
 #include <base/ErrorMacros.h>
@@ -13,14 +14,8 @@ namespace boxreel
 namespace
 {
 
-// Limits that no sane scene reaches and that keep every later product finite.
-constexpr float32 kFarthest = 1e6f;   ///< coordinates and lengths: floats are 6 cm apart there [m]
-constexpr float32 kFastest = 1e6f;    ///< velocities [m/s, rad/s]
-constexpr float32 kWidest = 1e6f;     ///< angles [rad]
-constexpr float32 kStrongest = 1e12f; ///< forces, torques, masses, densities
 constexpr float32 kStiffest =
     1e25f; ///< rotational inertia: maximum mass at maximum distance [kg m^2]
-constexpr float32 kLargest = 1e6f; ///< everything without a unit, damping and frequencies
 
 b2Vec2 ReadVector(const JsonValue& value, float32 maximum = kFarthest)
 {
@@ -32,6 +27,47 @@ b2Vec2 ReadVector(const JsonValue& value, float32 maximum = kFarthest)
     const float32 y = value.Required("y").Number(0.0f, -maximum, maximum);
     return b2Vec2(x, y);
 }
+
+/// Sets each member that VisitFields names to its value in a JSON object.
+class FieldReader
+{
+public:
+    explicit FieldReader(const JsonValue& object) : m_object(object) {}
+
+    void operator()(const char* name, bool& member, bool fallback, const auto&) const
+    {
+        member = m_object.Member(name).Bool(fallback);
+    }
+
+    template <class Number>
+    void operator()(const char* name, Number& member, const RubeRange& range, const auto&) const
+    {
+        const JsonValue value = Find(name, range);
+        if constexpr (std::is_same_v<Number, b2Vec2>)
+        {
+            member = ReadVector(value, range.maximum);
+        }
+        else if constexpr (std::is_same_v<Number, float32>)
+        {
+            member = value.Number(range.fallback, range.minimum, range.maximum);
+        }
+        else
+        {
+            member = static_cast<Number>(value.Integer(std::int64_t(range.fallback),
+                                                       std::int64_t(range.minimum),
+                                                       std::int64_t(range.maximum)));
+        }
+    }
+
+private:
+    JsonValue Find(const char* name, const RubeRange& range) const
+    {
+        const JsonValue value = range.isRequired ? m_object.Required(name) : m_object.Member(name);
+        return value.Exists() || range.oldName == nullptr ? value : m_object.Member(range.oldName);
+    }
+
+    const JsonValue& m_object;
+};
 
 std::optional<b2Vec2> ReadVectorIf(const JsonValue& isGiven, const JsonValue& value)
 {
@@ -90,33 +126,22 @@ RubeFixture ReadFixture(const JsonValue& value)
 {
     RubeFixture fixture;
     fixture.name = value.Member("name").Text();
-    fixture.restitution = value.Member("restitution").Number(0.0f, 0.0f, kLargest);
-    fixture.friction = value.Member("friction").Number(0.0f, 0.0f, kLargest);
-    fixture.density = value.Member("density").Number(0.0f, 0.0f, kStrongest);
-    fixture.isSensor = value.Member("sensor").Bool(false);
-    // Some writers print the sixteen bits as a signed number; -1 and 65535 are the same mask.
-    fixture.categoryBits =
-        static_cast<uint16>(value.Member("filter-categoryBits").Integer(1, -32768, 65535));
-    fixture.maskBits =
-        static_cast<uint16>(value.Member("filter-maskBits").Integer(65535, -32768, 65535));
-    fixture.groupIndex =
-        static_cast<int16>(value.Member("filter-groupIndex").Integer(0, -32768, 32767));
-
+    VisitFields(fixture, FieldReader(value));
     if (const JsonValue circle = value.Member("circle"); circle.Exists())
     {
-        fixture.shape = ReadCircle(circle);
+        fixture.geometry = ReadCircle(circle);
     }
     else if (const JsonValue edge = value.Member("edge"); edge.Exists())
     {
-        fixture.shape = ReadEdge(edge);
+        fixture.geometry = ReadEdge(edge);
     }
     else if (const JsonValue chain = value.Member("chain"); chain.Exists())
     {
-        fixture.shape = ReadChain(chain, false);
+        fixture.geometry = ReadChain(chain, false);
     }
     else if (const JsonValue loop = value.Member("loop"); loop.Exists())
     {
-        fixture.shape = ReadChain(loop, true);
+        fixture.geometry = ReadChain(loop, true);
     }
     else if (const JsonValue polygon = value.Member("polygon"); polygon.Exists())
     {
@@ -125,7 +150,7 @@ RubeFixture ReadFixture(const JsonValue& value)
         {
             said.normals = ReadVertices(normals);
         }
-        fixture.shape = std::move(said);
+        fixture.geometry = std::move(said);
     }
     fixture.properties = value.Member("customProperties").Raw();
     return fixture;
@@ -147,19 +172,7 @@ RubeBody ReadBody(const JsonValue& value)
 {
     RubeBody body;
     body.name = value.Member("name").Text();
-    body.type = static_cast<b2BodyType>(value.Member("type").Integer(0, 0, 2));
-    body.position = ReadVector(value.Member("position"));
-    body.angle = value.Member("angle").Number(0.0f, -kWidest, kWidest);
-    body.linearVelocity = ReadVector(value.Member("linearVelocity"), kFastest);
-    body.angularVelocity = value.Member("angularVelocity").Number(0.0f, -kFastest, kFastest);
-    body.linearDamping = value.Member("linearDamping").Number(0.0f, 0.0f, kLargest);
-    body.angularDamping = value.Member("angularDamping").Number(0.0f, 0.0f, kLargest);
-    body.gravityScale = value.Member("gravityScale").Number(1.0f, -kLargest, kLargest);
-    body.isBullet = value.Member("bullet").Bool(false);
-    body.allowSleep = value.Member("allowSleep").Bool(true);
-    body.isAwake = value.Member("awake").Bool(false);
-    body.isActive = value.Member("active").Bool(true);
-    body.fixedRotation = value.Member("fixedRotation").Bool(false);
+    VisitFields(body, FieldReader(value));
     body.massData = ReadMassData(value);
 
     body.properties = value.Member("customProperties").Raw();
@@ -171,149 +184,16 @@ RubeBody ReadBody(const JsonValue& value)
     return body;
 }
 
-RubeRevolute ReadRevolute(const JsonValue& value)
-{
-    RubeRevolute joint;
-    joint.referenceAngle = value.Member("refAngle").Number(0.0f, -kWidest, kWidest);
-    joint.enableLimit = value.Member("enableLimit").Bool(false);
-    joint.lowerLimit = value.Member("lowerLimit").Number(0.0f, -kWidest, kWidest);
-    joint.upperLimit = value.Member("upperLimit").Number(0.0f, -kWidest, kWidest);
-    joint.enableMotor = value.Member("enableMotor").Bool(false);
-    joint.motorSpeed = value.Member("motorSpeed").Number(0.0f, -kFastest, kFastest);
-    joint.maxMotorTorque = value.Member("maxMotorTorque").Number(0.0f, 0.0f, kStrongest);
-    return joint;
-}
-
-RubeDistance ReadDistance(const JsonValue& value)
-{
-    RubeDistance joint;
-    joint.length = value.Member("length").Number(0.0f, 0.0f, kFarthest);
-    joint.frequency = value.Member("frequency").Number(0.0f, 0.0f, kLargest);
-    joint.dampingRatio = value.Member("dampingRatio").Number(0.0f, 0.0f, kLargest);
-    return joint;
-}
-
-// Old files call it localAxis1.
-b2Vec2 ReadAxis(const JsonValue& value)
-{
-    const JsonValue axis = value.Member("localAxisA");
-    return ReadVector(axis.Exists() ? axis : value.Member("localAxis1"));
-}
-
-RubePrismatic ReadPrismatic(const JsonValue& value)
-{
-    RubePrismatic joint;
-    joint.axis = ReadAxis(value);
-    joint.referenceAngle = value.Member("refAngle").Number(0.0f, -kWidest, kWidest);
-    joint.enableLimit = value.Member("enableLimit").Bool(false);
-    joint.lowerLimit = value.Member("lowerLimit").Number(0.0f, -kFarthest, kFarthest);
-    joint.upperLimit = value.Member("upperLimit").Number(0.0f, -kFarthest, kFarthest);
-    joint.enableMotor = value.Member("enableMotor").Bool(false);
-    joint.motorSpeed = value.Member("motorSpeed").Number(0.0f, -kFastest, kFastest);
-    joint.maxMotorForce = value.Member("maxMotorForce").Number(0.0f, 0.0f, kStrongest);
-    return joint;
-}
-
-RubePulley ReadPulley(const JsonValue& value)
-{
-    RubePulley joint;
-    joint.groundAnchorA = ReadVector(value.Member("groundAnchorA"));
-    joint.groundAnchorB = ReadVector(value.Member("groundAnchorB"));
-    joint.lengthA = value.Member("lengthA").Number(0.0f, 0.0f, kFarthest);
-    joint.lengthB = value.Member("lengthB").Number(0.0f, 0.0f, kFarthest);
-    joint.ratio = value.Member("ratio").Number(1.0f, 0.0f, kLargest);
-    return joint;
-}
-
-RubeMouse ReadMouse(const JsonValue& value)
-{
-    RubeMouse joint;
-    joint.target = ReadVector(value.Member("target"));
-    joint.maxForce = value.Member("maxForce").Number(0.0f, 0.0f, kStrongest);
-    joint.frequency = value.Member("frequency").Number(0.0f, 0.0f, kLargest);
-    joint.dampingRatio = value.Member("dampingRatio").Number(0.0f, 0.0f, kLargest);
-    return joint;
-}
-
-RubeGear ReadGear(const JsonValue& value)
-{
-    constexpr std::int64_t kMost = 1'000'000'000; // whether there is such a joint is asked later
-    RubeGear joint;
-    joint.joint1 = static_cast<std::size_t>(value.Required("joint1").Integer(0, 0, kMost));
-    joint.joint2 = static_cast<std::size_t>(value.Required("joint2").Integer(0, 0, kMost));
-    joint.ratio = value.Member("ratio").Number(1.0f, -kLargest, kLargest);
-    return joint;
-}
-
-RubeWheel ReadWheel(const JsonValue& value)
-{
-    RubeWheel joint;
-    joint.axis = ReadAxis(value);
-    joint.enableMotor = value.Member("enableMotor").Bool(false);
-    joint.motorSpeed = value.Member("motorSpeed").Number(0.0f, -kFastest, kFastest);
-    joint.maxMotorTorque = value.Member("maxMotorTorque").Number(0.0f, 0.0f, kStrongest);
-    joint.frequency = value.Member("springFrequency").Number(0.0f, 0.0f, kLargest);
-    joint.dampingRatio = value.Member("springDampingRatio").Number(0.0f, 0.0f, kLargest);
-    return joint;
-}
-
-RubeMotor ReadMotor(const JsonValue& value)
-{
-    RubeMotor joint;
-    // Old files have it where other joints have their anchor.
-    const JsonValue offset = value.Member("linearOffset");
-    joint.linearOffset = ReadVector(offset.Exists() ? offset : value.Member("anchorA"));
-    joint.angularOffset = value.Member("refAngle").Number(0.0f, -kWidest, kWidest);
-    joint.maxForce = value.Member("maxForce").Number(0.0f, 0.0f, kStrongest);
-    joint.maxTorque = value.Member("maxTorque").Number(0.0f, 0.0f, kStrongest);
-    joint.correctionFactor = value.Member("correctionFactor").Number(0.3f, 0.0f, 1.0f);
-    return joint;
-}
-
-RubeWeld ReadWeld(const JsonValue& value)
-{
-    RubeWeld joint;
-    joint.referenceAngle = value.Member("refAngle").Number(0.0f, -kWidest, kWidest);
-    joint.frequency = value.Member("frequency").Number(0.0f, 0.0f, kLargest);
-    joint.dampingRatio = value.Member("dampingRatio").Number(0.0f, 0.0f, kLargest);
-    return joint;
-}
-
-RubeFriction ReadFriction(const JsonValue& value)
-{
-    RubeFriction joint;
-    joint.maxForce = value.Member("maxForce").Number(0.0f, 0.0f, kStrongest);
-    joint.maxTorque = value.Member("maxTorque").Number(0.0f, 0.0f, kStrongest);
-    return joint;
-}
-
-RubeRope ReadRope(const JsonValue& value)
-{
-    return RubeRope{value.Member("maxLength").Number(0.0f, 0.0f, kFarthest)};
-}
-
 /// Reads the details of a joint; none for an unknown type.
-decltype(RubeJoint::details) ReadDetails(const std::string& type, const JsonValue& value)
+RubeDetails ReadDetails(const std::string& type, const JsonValue& value)
 {
-    using Details = decltype(RubeJoint::details);
-    using Reader = Details (*)(const JsonValue&);
-    static const std::pair<std::string_view, Reader> kReaders[] = {
-        {"revolute", [](const JsonValue& v) { return Details(ReadRevolute(v)); }},
-        {"distance", [](const JsonValue& v) { return Details(ReadDistance(v)); }},
-        {"prismatic", [](const JsonValue& v) { return Details(ReadPrismatic(v)); }},
-        {"pulley", [](const JsonValue& v) { return Details(ReadPulley(v)); }},
-        {"mouse", [](const JsonValue& v) { return Details(ReadMouse(v)); }},
-        {"gear", [](const JsonValue& v) { return Details(ReadGear(v)); }},
-        {"wheel", [](const JsonValue& v) { return Details(ReadWheel(v)); }},
-        {"motor", [](const JsonValue& v) { return Details(ReadMotor(v)); }},
-        {"weld", [](const JsonValue& v) { return Details(ReadWeld(v)); }},
-        {"friction", [](const JsonValue& v) { return Details(ReadFriction(v)); }},
-        {"rope", [](const JsonValue& v) { return Details(ReadRope(v)); }}};
-    for (const auto& [name, read] : kReaders)
+    for (const RubeKindName& kind : kRubeKinds)
     {
-        if (name == type)
+        if (kind.name == type)
         {
-            return read(value);
+            RubeDetails details = kind.empty;
+            std::visit([&](auto& joint) { VisitFields(joint, FieldReader(value)); }, details);
+            return details;
         }
     }
     return {};
@@ -357,7 +237,7 @@ RubeImage ReadImage(const JsonValue& value, std::size_t bodyCount)
         image.body = static_cast<std::size_t>(body);
     }
     image.center = ReadVector(value.Member("center"));
-    image.angle = value.Member("angle").Number(0.0f, -kWidest, kWidest);
+    image.angle = value.Member("angle").Number(0.0f, kAngle.minimum, kAngle.maximum);
     if (const JsonValue corners = value.Member("corners"); corners.Exists())
     {
         const std::vector<b2Vec2> points = ReadVertices(corners);
@@ -367,21 +247,6 @@ RubeImage ReadImage(const JsonValue& value, std::size_t bodyCount)
         }
     }
     return image;
-}
-
-void ReadWorld(const JsonValue& value, RubeScene& scene)
-{
-    scene.gravity = ReadVector(value.Member("gravity"), kLargest);
-    scene.allowSleep = value.Member("allowSleep").Bool(true);
-    scene.autoClearForces = value.Member("autoClearForces").Bool(true);
-    scene.warmStarting = value.Member("warmStarting").Bool(true);
-    scene.continuousPhysics = value.Member("continuousPhysics").Bool(true);
-    scene.subStepping = value.Member("subStepping").Bool(false);
-    scene.stepsPerSecond = value.Member("stepsPerSecond").Number(60.0f, 1.0f, 100000.0f);
-    scene.velocityIterations =
-        static_cast<int32>(value.Member("velocityIterations").Integer(8, 1, 1000));
-    scene.positionIterations =
-        static_cast<int32>(value.Member("positionIterations").Integer(3, 1, 1000));
 }
 
 } // namespace
@@ -401,7 +266,7 @@ Result<RubeScene> ParseRubeScene(std::string_view text, const std::string& sourc
     ASSIGN_OR_RETURN(const JsonDocument document, JsonDocument::Parse(text, source));
     const JsonValue root = document.Root();
     RubeScene scene;
-    ReadWorld(root, scene);
+    VisitFields(scene, FieldReader(root));
     // Without this, every JSON object would be read as an empty scene.
     const JsonValue bodies = root.Required("body");
     for (std::size_t i = 0; i < bodies.Count() && !root.IsHopeless(); ++i)

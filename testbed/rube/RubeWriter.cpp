@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "RubeWriter.h"
 
+#include "RubeFields.h"
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -59,6 +61,57 @@ Json Vertices(const std::vector<b2Vec2>& vertices)
         ys.push_back(Number(vertex.y));
     }
     return {{"x", std::move(xs)}, {"y", std::move(ys)}};
+}
+
+/// Which members an object gets.
+enum class Fields
+{
+    All,
+    Needed, ///< a yes or an integer only if it is not the default
+};
+
+/// Adds the members that VisitFields names to a JSON object.
+class FieldWriter
+{
+public:
+    FieldWriter(Json& object, Fields fields) : m_object(object), m_fields(fields) {}
+
+    void operator()(const char* name, float32 member, const RubeRange&, const auto&) const
+    {
+        m_object[name] = Number(member);
+    }
+
+    void operator()(const char* name, const b2Vec2& member, const RubeRange&, const auto&) const
+    {
+        m_object[name] = Vector(member);
+    }
+
+    void operator()(const char* name, bool member, bool fallback, const auto&) const
+    {
+        if (m_fields == Fields::All || member != fallback)
+        {
+            m_object[name] = member;
+        }
+    }
+
+    void operator()(const char* name, auto member, const RubeRange& range, const auto&) const
+    {
+        if (m_fields == Fields::All || std::int64_t(member) != std::int64_t(range.fallback))
+        {
+            m_object[name] = std::int64_t(member);
+        }
+    }
+
+private:
+    Json& m_object;
+    Fields m_fields;
+};
+
+/// `part` is a copy, because VisitFields names members that can be set.
+template <class Part>
+void AddFields(Json& object, Part part, Fields fields = Fields::All)
+{
+    VisitFields(part, FieldWriter(object, fields));
 }
 
 void AddName(Json& object, const std::string& name)
@@ -129,26 +182,8 @@ Json Fixture(const RubeFixture& fixture)
 {
     Json object = Json::object();
     AddName(object, fixture.name);
-    object["density"] = Number(fixture.density);
-    object["friction"] = Number(fixture.friction);
-    object["restitution"] = Number(fixture.restitution);
-    if (fixture.isSensor)
-    {
-        object["sensor"] = true;
-    }
-    if (fixture.categoryBits != 1)
-    {
-        object["filter-categoryBits"] = fixture.categoryBits;
-    }
-    if (fixture.maskBits != 65535)
-    {
-        object["filter-maskBits"] = fixture.maskBits;
-    }
-    if (fixture.groupIndex != 0)
-    {
-        object["filter-groupIndex"] = fixture.groupIndex;
-    }
-    std::visit([&object](const auto& shape) { AddShape(object, shape); }, fixture.shape);
+    AddFields<b2FixtureDef>(object, fixture, Fields::Needed);
+    std::visit([&object](const auto& shape) { AddShape(object, shape); }, fixture.geometry);
     AddProperties(object, fixture.properties);
     return object;
 }
@@ -157,19 +192,7 @@ Json Body(const RubeBody& body)
 {
     Json object = Json::object();
     AddName(object, body.name);
-    object["type"] = static_cast<int>(body.type);
-    object["position"] = Vector(body.position);
-    object["angle"] = Number(body.angle);
-    object["linearVelocity"] = Vector(body.linearVelocity);
-    object["angularVelocity"] = Number(body.angularVelocity);
-    object["linearDamping"] = Number(body.linearDamping);
-    object["angularDamping"] = Number(body.angularDamping);
-    object["gravityScale"] = Number(body.gravityScale);
-    object["bullet"] = body.isBullet;
-    object["allowSleep"] = body.allowSleep;
-    object["awake"] = body.isAwake;
-    object["active"] = body.isActive;
-    object["fixedRotation"] = body.fixedRotation;
+    AddFields<b2BodyDef>(object, body);
     if (body.massData)
     {
         object["massData-mass"] = Number(body.massData->mass);
@@ -189,103 +212,6 @@ Json Body(const RubeBody& body)
     return object;
 }
 
-void AddDetails(Json&, std::monostate) {}
-
-/// Adds limit and motor of revolute and prismatic joints.
-void AddLimitAndMotor(Json& object, const auto& joint)
-{
-    object["refAngle"] = Number(joint.referenceAngle);
-    object["enableLimit"] = joint.enableLimit;
-    object["lowerLimit"] = Number(joint.lowerLimit);
-    object["upperLimit"] = Number(joint.upperLimit);
-    object["enableMotor"] = joint.enableMotor;
-    object["motorSpeed"] = Number(joint.motorSpeed);
-}
-
-void AddSpring(Json& object, const auto& joint)
-{
-    object["frequency"] = Number(joint.frequency);
-    object["dampingRatio"] = Number(joint.dampingRatio);
-}
-
-void AddDetails(Json& object, const RubeRevolute& joint)
-{
-    AddLimitAndMotor(object, joint);
-    object["maxMotorTorque"] = Number(joint.maxMotorTorque);
-}
-
-void AddDetails(Json& object, const RubeDistance& joint)
-{
-    object["length"] = Number(joint.length);
-    AddSpring(object, joint);
-}
-
-void AddDetails(Json& object, const RubePrismatic& joint)
-{
-    object["localAxisA"] = Vector(joint.axis);
-    AddLimitAndMotor(object, joint);
-    object["maxMotorForce"] = Number(joint.maxMotorForce);
-}
-
-void AddDetails(Json& object, const RubePulley& joint)
-{
-    object["groundAnchorA"] = Vector(joint.groundAnchorA);
-    object["groundAnchorB"] = Vector(joint.groundAnchorB);
-    object["lengthA"] = Number(joint.lengthA);
-    object["lengthB"] = Number(joint.lengthB);
-    object["ratio"] = Number(joint.ratio);
-}
-
-void AddDetails(Json& object, const RubeMouse& joint)
-{
-    object["target"] = Vector(joint.target);
-    object["maxForce"] = Number(joint.maxForce);
-    AddSpring(object, joint);
-}
-
-void AddDetails(Json& object, const RubeGear& joint)
-{
-    object["joint1"] = joint.joint1;
-    object["joint2"] = joint.joint2;
-    object["ratio"] = Number(joint.ratio);
-}
-
-void AddDetails(Json& object, const RubeWheel& joint)
-{
-    object["localAxisA"] = Vector(joint.axis);
-    object["enableMotor"] = joint.enableMotor;
-    object["motorSpeed"] = Number(joint.motorSpeed);
-    object["maxMotorTorque"] = Number(joint.maxMotorTorque);
-    object["springFrequency"] = Number(joint.frequency);
-    object["springDampingRatio"] = Number(joint.dampingRatio);
-}
-
-void AddDetails(Json& object, const RubeMotor& joint)
-{
-    object["linearOffset"] = Vector(joint.linearOffset);
-    object["refAngle"] = Number(joint.angularOffset);
-    object["maxForce"] = Number(joint.maxForce);
-    object["maxTorque"] = Number(joint.maxTorque);
-    object["correctionFactor"] = Number(joint.correctionFactor);
-}
-
-void AddDetails(Json& object, const RubeWeld& joint)
-{
-    object["refAngle"] = Number(joint.referenceAngle);
-    AddSpring(object, joint);
-}
-
-void AddDetails(Json& object, const RubeFriction& joint)
-{
-    object["maxForce"] = Number(joint.maxForce);
-    object["maxTorque"] = Number(joint.maxTorque);
-}
-
-void AddDetails(Json& object, const RubeRope& joint)
-{
-    object["maxLength"] = Number(joint.maxLength);
-}
-
 Json Joint(const RubeJoint& joint)
 {
     Json object{{"type", joint.type}};
@@ -295,7 +221,7 @@ Json Joint(const RubeJoint& joint)
     object["collideConnected"] = joint.collideConnected;
     object["anchorA"] = Vector(joint.anchorA);
     object["anchorB"] = Vector(joint.anchorB);
-    std::visit([&object](const auto& details) { AddDetails(object, details); }, joint.details);
+    std::visit([&object](const auto& details) { AddFields(object, details); }, joint.details);
     AddProperties(object, joint.properties);
     return object;
 }
@@ -315,15 +241,7 @@ Json List(const auto& parts, const auto& text)
 std::string WriteRubeText(const RubeScene& scene)
 {
     Json root = Json::object();
-    root["gravity"] = Vector(scene.gravity);
-    root["allowSleep"] = scene.allowSleep;
-    root["autoClearForces"] = scene.autoClearForces;
-    root["warmStarting"] = scene.warmStarting;
-    root["continuousPhysics"] = scene.continuousPhysics;
-    root["subStepping"] = scene.subStepping;
-    root["stepsPerSecond"] = Number(scene.stepsPerSecond);
-    root["velocityIterations"] = scene.velocityIterations;
-    root["positionIterations"] = scene.positionIterations;
+    AddFields<RubeWorld>(root, scene);
     root["body"] = List(scene.bodies, Body);
     root["joint"] = List(scene.joints, Joint);
     if (!scene.images.empty())

@@ -171,15 +171,7 @@ class Against(BuildCase):
 
 
 class Numbers(unittest.TestCase):
-    """Numbers as text."""
-
-    def test_have_three_digits(self) -> None:
-        self.assertEqual([common.time_text(t) for t in (2.5e-8, 3.5e-4, 0.00726, 3.22)], ["0.025 µs", "350 µs", "7.26 ms", "3.22 s"])
-        self.assertEqual([common.times_text(t) for t in (0.284, 6.95, 31.42, 12345.0, 0.0, None)],
-                         ["0.28×", "6.95×", "31.4×", "12,300×", "", ""])
-
-    def test_stand_below_each_other(self) -> None:
-        self.assertEqual(common.table("<>", [["a", "1"], ["bb", "22"], ["c"]]), "a    1\nbb  22\nc\n")
+    """Numbers of several rounds."""
 
     def test_are_medians_of_each_member(self) -> None:
         rounds = [{"a": {"b": 1.0}, "c": "x"}, {"a": {"b": 9.0}, "c": "y"}, {"a": {"b": None}, "c": "z"}]
@@ -210,7 +202,7 @@ class Programs(BuildCase):
 
 @unittest.skipUnless(HAS_MATPLOTLIB, "matplotlib is not installed (Debian: python3-matplotlib)")
 class Charts(BuildCase):
-    """Charts as files, and where their labels stand."""
+    """Charts as files, and the numbers that they show."""
 
     def test_are_drawn_in_both_themes_and_formats(self) -> None:
         self.program("boxreel_bench", ENGINE)
@@ -222,38 +214,6 @@ class Charts(BuildCase):
         ground = b"#0d1117"
         self.assertIn(ground, (self.folder / "a-dark.svg").read_bytes())
         self.assertNotIn(ground, (self.folder / "a-light.svg").read_bytes())
-
-    def lines(self) -> charts.Lines:
-        """Two curves whose points lie on each other."""
-        points = [charts.Point(10.0**(i / 9), 1e-3 * 2.0**i, f"point {i}", "x" if i == 3 else ".", False) for i in range(7)]
-        texts = {"title": "t", "subtitle": "s", "x": "x", "y": "y", "notes": [], "strokes": {}, "marks": {}}
-        return charts.Lines(texts, [charts.Curve("a", 0, "-", points), charts.Curve("b", 1, "--", points)])
-
-    def test_have_the_same_bytes_each_time(self) -> None:
-        self.assertEqual(charts.draw(self.lines(), "light", "svg"), charts.draw(self.lines(), "light", "svg"))
-
-    def test_keep_labels_off_each_other(self) -> None:
-        figures = []
-        with mock.patch("matplotlib.figure.Figure.savefig", lambda figure, *words, **options: figures.append(figure)):
-            charts.draw(self.lines(), "light", "png")
-        labels = [text for text in figures[0].texts if text.get_text().startswith("point")]
-        boxes = [label.get_window_extent() for label in labels]
-        self.assertEqual(len(boxes), 14)
-        self.assertFalse([(a, b) for i, a in enumerate(boxes) for b in boxes[:i] if a.overlaps(b)])
-
-    def test_leave_optional_labels_out_where_there_is_no_room(self) -> None:
-        chart = self.lines()
-        crowd = [charts.Point(2.0, 2e-3, f"point {i}") for i in range(60)]
-        figures = []
-        with mock.patch("matplotlib.figure.Figure.savefig", lambda figure, *words, **options: figures.append(figure)):
-            charts.draw(chart._replace(curves=[*chart.curves, charts.Curve("c", 2, "", crowd)]), "light", "png")
-        labels = [text for text in figures[0].texts if text.get_text().startswith("point")]
-        self.assertLess(len(labels), 60)
-
-    def test_draw_what_has_no_error_at_the_top(self) -> None:
-        points = [charts.Point(1.0, 1e-3), charts.Point(2.0, None, mark="x")]
-        chart = self.lines()._replace(curves=[charts.Curve("a", 0, "-", points)])
-        self.assertTrue(charts.draw(chart, "dark", "svg"))
 
     def test_have_bars_either_way_of_equally_fast(self) -> None:
         methods = [{"method": name, "ours": name == "boxreel", "cpu": cpu, "verdict": "sound"}

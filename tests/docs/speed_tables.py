@@ -20,11 +20,8 @@ made = speed.drawn(speed.read(checkout)) if drawsTheSame else {}
 found = list(speed.findings(checkout, made))
 assert not found, found
 
-# Charts show what was measured: no goal is drawn or named, and crosses mark only runs that fell or burst.
+# Crosses mark only runs that fell or burst, not those that miss a goal.
 figures = speed.read(checkout)
-for stem, chart in speed.charts_of(figures).items():
-    assert "goal" not in repr(chart).lower(), stem
-    assert not (checkout / f"{stem}.svg").exists(), f"{stem}.svg has no theme"
 missed = [one for result in figures["accuracy"] for one in result["runs"]
           if one["verdict"] != "goal met" and not speed.accuracy.ending(one)]
 assert missed, "no run misses a goal, so the next line holds nothing"
@@ -34,7 +31,6 @@ for result in figures["accuracy"]:
         shown = [point for _, _, point in speed.accuracy.points_of(result, ours, 0.0)]
         ended = [one for one in result["runs"] if one["engine"] == ours and speed.accuracy.ending(one)]
         assert {point.x for point in shown if point.mark == "x"} == {one["cpuOfFrame"] * 1e6 for one in ended}, result["case"]
-assert "goal" not in speed.raw_text(figures)
 
 # A step of the peer takes twice as long, but boxreel's run ended at other heights.
 sound = {"threads": 1, "finite": True, "escaped": 0, "awake": 0}
@@ -43,7 +39,6 @@ peer = {"method": "Box2D 2.4.1", "ours": False, "verdict": "sound", "cpu": 0.002
 scene = {"case": "grid", "what": "a grid", "methods": [ours, peer]}
 table = speed.engine_table({"engine": [scene]})
 assert "| a grid | 1.00 ms | 2.00 ms (not compared) |" in table, table
-assert "\nA grid: boxreel's bodies end at other heights than those of the peers, so the times are not compared.\n" in table, table
 scene["methods"] = [{**ours, "verdict": "sound"}, peer]
 assert "| a grid | 1.00 ms | 2.00 ms (2.00×) |" in speed.engine_table({"engine": [scene]})
 scene["methods"][1] = {"method": "Box2D 2.4.1", "ours": False, "failure": "it crashed", "verdict": "it crashed"}

@@ -158,22 +158,6 @@ TEST(Chain, LoopClosesItselfAndKnowsItsNeighbours)
     }
 }
 
-TEST(Chain, OpenChainHasGhostsOnlyWhereTheyAreGiven)
-{
-    const b2Vec2 vs[3] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {2.0f, 0.0f}};
-    b2ChainShape chain;
-    chain.CreateChain(vs, 3);
-    chain.SetNextVertex(b2Vec2(3.0f, 1.0f));
-    b2EdgeShape edge;
-    chain.GetChildEdge(&edge, 0);
-    EXPECT_FALSE(edge.m_hasVertex0);
-    EXPECT_EQ(edge.m_vertex3, vs[2]);
-    chain.GetChildEdge(&edge, 1);
-    EXPECT_EQ(edge.m_vertex0, vs[0]);
-    EXPECT_EQ(edge.m_vertex3, b2Vec2(3.0f, 1.0f));
-    EXPECT_TRUE(edge.m_hasVertex3);
-}
-
 #if BOXREEL_ASSERTS
 TEST(ChainDeathTest, VerticesThatAreTooCloseAreExplained)
 {

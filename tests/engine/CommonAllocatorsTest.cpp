@@ -44,16 +44,6 @@ struct CountedMemory : testing::Test
 };
 } // namespace
 
-TEST(Settings, HaveTheManualsVersionAndSizes)
-{
-    EXPECT_EQ(b2_version.major, 2);
-    EXPECT_EQ(b2_version.minor, 3);
-    EXPECT_EQ(sizeof(int8), 1u);
-    EXPECT_EQ(sizeof(uint16), 2u);
-    EXPECT_EQ(sizeof(float32), 4u);
-    EXPECT_EQ(sizeof(float64), 8u);
-}
-
 TEST(Log, CanBeSentToTheProgram)
 {
     g_logged.clear();

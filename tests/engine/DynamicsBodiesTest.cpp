@@ -78,6 +78,9 @@ TEST(DynamicsBodies, ABodyWithoutMassGetsAKilogramAndDoesNotTurn)
     EXPECT_EQ(body->GetInertia(), 0.0f);
     body->ApplyAngularImpulse(10.0f);
     EXPECT_EQ(body->GetAngularVelocity(), 0.0f);
+    body->ApplyForceToCenter(b2Vec2(60.0f, 0.0f));
+    scene.Step();
+    EXPECT_NEAR(body->GetLinearVelocity().x, 1.0f, 1e-5f);
     EXPECT_EQ(scene.Body(b2_dynamicBody, 0.0f, 9.0f)->GetMass(), 1.0f);
 }
 
@@ -329,6 +332,10 @@ TEST(DynamicsBodies, KeepForcesUntilTheyAreClearedOnRequest)
     scene.world.ClearForces();
     scene.Step();
     EXPECT_NEAR(body->GetLinearVelocity().x, 2.0f, 1e-5f);
+    scene.world.SetAutoClearForces(true);
+    body->ApplyForceToCenter(b2Vec2(60.0f, 0.0f));
+    scene.Step(2);
+    EXPECT_NEAR(body->GetLinearVelocity().x, 3.0f, 1e-5f);
 }
 
 TEST(DynamicsBodies, AreWokenByForcesUnlessTheCallerSaysOtherwise)

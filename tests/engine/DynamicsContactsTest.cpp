@@ -454,15 +454,6 @@ TEST(DynamicsFilters, LetOnlyDynamicBodiesCollideSensorsToo)
     }
 }
 
-TEST(DynamicsFilters, KeepFixturesOfABodyFromEachOther)
-{
-    Scene scene(b2Vec2(0.0f, 0.0f));
-    b2Body* body = scene.Box(0.0f, 0.0f);
-    Scene::AddBall(body, 0.5f);
-    scene.Step();
-    EXPECT_EQ(scene.world.GetContactCount(), 0);
-}
-
 TEST(DynamicsFilters, AskTheProgramsFilter)
 {
     struct Picky : b2ContactFilter

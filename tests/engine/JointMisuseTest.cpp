@@ -59,41 +59,38 @@ TEST_F(JointMisuse, OfDistanceJoints)
     EXPECT_EQ(joint->GetDampingRatio(), 0.0f);
 }
 
+/// Of revolute and prismatic joints.
+void ExpectMisuseOfLimitAndMotor(auto& joint)
+{
+    joint.EnableMotor(true);
+    joint.EnableLimit(true);
+    for (const float32 bad : {kNaN, kInfinity})
+    {
+        ExpectMisuse("limits", [&] { joint.SetLimits(-bad, 1.0f); });
+        ExpectMisuse("limits", [&] { joint.SetLimits(-1.0f, bad); });
+        ExpectMisuse("speed", [&] { joint.SetMotorSpeed(bad); });
+    }
+    ExpectMisuse("limits", [&] { joint.SetLimits(1.0f, -1.0f); });
+    EXPECT_EQ(joint.GetLowerLimit(), 0.0f);
+    EXPECT_EQ(joint.GetUpperLimit(), 0.0f);
+    EXPECT_EQ(joint.GetMotorSpeed(), 0.0f);
+}
+
 TEST_F(JointMisuse, OfRevoluteJoints)
 {
     auto* joint = Between<b2RevoluteJoint, b2RevoluteJointDef>();
-    joint->EnableMotor(true);
-    joint->EnableLimit(true);
-    for (const float32 bad : {kNaN, kInfinity})
-    {
-        ExpectMisuse("limits", [&] { joint->SetLimits(-bad, 1.0f); });
-        ExpectMisuse("limits", [&] { joint->SetLimits(-1.0f, bad); });
-        ExpectMisuse("speed", [&] { joint->SetMotorSpeed(bad); });
-    }
-    ExpectMisuse("limits", [&] { joint->SetLimits(1.0f, -1.0f); });
+    ExpectMisuseOfLimitAndMotor(*joint);
     ExpectMisuse("torque", [&] { joint->SetMaxMotorTorque(kNaN); });
     ExpectMisuse("torque", [&] { joint->SetMaxMotorTorque(-1.0f); });
-    EXPECT_EQ(joint->GetUpperLimit(), 0.0f);
-    EXPECT_EQ(joint->GetMotorSpeed(), 0.0f);
     EXPECT_EQ(joint->GetMaxMotorTorque(), 0.0f);
 }
 
 TEST_F(JointMisuse, OfPrismaticJoints)
 {
     auto* joint = Between<b2PrismaticJoint, b2PrismaticJointDef>();
-    joint->EnableMotor(true);
-    joint->EnableLimit(true);
-    for (const float32 bad : {kNaN, kInfinity})
-    {
-        ExpectMisuse("limits", [&] { joint->SetLimits(-bad, 1.0f); });
-        ExpectMisuse("limits", [&] { joint->SetLimits(-1.0f, bad); });
-        ExpectMisuse("speed", [&] { joint->SetMotorSpeed(bad); });
-    }
-    ExpectMisuse("limits", [&] { joint->SetLimits(1.0f, -1.0f); });
+    ExpectMisuseOfLimitAndMotor(*joint);
     ExpectMisuse("force", [&] { joint->SetMaxMotorForce(kNaN); });
     ExpectMisuse("force", [&] { joint->SetMotorForce(-1.0f); });
-    EXPECT_EQ(joint->GetLowerLimit(), 0.0f);
-    EXPECT_EQ(joint->GetMotorSpeed(), 0.0f);
     EXPECT_EQ(joint->GetMaxMotorForce(), 0.0f);
 }
 

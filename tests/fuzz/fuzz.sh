@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # fuzz.sh SOURCE WORK SECONDS TARGET
 # Builds a target with clang's fuzzer, AddressSanitizer and UndefinedBehaviorSanitizer, and runs it that long, from its
-# stored inputs (TARGET.tar.gz). TARGET: world (calls of the engine, asserts off, because it makes mistakes on purpose)
+# stored inputs. TARGET: world (calls of the engine, asserts off, because it makes mistakes on purpose)
 # or scene_file (texts for the loader of scene files, asserts on: no file may reach one). New inputs stay in
 # WORK/corpus, a finding in WORK/finding-*. Exits 77 (skipped) when clang's fuzzer is absent.
 set -eu
@@ -27,7 +27,7 @@ scene_file)
 esac
 
 mkdir -p "$work/corpus"
-"$here/archive.sh" unpack "$here/$target.tar.gz" "$work/stored"
+"$here/archive.sh" unpack "$work/stored"
 echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' >"$work/probe.cpp"
 if ! clang++ -fsanitize=fuzzer "$work/probe.cpp" -o "$work/probe" 2>/dev/null; then
     echo "skipped: clang++ with libFuzzer is not installed (packages clang and libclang-rt-dev)"
@@ -43,4 +43,4 @@ cmake -S "$source" -B "$work/build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAK
 }
 # shellcheck disable=SC2086 # the limits are words
 exec "$work/build/tests/fuzz/boxreel_${target}_fuzz" -max_total_time="$seconds" $limits -print_final_stats=1 \
-    -error_exitcode=1 -artifact_prefix="$work/finding-" "$work/corpus" "$work/stored"
+    -error_exitcode=1 -artifact_prefix="$work/finding-" "$work/corpus" "$work/stored/$target"

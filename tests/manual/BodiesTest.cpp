@@ -88,20 +88,6 @@ TEST(BodyTypes, OnlyPairsWithADynamicBodyCollide)
     EXPECT_EQ(scene.world.GetContactCount(), 0);
 }
 
-TEST(DynamicBody, WithAMassOfZeroGetsOneKilogramAndDoesNotRotate)
-{
-    Scene scene(b2Vec2_zero);
-    b2Body* body = scene.Box(0.0f, 0.0f);
-    b2MassData none;
-    body->SetMassData(&none);
-    EXPECT_EQ(body->GetMass(), 1.0f);
-    body->ApplyTorque(100.0f);
-    body->ApplyForceToCenter(b2Vec2(60.0f, 0.0f));
-    scene.Step();
-    EXPECT_NEAR(body->GetLinearVelocity().x, 1.0f, 1e-5f);
-    EXPECT_EQ(body->GetAngle(), 0.0f);
-}
-
 TEST(Bodies, KeepTheirFixturesRigidlyAndWithoutCollision)
 {
     Scene scene;
@@ -400,28 +386,6 @@ TEST(BodyFactory, DestroyingABodyDestroysItsFixturesAndJoints)
     EXPECT_EQ(scene.world.GetJointCount(), 0);
     EXPECT_EQ(scene.world.GetProxyCount(), 1);
     EXPECT_EQ(ground->GetJointList(), nullptr);
-}
-
-TEST(MassData, CanBeOverriddenAndReset)
-{
-    Scene scene;
-    b2Body* body = scene.Box(0.0f, 0.0f);
-    EXPECT_FLOAT_EQ(body->GetMass(), 1.0f);
-    EXPECT_FLOAT_EQ(body->GetInertia(), 1.0f / 6.0f);
-    b2MassData heavy;
-    heavy.mass = 5.0f;
-    heavy.center.Set(0.1f, 0.0f);
-    heavy.I = 2.0f;
-    body->SetMassData(&heavy);
-    b2MassData data;
-    body->GetMassData(&data);
-    EXPECT_EQ(data.mass, 5.0f);
-    EXPECT_FLOAT_EQ(data.I, 2.0f);
-    const b2Vec2& center = body->GetLocalCenter();
-    EXPECT_EQ(center, heavy.center);
-    body->ResetMassData();
-    EXPECT_FLOAT_EQ(body->GetMass(), 1.0f);
-    EXPECT_EQ(body->GetLocalCenter(), b2Vec2_zero);
 }
 
 TEST(StateInformation, IsSetAndReadByTheNamesOfTheManual)

@@ -67,33 +67,6 @@ TEST(Units, AnAngleGrowsWithoutBoundUntilItIsSet)
     EXPECT_NEAR(b2Distance(axis, body->GetWorldVector(b2Vec2(1.0f, 0.0f))), 0.0f, 1e-4f);
 }
 
-TEST(FactoriesAndDefinitions, CreateAndDestroyByTheManualsNames)
-{
-    b2World world(b2Vec2(0.0f, -10.0f));
-    b2BodyDef bodyDef;
-    bodyDef.type = b2_dynamicBody;
-    b2Body* bodyA = world.CreateBody(&bodyDef);
-    b2Body* bodyB = world.CreateBody(&bodyDef);
-    b2CircleShape shape;
-    shape.m_radius = 0.5f;
-    b2FixtureDef fixtureDef;
-    fixtureDef.shape = &shape;
-    b2Fixture* fixture = bodyA->CreateFixture(&fixtureDef);
-    b2Fixture* shortcut = bodyA->CreateFixture(&shape, 2.0f);
-    EXPECT_EQ(shortcut->GetDensity(), 2.0f);
-    bodyA->DestroyFixture(fixture);
-    EXPECT_EQ(bodyA->GetFixtureList(), shortcut);
-
-    b2RevoluteJointDef jointDef;
-    jointDef.Initialize(bodyA, bodyB, b2Vec2_zero);
-    b2Joint* joint = world.CreateJoint(&jointDef);
-    EXPECT_EQ(world.GetJointCount(), 1);
-    world.DestroyJoint(joint);
-    world.DestroyBody(bodyB);
-    EXPECT_EQ(world.GetJointCount(), 0);
-    EXPECT_EQ(world.GetBodyCount(), 1);
-}
-
 TEST(FactoriesAndDefinitions, DefinitionsAndShapesAreCopied)
 {
     b2World world(b2Vec2_zero);

@@ -159,20 +159,6 @@ TEST_F(ContactClass, GivesTheRawManifoldAndTheWorldManifold)
         << "from the present positions";
 }
 
-TEST_F(ContactClass, IsTouchingServesSensorsAndSolidFixtures)
-{
-    EXPECT_TRUE(Contact()->IsTouching());
-    b2Body* zone = scene.Body(b2_staticBody, 10.0f, 5.0f);
-    Scene::AddBox(zone, 1.0f, 1.0f)->SetSensor(true);
-    b2Body* ball = scene.Ball(10.0f, 5.0f);
-    scene.Step();
-    ASSERT_NE(ball->GetContactList(), nullptr);
-    b2Contact* sensorContact = ball->GetContactList()->contact;
-    bool touching = sensorContact->IsTouching();
-    EXPECT_TRUE(touching);
-    EXPECT_EQ(sensorContact->GetManifold()->pointCount, 0);
-}
-
 struct MyActor
 {
     int hits = 0;

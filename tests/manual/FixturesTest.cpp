@@ -81,17 +81,6 @@ TEST(FixtureCreation, SeveralFixturesMakeACompoundWhoseMassesAdd)
     EXPECT_FLOAT_EQ(body->GetMass(), 2.0f);
 }
 
-TEST(Density, CountsFromTheNextResetOfTheMassDataOn)
-{
-    Scene scene;
-    b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
-    b2Fixture* fixture = Scene::AddBox(body, 0.5f, 0.5f);
-    fixture->SetDensity(5.0f);
-    EXPECT_FLOAT_EQ(body->GetMass(), 1.0f);
-    body->ResetMassData();
-    EXPECT_FLOAT_EQ(body->GetMass(), 5.0f);
-}
-
 /// The deceleration of a box that slides on the ground over that of free fall.
 float32 SlidingFriction(float32 ofGround, float32 ofBox, float32 density = 1.0f)
 {
@@ -231,22 +220,6 @@ TEST(Filtering, APositiveGroupAlwaysCollidesAndANegativeOneNever)
     EXPECT_FALSE(Collide(fixture1Def, fixture3Def));
 }
 
-TEST(Filtering, OnlyDynamicFixturesMeetStaticAndKinematicOnes)
-{
-    for (const b2BodyType typeA : {b2_staticBody, b2_kinematicBody, b2_dynamicBody})
-    {
-        for (const b2BodyType typeB : {b2_staticBody, b2_kinematicBody, b2_dynamicBody})
-        {
-            Scene scene(b2Vec2_zero);
-            Scene::AddBox(scene.Body(typeA, 0.0f, 0.0f), 1.0f, 1.0f);
-            Scene::AddBox(scene.Body(typeB, 0.5f, 0.0f), 1.0f, 1.0f);
-            scene.Step();
-            const bool expected = typeA == b2_dynamicBody || typeB == b2_dynamicBody;
-            EXPECT_EQ(scene.world.GetContactCount() > 0, expected) << typeA << " " << typeB;
-        }
-    }
-}
-
 TEST(Filtering, FixturesOfOneBodyNeverCollideEvenInAPositiveGroup)
 {
     Scene scene;
@@ -257,43 +230,6 @@ TEST(Filtering, FixturesOfOneBodyNeverCollideEvenInAPositiveGroup)
     Scene::AddBall(body, 1.0f)->SetFilterData(always);
     scene.Step(3);
     EXPECT_EQ(scene.world.GetContactCount(), 0);
-}
-
-TEST(Filtering, BodiesOnAJointCollideWhenTheJointSaysSo)
-{
-    for (const bool collideConnected : {false, true})
-    {
-        Scene scene(b2Vec2_zero);
-        b2Body* a = scene.Box(0.0f, 0.0f);
-        b2Body* b = scene.Box(0.9f, 0.0f);
-        b2RevoluteJointDef def;
-        def.Initialize(a, b, b2Vec2(0.45f, 0.0f));
-        def.collideConnected = collideConnected;
-        scene.world.CreateJoint(&def);
-        scene.Step();
-        EXPECT_EQ(scene.world.GetContactCount() > 0, collideConnected);
-    }
-}
-
-TEST(Filtering, NewFilterDataTakesEffectInTheNextStep)
-{
-    Scene scene;
-    scene.Ground();
-    b2Body* box = scene.Box(0.0f, 0.5f);
-    scene.Step(10);
-    ASSERT_EQ(scene.world.GetContactCount(), 1);
-    b2Fixture* fixture = box->GetFixtureList();
-    b2Filter filter = fixture->GetFilterData();
-    filter.maskBits = 0;
-    fixture->SetFilterData(filter);
-    EXPECT_EQ(scene.world.GetContactCount(), 1);
-    scene.Step();
-    EXPECT_EQ(scene.world.GetContactCount(), 0);
-    filter.maskBits = 0xFFFF;
-    fixture->SetFilterData(filter);
-    EXPECT_EQ(scene.world.GetContactCount(), 0);
-    scene.Step();
-    EXPECT_EQ(scene.world.GetContactCount(), 1);
 }
 
 } // namespace

@@ -60,28 +60,6 @@ TEST(UserDataSection, TheListingHangsAStructureOnAFixture)
     EXPECT_EQ(body->GetFixtureList(), nullptr);
 }
 
-TEST(ImplicitDestruction, DebugBuildsFillWhatIsDestroyed)
-{
-    b2BlockAllocator allocator;
-    auto* memory = static_cast<unsigned char*>(allocator.Allocate(64));
-    std::memset(memory, 0x11, 64);
-    allocator.Free(memory, 64);
-    // Freed blocks are kept in a list whose links may take the first bytes.
-    void* again = allocator.Allocate(64);
-    ASSERT_EQ(again, memory);
-    int filled = 0;
-    for (int i = int(sizeof(void*)); i < 64; ++i)
-    {
-        filled += memory[i] == 0xFD;
-    }
-#if !BOXREEL_ASSERTS
-    EXPECT_EQ(filled, 0);
-#else
-    EXPECT_EQ(filled, 64 - int(sizeof(void*)));
-#endif
-    allocator.Free(memory, 64);
-}
-
 /// Returns the number of filled bytes of destroyed memory. The memory still belongs to the world.
 int FilledBytes(const void* destroyed, std::size_t size)
 {

@@ -166,28 +166,6 @@ TEST(ContactManifolds, PointStatesTellWhatWasAddedAndRemoved)
     EXPECT_EQ(state2[1], b2_persistState);
 }
 
-TEST(Distance, IsMeasuredBetweenProxiesAndStartsWarmTheSecondTime)
-{
-    const b2PolygonShape box = Box(1.0f, 1.0f);
-    b2CircleShape circle;
-    circle.m_radius = 0.5f;
-    b2DistanceInput input;
-    input.proxyA.Set(&box, 0);
-    input.proxyB.Set(&circle, 0);
-    input.transformA = At(0.0f, 0.0f);
-    input.transformB = At(4.0f, 3.0f, 1.0f);
-    input.useRadii = false;
-    b2SimplexCache cache;
-    cache.count = 0;
-    b2DistanceOutput cold, warm;
-    b2Distance(&cold, &cache, &input);
-    EXPECT_NEAR(cold.distance, std::sqrt(9.0f + 4.0f), 1e-5f);
-    EXPECT_GT(cache.count, 0);
-    b2Distance(&warm, &cache, &input);
-    EXPECT_EQ(warm.distance, cold.distance);
-    EXPECT_LE(warm.iterations, cold.iterations);
-}
-
 b2Sweep Straight(const b2Vec2& from, const b2Vec2& to)
 {
     b2Sweep sweep;

@@ -87,16 +87,6 @@ TEST(Shapes, MoveWithTheBodyTheyAreAttachedTo)
     EXPECT_TRUE(fixture->TestPoint(b2Vec2(17.0f, 2.0f)));
 }
 
-TEST(Circle, TheListingMakesASolidDisc)
-{
-    b2CircleShape circle;
-    circle.m_p.Set(2.0f, 3.0f);
-    circle.m_radius = 0.5f;
-    EXPECT_TRUE(circle.TestPoint(b2Transform(), b2Vec2(2.0f, 3.0f)));
-    EXPECT_TRUE(circle.TestPoint(b2Transform(), b2Vec2(2.49f, 3.0f)));
-    EXPECT_FALSE(circle.TestPoint(b2Transform(), b2Vec2(2.51f, 3.0f)));
-}
-
 TEST(Polygon, TheListingMakesATriangle)
 {
     // Counter-clockwise.
@@ -171,19 +161,6 @@ TEST(Polygon, TheSkinKeepsStackedBoxesALittleApart)
     EXPECT_LE(box->GetPosition().y, 0.5f + 2.0f * b2_polygonRadius);
 }
 
-TEST(EdgeShapes, TheListingMakesASegmentWithoutVolume)
-{
-    b2Vec2 v1(0.0f, 0.0f);
-    b2Vec2 v2(1.0f, 0.0f);
-    b2EdgeShape edge;
-    edge.Set(v1, v2);
-
-    b2MassData mass;
-    edge.ComputeMass(&mass, 1.0f);
-    EXPECT_EQ(mass.mass, 0.0f);
-    EXPECT_FALSE(edge.m_hasVertex0 || edge.m_hasVertex3);
-}
-
 TEST(EdgeShapes, CollideWithCirclesAndPolygonsButNotWithEachOther)
 {
     Scene scene;
@@ -211,6 +188,7 @@ TEST(EdgeShapes, TheListingWithGhostVerticesKeepsThem)
     b2Vec2 v3(-1.7f, 0.4f);
     b2EdgeShape edge;
     edge.Set(v1, v2);
+    EXPECT_FALSE(edge.m_hasVertex0 || edge.m_hasVertex3);
     edge.m_hasVertex0 = true;
     edge.m_hasVertex3 = true;
     edge.m_vertex0 = v0;
@@ -258,6 +236,8 @@ TEST(ChainShapes, TheListingMakesThreeEdgesThatKnowTheirNeighbours)
         EXPECT_EQ(edge.m_vertex2, vs[i + 1]);
         EXPECT_EQ(edge.m_hasVertex0, i > 0);
         EXPECT_EQ(edge.m_hasVertex3, i < 2);
+        EXPECT_TRUE(i == 0 || edge.m_vertex0 == vs[i - 1]);
+        EXPECT_TRUE(i == 2 || edge.m_vertex3 == vs[i + 2]);
         ++visited;
     }
     EXPECT_EQ(visited, 3);
@@ -279,23 +259,6 @@ TEST(ChainShapes, GhostVerticesConnectOneChainWithAnother)
     chain.GetChildEdge(&edge, 2);
     EXPECT_TRUE(edge.m_hasVertex3);
     EXPECT_EQ(edge.m_vertex3, b2Vec2(-2.0f, 0.0f));
-}
-
-TEST(ChainShapes, ALoopConnectsTheLastVertexWithTheFirst)
-{
-    b2Vec2 vs[4];
-    b2ChainShape open;
-    MakeListing(open, vs);
-    // An edge more leads from the last vertex to the first.
-    b2ChainShape chain;
-    chain.CreateLoop(vs, 4);
-
-    ASSERT_EQ(chain.GetChildCount(), 4);
-    b2EdgeShape edge;
-    chain.GetChildEdge(&edge, 3);
-    EXPECT_EQ(edge.m_vertex1, vs[3]);
-    EXPECT_EQ(edge.m_vertex2, vs[0]);
-    EXPECT_TRUE(edge.m_hasVertex0 && edge.m_hasVertex3);
 }
 
 TEST(ChainShapes, CollideFromBothSides)

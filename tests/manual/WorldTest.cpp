@@ -93,24 +93,6 @@ TEST(Simulation, MoreIterationsAreBetterAndSmallerStepsBetterStill)
     EXPECT_LT(WorstGap(60.0f, 10), 0.8f * WorstGap(30.0f, 20));
 }
 
-TEST(Simulation, ForcesStayForSubStepsUntilTheyAreCleared)
-{
-    Scene scene(b2Vec2_zero);
-    b2World* myWorld = &scene.world;
-    myWorld->SetAutoClearForces(false);
-    b2Body* body = scene.Box(0.0f, 0.0f);
-    body->ApplyForceToCenter(b2Vec2(60.0f, 0.0f));
-    scene.Step(2);
-    EXPECT_NEAR(body->GetLinearVelocity().x, 2.0f, 1e-5f);
-    myWorld->ClearForces();
-    scene.Step(2);
-    EXPECT_NEAR(body->GetLinearVelocity().x, 2.0f, 1e-5f);
-    myWorld->SetAutoClearForces(true);
-    body->ApplyForceToCenter(b2Vec2(60.0f, 0.0f));
-    scene.Step(2);
-    EXPECT_NEAR(body->GetLinearVelocity().x, 3.0f, 1e-5f);
-}
-
 TEST(ExploringTheWorld, TheListingWakesAllBodies)
 {
     Scene scene;
@@ -361,39 +343,6 @@ TEST(RayCasts, ZeroEndsOneGoesOnAndMinusOneIgnores)
     EXPECT_EQ(any.hits, 1);
     EXPECT_EQ(all.hits, 3);
     EXPECT_EQ(behind.nearest, second);
-}
-
-TEST(BodyVelocities, AreSetAndReadByTheNamesOfTheManual)
-{
-    Scene scene(b2Vec2_zero);
-    b2Body* body = scene.Box(0.0f, 0.0f);
-    body->SetLinearVelocity(b2Vec2(1.0f, 2.0f));
-    body->SetAngularVelocity(3.0f);
-    EXPECT_EQ(body->GetLinearVelocity(), b2Vec2(1.0f, 2.0f));
-    EXPECT_EQ(body->GetAngularVelocity(), 3.0f);
-}
-
-TEST(ForcesAndImpulses, ActAtAWorldPointAndTurnTheBody)
-{
-    Scene scene(b2Vec2_zero);
-    b2Body* body = scene.Box(0.0f, 0.0f);
-    body->ApplyForce(b2Vec2(0.0f, 60.0f), b2Vec2(0.5f, 0.0f));
-    scene.Step();
-    EXPECT_NEAR(body->GetLinearVelocity().y, 1.0f, 1e-5f);
-    EXPECT_NEAR(body->GetAngularVelocity(), 0.5f / body->GetInertia(), 1e-4f);
-
-    body = scene.Box(10.0f, 0.0f);
-    body->ApplyLinearImpulse(b2Vec2(0.0f, 1.0f), b2Vec2(10.5f, 0.0f));
-    EXPECT_NEAR(body->GetLinearVelocity().y, 1.0f, 1e-5f);
-    EXPECT_NEAR(body->GetAngularVelocity(), 0.5f / body->GetInertia(), 1e-4f);
-
-    body = scene.Box(20.0f, 0.0f);
-    body->ApplyTorque(60.0f * body->GetInertia());
-    scene.Step();
-    EXPECT_NEAR(body->GetAngularVelocity(), 1.0f, 1e-4f);
-    body->ApplyAngularImpulse(body->GetInertia());
-    EXPECT_NEAR(body->GetAngularVelocity(), 2.0f, 1e-4f);
-    EXPECT_EQ(body->GetLinearVelocity(), b2Vec2_zero);
 }
 
 TEST(ForcesAndImpulses, WakeTheBodyUnlessTheCallerLooksFirst)

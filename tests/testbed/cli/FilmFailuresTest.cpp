@@ -107,18 +107,24 @@ protected:
     TemporaryFolder folder;
 };
 
+/// A film of this name cannot be written in a folder, and leaves nothing there.
+void ExpectFails(const std::string& name, const TemporaryFolder& folder)
+{
+    SCOPED_TRACE(name);
+    const Outcome outcome = RunBoxreel(Record(name), folder.Path());
+    EXPECT_EQ(outcome.code, 4) << outcome.errors;
+    ExpectOneSentence(outcome.errors);
+    EXPECT_THAT(outcome.errors,
+                StartsWith("boxreel: " + (name.ends_with(".png") ? "f-" : name + ": ")));
+    EXPECT_THAT(folder.Files(), IsEmpty());
+}
+
 TEST_F(FilmFailures, FailsAtFileSizeLimitInEveryFormat)
 {
     for (const std::string& name : kEvery)
     {
-        SCOPED_TRACE(name);
-        const bool isPictures = name.ends_with(".png");
-        const SmallFiles limit(isPictures ? 500 : 30000);
-        const Outcome outcome = RunBoxreel(Record(name), folder.Path());
-        EXPECT_EQ(outcome.code, 4) << outcome.errors;
-        ExpectOneSentence(outcome.errors);
-        EXPECT_THAT(outcome.errors, StartsWith("boxreel: " + (isPictures ? "f-" : name + ": ")));
-        EXPECT_THAT(folder.Files(), IsEmpty());
+        const SmallFiles limit(name.ends_with(".png") ? 500 : 30000);
+        ExpectFails(name, folder);
     }
 }
 
@@ -128,13 +134,7 @@ TEST_F(FilmFailures, FailsOnFullDiskInEveryFormat)
     BOXREEL_NEEDS(disk);
     for (const std::string& name : kEvery)
     {
-        SCOPED_TRACE(name);
-        const Outcome outcome = RunBoxreel(Record(name), disk.Folder().Path());
-        EXPECT_EQ(outcome.code, 4) << outcome.errors;
-        ExpectOneSentence(outcome.errors);
-        EXPECT_THAT(outcome.errors,
-                    StartsWith("boxreel: " + (name.ends_with(".png") ? "f-" : name + ": ")));
-        EXPECT_THAT(disk.Folder().Files(), IsEmpty());
+        ExpectFails(name, disk.Folder());
     }
 }
 

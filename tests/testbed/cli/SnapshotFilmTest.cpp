@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Films whose simulation begins with what another run has left.
+#include "../StatsRows.h"
 #include "FilmFixture.h"
 #include "Refusals.h"
 
@@ -15,9 +16,11 @@ namespace
 {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
+using testing::SizeIs;
 
 constexpr const char* kMachine = R"({"gravity":{"x":0,"y":-10},"body":[
     {"name":"wall","type":0},
@@ -51,6 +54,14 @@ protected:
         const Outcome outcome = Run(Command(output, range, more));
         EXPECT_EQ(outcome.code, 0) << outcome.errors;
         return outcome.errors;
+    }
+
+    /// Records, and returns how many steps it simulated, and the step of the snapshot that it began
+    /// with; from the start, only the first.
+    std::vector<double> Steps(const std::string& output, const std::string& range,
+                              const std::vector<std::string>& more = {}) const
+    {
+        return NumbersOf(Record(output, range, more), "steps");
     }
 
     void ExpectSameAsPlain(const std::string& film) const
@@ -113,23 +124,20 @@ TEST_F(Snapshots, FilmFromSnapshotEqualsFilmFromStart)
     {
         SCOPED_TRACE(testing::PrintToString(film));
         SetFilm(film);
-        EXPECT_THAT(Record("plain.mkv", "200-299"), HasSubstr("from the start"));
+        EXPECT_THAT(Steps("plain.mkv", "200-299"), SizeIs(1));
         Record("first.mkv", "0-199", kStates);
-        EXPECT_THAT(Record("film.mkv", "200-299", kStates), HasSubstr("from the snapshot of step"));
+        EXPECT_THAT(Steps("film.mkv", "200-299", kStates), SizeIs(2));
         ExpectSameAsPlain("film.mkv");
     }
-    EXPECT_THAT(Record("again.mkv", "200-299", kStates), HasSubstr("from the snapshot of step"));
+    EXPECT_THAT(Steps("again.mkv", "200-299", kStates), SizeIs(2));
     ExpectSameAsPlain("again.mkv");
 }
 
 TEST_F(Snapshots, SkipStepsSimulatedBefore)
 {
-    EXPECT_THAT(Record("first.mkv", "0-199", kStates),
-                HasSubstr("steps             200   from the start"));
-    EXPECT_THAT(Record("second.mkv", "200-299", kStates),
-                HasSubstr("steps             100   from the snapshot of step 200 on"));
-    EXPECT_THAT(Record("between.mkv", "150-160", kStates),
-                HasSubstr("steps              61   from the snapshot of step 100 on"));
+    EXPECT_THAT(Steps("first.mkv", "0-199", kStates), ElementsAre(200));
+    EXPECT_THAT(Steps("second.mkv", "200-299", kStates), ElementsAre(100, 200));
+    EXPECT_THAT(Steps("between.mkv", "150-160", kStates), ElementsAre(61, 100));
     EXPECT_EQ(Run({"merge", "first.mkv", "second.mkv", "-o", "whole.mkv"}).code, 0);
 }
 
@@ -137,8 +145,7 @@ TEST_F(Snapshots, AreWrittenAtGivenInterval)
 {
     Record("first.mkv", "0-99", {"--snapshots", "states", "--snapshot-every", "7"});
     EXPECT_EQ(Files().size(), 14u);
-    EXPECT_THAT(Record("second.mkv", "100-101", kStates),
-                HasSubstr("steps               4   from the snapshot of step 98 on"));
+    EXPECT_THAT(Steps("second.mkv", "100-101", kStates), ElementsAre(4, 98));
 }
 
 TEST_F(Snapshots, OfOtherFilmsAreKept)
@@ -155,11 +162,11 @@ TEST_F(Snapshots, OfOtherFilmsAreKept)
         std::vector<std::string> more = kStates;
         more.insert(more.end(), other.begin(), other.end());
         const std::string errors = Record("other.mkv", "200-201", more);
-        EXPECT_THAT(errors, HasSubstr("from the start"));
+        EXPECT_THAT(NumbersOf(errors, "steps"), SizeIs(1));
         EXPECT_THAT(errors, Not(HasSubstr("boxreel:")));
     }
     SetFilm({"record", "bridge"});
-    EXPECT_THAT(Record("other.mkv", "200-201", kStates), HasSubstr("from the start"));
+    EXPECT_THAT(Steps("other.mkv", "200-201", kStates), SizeIs(1));
 }
 
 TEST_F(Snapshots, OfChangedSceneFileAreKept)
@@ -167,11 +174,11 @@ TEST_F(Snapshots, OfChangedSceneFileAreKept)
     std::ofstream(folder / "machine.json") << kMachine;
     SetFilm({"record", "machine.json"});
     Record("first.mkv", "0-199", kStates);
-    EXPECT_THAT(Record("film.mkv", "200-201", kStates), HasSubstr("of step 200 on"));
+    EXPECT_THAT(Steps("film.mkv", "200-201", kStates), ElementsAre(testing::_, 200));
     std::string other = kMachine;
     other.replace(other.find("-10"), 3, "-11");
     std::ofstream(folder / "machine.json") << other;
-    EXPECT_THAT(Record("film.mkv", "200-201", kStates), HasSubstr("from the start"));
+    EXPECT_THAT(Steps("film.mkv", "200-201", kStates), SizeIs(1));
 }
 
 TEST_F(Snapshots, DamagedOrForeignOnesAreReportedAndReplaced)
@@ -215,8 +222,8 @@ TEST_F(Snapshots, DamagedOrForeignOnesAreReportedAndReplaced)
         SCOPED_TRACE(what);
         std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
         const std::string errors = Record("film.mkv", "200-299", kStates);
-        EXPECT_THAT(errors, AllOf(HasSubstr(path.filename().string() + " "),
-                                  HasSubstr("from the snapshot of step 100 on")));
+        EXPECT_THAT(errors, HasSubstr(path.filename().string() + " "));
+        EXPECT_THAT(NumbersOf(errors, "steps"), ElementsAre(200, 100));
         EXPECT_EQ(errors.find("boxreel:"), errors.rfind("boxreel:")) << "one sentence";
         ExpectSameAsPlain("film.mkv");
         EXPECT_TRUE(ReadFile(path) == whole) << "it is whole again";
@@ -232,7 +239,6 @@ TEST_F(Snapshots, UnwritableOnesAreReportedAndFilmIsComplete)
     std::filesystem::create_directory(path);
     const std::string errors = Record("film.mkv", "200-299", kStates);
     EXPECT_THAT(errors, HasSubstr(path.filename().string() + " "));
-    EXPECT_THAT(errors, HasSubstr("no more snapshots"));
     ExpectSameAsPlain("film.mkv");
 }
 
@@ -256,7 +262,7 @@ TEST_F(Snapshots, OfConcurrentRunsAreValid)
     ExpectSameAsPlain("b.mkv");
     EXPECT_EQ(Files().size(), 300u);
     EXPECT_THAT(Files(), testing::Each(AllOf(EndsWith(".snapshot"), Not(HasSubstr(".part-")))));
-    EXPECT_THAT(Record("film.mkv", "200-299", kStates), HasSubstr("of step 200 on"));
+    EXPECT_THAT(Steps("film.mkv", "200-299", kStates), ElementsAre(testing::_, 200));
     ExpectSameAsPlain("film.mkv");
 }
 
@@ -276,7 +282,7 @@ TEST_F(Snapshots, SpeedUpResumedFilm)
     command.emplace_back("--resume");
     const Outcome resumed = Run(command);
     ASSERT_EQ(resumed.code, 0) << resumed.errors;
-    EXPECT_THAT(resumed.errors, HasSubstr("from the snapshot of step"));
+    EXPECT_THAT(NumbersOf(resumed.errors, "steps"), SizeIs(2));
     EXPECT_TRUE(Decode("film.mkv") == Decode("whole.mkv"));
 }
 
@@ -292,7 +298,7 @@ TEST_F(Snapshots, RequireWritableFolderBeforeSimulation)
             Run({"record", "pyramid", "-o", "a.mkv", "--frames", "10000000", "--snapshots", name});
         ExpectRefused(outcome, std::string("--snapshots ") + name, code);
     }
-    EXPECT_THAT(folder.Files(), testing::ElementsAre("file"));
+    EXPECT_THAT(folder.Files(), ElementsAre("file"));
     EXPECT_EQ(Run({"record", "pyramid", "-o", "a.mkv", "--snapshot-every", "5"}).code, 1);
 }
 

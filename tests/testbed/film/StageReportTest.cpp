@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "../StatsRows.h"
+
 #include <film/StageReport.h>
 
 #include <gmock/gmock.h>
@@ -11,6 +13,7 @@ namespace boxreel
 namespace
 {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A film of ten frames that took 100 ms of CPU time after a start of 20.
@@ -23,15 +26,14 @@ TEST(StageReport, ShowsTimePerStageAndTheRemainder)
     stages.Add(Stage::WaitForEncoder, 0, 50'000'000);
     stages.Add(Stage::Encode, 40'000'000, 90'000'000);
     const std::string text = DescribeStages(stages, kTen);
-    EXPECT_THAT(text, HasSubstr("\n  starting                  main         2.000     5.000"));
-    EXPECT_THAT(text, HasSubstr("\n  simulating                main         2.000     2.100"));
-    EXPECT_THAT(text, HasSubstr("\n  drawing                   raster       1.000\n"));
-    EXPECT_THAT(text, HasSubstr("\n  waiting for the encoder   main         0.000     5.000"));
-    EXPECT_THAT(text, HasSubstr("\n  encoding                  encoder      4.000     9.000"));
-    EXPECT_THAT(text, HasSubstr("\n  encoding, and the rest    codec        3.000\n"))
+    // CPU and wall, in milliseconds a frame.
+    EXPECT_THAT(NumbersOf(text, "starting"), ElementsAre(2.0, 5.0));
+    EXPECT_THAT(NumbersOf(text, "simulating"), ElementsAre(2.0, 2.1));
+    EXPECT_THAT(NumbersOf(text, "waiting for the encoder"), ElementsAre(0.0, 5.0));
+    EXPECT_THAT(NumbersOf(text, "encoding"), ElementsAre(4.0, 9.0));
+    EXPECT_THAT(NumbersOf(text, "encoding, and the rest"), ElementsAre(3.0))
         << "100 - 10 of the raster threads - 20 - 40 ms, of ten frames";
-    EXPECT_THAT(text,
-                testing::EndsWith("\n  all                                   12.000    35.000"));
+    EXPECT_THAT(NumbersOf(text, "all"), ElementsAre(12.0, 35.0));
 }
 
 TEST(StageReport, TellsProgramsTheSameInOneLine)

@@ -189,7 +189,7 @@ TEST(RubeExport, SaysWhichLimitsAndSidesItLeavesOut)
     const auto* rod = std::get_if<RubeDistance>(&said.joints[0].details);
     ASSERT_NE(rod, nullptr);
     EXPECT_EQ(rod->length, 3.0f);
-    EXPECT_EQ(rod->frequency, 0.0f);
+    EXPECT_EQ(rod->frequencyHz, 0.0f);
     const auto* rope = std::get_if<RubeRope>(&said.joints[1].details);
     ASSERT_NE(rope, nullptr);
     EXPECT_EQ(rope->maxLength, 3.0f);

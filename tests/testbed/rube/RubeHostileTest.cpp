@@ -409,7 +409,7 @@ TEST(HostileSceneFile, AcceptsVerticesAtToleranceDistance)
         scene.bodies.resize(1);
         scene.bodies[0].fixtures.resize(1);
         const b2Vec2 close = b2_linearSlop * b2Vec2(std::cos(angle), std::sin(angle));
-        scene.bodies[0].fixtures[0].shape =
+        scene.bodies[0].fixtures[0].geometry =
             RubeChain{{b2Vec2(0.0f, 0.0f), close, b2Vec2(1.0f, 1.0f)}, false, {}, {}};
         b2World world(b2Vec2(0.0f, 0.0f));
         RubeNotes leftOut;

@@ -148,10 +148,10 @@ TEST(RubeBodies, HaveTheFormatsDefaults)
 {
     const RubeBody body = ParsedBody("");
     EXPECT_EQ(body.type, b2_staticBody);
-    EXPECT_FALSE(body.isAwake) << "a missing awake means asleep";
-    EXPECT_TRUE(body.isActive);
+    EXPECT_FALSE(body.awake) << "a missing awake means asleep";
+    EXPECT_TRUE(body.active);
     EXPECT_TRUE(body.allowSleep);
-    EXPECT_FALSE(body.isBullet);
+    EXPECT_FALSE(body.bullet);
     EXPECT_FALSE(body.fixedRotation);
     EXPECT_EQ(body.gravityScale, 1.0f);
     EXPECT_FALSE(body.massData.has_value());
@@ -172,10 +172,10 @@ TEST(RubeBodies, AreRead)
     EXPECT_EQ(body.linearDamping, 0.1f);
     EXPECT_EQ(body.angularDamping, 0.2f);
     EXPECT_EQ(body.gravityScale, -1.0f);
-    EXPECT_TRUE(body.isBullet);
+    EXPECT_TRUE(body.bullet);
     EXPECT_FALSE(body.allowSleep);
-    EXPECT_TRUE(body.isAwake);
-    EXPECT_FALSE(body.isActive);
+    EXPECT_TRUE(body.awake);
+    EXPECT_FALSE(body.active);
     EXPECT_TRUE(body.fixedRotation);
 }
 
@@ -210,9 +210,9 @@ TEST(RubeFixtures, HaveTheFormatsDefaults)
     EXPECT_EQ(fixture.restitution, 0.0f);
     EXPECT_EQ(fixture.density, 0.0f);
     EXPECT_FALSE(fixture.isSensor);
-    EXPECT_EQ(fixture.categoryBits, 1);
-    EXPECT_EQ(fixture.maskBits, 65535);
-    EXPECT_EQ(fixture.groupIndex, 0);
+    EXPECT_EQ(fixture.filter.categoryBits, 1);
+    EXPECT_EQ(fixture.filter.maskBits, 65535);
+    EXPECT_EQ(fixture.filter.groupIndex, 0);
 }
 
 TEST(RubeFixtures, AreRead)
@@ -226,10 +226,10 @@ TEST(RubeFixtures, AreRead)
     EXPECT_EQ(fixture.restitution, 0.25f);
     EXPECT_EQ(fixture.density, 2.0f);
     EXPECT_TRUE(fixture.isSensor);
-    EXPECT_EQ(fixture.categoryBits, 4);
-    EXPECT_EQ(fixture.maskBits, 65535);
-    EXPECT_EQ(fixture.groupIndex, -3);
-    const auto* circle = std::get_if<RubeCircle>(&fixture.shape);
+    EXPECT_EQ(fixture.filter.categoryBits, 4);
+    EXPECT_EQ(fixture.filter.maskBits, 65535);
+    EXPECT_EQ(fixture.filter.groupIndex, -3);
+    const auto* circle = std::get_if<RubeCircle>(&fixture.geometry);
     ASSERT_NE(circle, nullptr);
     EXPECT_EQ(circle->radius, 1.5f);
     EXPECT_EQ(circle->center, b2Vec2(1.0f, 2.0f));
@@ -240,7 +240,7 @@ TEST(RubeFixtures, ReadEdgesWithTheirGhostVertices)
     const RubeFixture fixture =
         ParsedFixture(R"("edge":{"vertex1":0,"vertex2":{"x":2,"y":0},"hasVertex0":true,
         "vertex0":{"x":-1,"y":1},"hasVertex3":false,"vertex3":{"x":3,"y":1}})");
-    const auto* edge = std::get_if<RubeEdge>(&fixture.shape);
+    const auto* edge = std::get_if<RubeEdge>(&fixture.geometry);
     ASSERT_NE(edge, nullptr);
     EXPECT_EQ(edge->vertex2, b2Vec2(2.0f, 0.0f));
     ASSERT_TRUE(edge->vertex0.has_value());
@@ -252,19 +252,19 @@ TEST(RubeFixtures, ReadChainsLoopsAndPolygons)
 {
     const std::string vertices = R"({"vertices":{"x":[0,1,"40000000"],"y":[0,0.5,0]}})";
     const auto chainFixture = ParsedFixture(R"("chain":)" + vertices);
-    const auto* chain = std::get_if<RubeChain>(&chainFixture.shape);
+    const auto* chain = std::get_if<RubeChain>(&chainFixture.geometry);
     ASSERT_NE(chain, nullptr);
     EXPECT_FALSE(chain->isLoop);
     ASSERT_EQ(chain->vertices.size(), 3u);
     EXPECT_EQ(chain->vertices[2], b2Vec2(2.0f, 0.0f));
 
     const auto loopFixture = ParsedFixture(R"("loop":)" + vertices);
-    const auto* loop = std::get_if<RubeChain>(&loopFixture.shape);
+    const auto* loop = std::get_if<RubeChain>(&loopFixture.geometry);
     ASSERT_NE(loop, nullptr);
     EXPECT_TRUE(loop->isLoop);
 
     const auto polygonFixture = ParsedFixture(R"("polygon":)" + vertices);
-    const auto* polygon = std::get_if<RubePolygon>(&polygonFixture.shape);
+    const auto* polygon = std::get_if<RubePolygon>(&polygonFixture.geometry);
     ASSERT_NE(polygon, nullptr);
     EXPECT_EQ(polygon->vertices.size(), 3u);
 }
@@ -297,8 +297,8 @@ TEST(RubeJoints, ReadRevoluteJoints)
     ASSERT_NE(revolute, nullptr);
     EXPECT_EQ(revolute->referenceAngle, 0.5f);
     EXPECT_TRUE(revolute->enableLimit);
-    EXPECT_EQ(revolute->lowerLimit, -1.0f);
-    EXPECT_EQ(revolute->upperLimit, 1.0f);
+    EXPECT_EQ(revolute->lowerAngle, -1.0f);
+    EXPECT_EQ(revolute->upperAngle, 1.0f);
     EXPECT_TRUE(revolute->enableMotor);
     EXPECT_EQ(revolute->motorSpeed, 3.0f);
     EXPECT_EQ(revolute->maxMotorTorque, 100.0f);
@@ -311,7 +311,7 @@ TEST(RubeJoints, ReadDistanceJoints)
     const auto* distance = std::get_if<RubeDistance>(&joint.details);
     ASSERT_NE(distance, nullptr);
     EXPECT_EQ(distance->length, 2.5f);
-    EXPECT_EQ(distance->frequency, 4.0f);
+    EXPECT_EQ(distance->frequencyHz, 4.0f);
     EXPECT_EQ(distance->dampingRatio, 0.5f);
 }
 
