@@ -1,12 +1,12 @@
 # How every target of this project is compiled. Nothing here touches global flags, so a parent
 # project that uses add_subdirectory keeps its own.
 
-# Same input, same bits: no fused multiply-add, no fast-math, whatever the compiler's default.
+# Same input, same bits: no fused multiply-add, no fast-math, for every default of a compiler.
 set(BOXREEL_COMPILE_OPTIONS -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                             -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
 
 # GCC 12 takes "a" + std::string for an overflow, depending on what it has inlined (GCC's bug 105651,
-# mended in 13). Later ones and clang look at the same code.
+# fixed in 13). Later ones and clang look at the same code.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   list(APPEND BOXREEL_COMPILE_OPTIONS -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
        -Wno-array-bounds)

@@ -213,15 +213,15 @@ Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path,
     if (!path.has_filename())
     {
         return CannotWrite(ErrorKind::Unusable, path.empty() ? fs::path("''") : path,
-                           "it is not a file name", "add a file name");
+                           "is not a file name", "add a file name");
     }
     if (fs::is_directory(status))
     {
-        return CannotWrite(ErrorKind::Unusable, path, "it is a folder", "add a file name");
+        return CannotWrite(ErrorKind::Unusable, path, "is a folder", "add a file name");
     }
     if (fs::exists(status) && !fs::is_regular_file(status))
     {
-        return CannotWrite(ErrorKind::Unusable, path, "it is a device or a pipe",
+        return CannotWrite(ErrorKind::Unusable, path, "is a device or a pipe",
                            "choose the name of a regular file");
     }
     if (!settings.overwrite && fs::exists(fs::symlink_status(path, ignored)))

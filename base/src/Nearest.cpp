@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <base/Nearest.h>
 #include <base/Quoting.h>
+#include <base/Words.h>
 
 #include <algorithm>
 
@@ -88,13 +89,8 @@ std::string DidYouMean(std::string_view word, const std::vector<std::string>& ca
 Error NotOneOf(const std::string& option, const std::string& text,
                const std::vector<std::string>& words)
 {
-    std::string all;
-    for (const std::string& word : words)
-    {
-        all.append(all.empty() ? "" : ", ").append(word);
-    }
-    return Error{ErrorKind::Unusable, AsTyped(option, text), "must be one of " + all,
-                 DidYouMean(text, words)};
+    return Error{ErrorKind::Unusable, AsTyped(option, text),
+                 "must be one of " + JoinedBy(", ", words), DidYouMean(text, words)};
 }
 
 } // namespace boxreel

@@ -23,12 +23,8 @@ std::vector<std::string> SplitAt(char separator, std::string_view text)
 
 std::string JoinedBy(std::string_view separator, const std::vector<std::string>& words)
 {
-    std::string text;
-    for (const std::string& word : words)
-    {
-        text.append(text.empty() ? "" : separator).append(word);
-    }
-    return text;
+    return JoinedBy(separator, words,
+                    [](const std::string& word) -> const std::string& { return word; });
 }
 
 } // namespace boxreel

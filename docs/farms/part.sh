@@ -20,7 +20,7 @@ first=$((number * PART))
 film=$FOLDER/$(printf 'part-%05d.mkv' "$number")
 mkdir -p "$FOLDER"
 if [ -f "$film" ] && [ ! -f "$film.json" ]; then
-    # Killed between the film and its papers, or somebody else's: it is kept under another name.
+    # Killed between the film and its manifest, or another program's film: kept under another name.
     aside=$(mktemp "$film.aside-XXXXXX")
     mv "$film" "$aside"
     echo "part.sh: $film has no manifest, so it is recorded again; what was there is now $aside" >&2

@@ -66,7 +66,7 @@ class Painter {
       first += 2 * item.count;
     }
   }
-  // Without a colour that is set already: browsers read it anew each time.
+  // Does not set the same colour twice, because browsers parse it again each time.
   setFill(color) {
     if (color !== this.fill) this.context.fillStyle = this.fill = color;
   }

@@ -59,7 +59,7 @@ T NeedOfFilm(Result<T> result)
     return result ? Need(std::move(result)) : Need(Result<T>(InKeywords(result.GetError())));
 }
 
-/// A film of a folder that is not there fails at once, and not after the simulation.
+/// Fails if the folder does not exist.
 void RequireFolder(const std::filesystem::path& path)
 {
     const std::filesystem::path folder = path.parent_path();

@@ -4,6 +4,7 @@
 #include "FFmpegPicture.h"
 
 #include <base/ErrorMacros.h>
+#include <base/Words.h>
 
 #include <algorithm>
 #include <utility>
@@ -32,12 +33,8 @@ Error Missing(const EncoderPlan& plan, const std::string& film)
 
 std::string Given(const VideoSettings& settings)
 {
-    std::string options;
-    for (const auto& [name, value] : settings.codecOptions)
-    {
-        options += (options.empty() ? "" : " ") + name + "=" + value;
-    }
-    return options;
+    return JoinedBy(" ", settings.codecOptions,
+                    [](const auto& option) { return option.first + "=" + option.second; });
 }
 
 /// The encoder refused to start, most likely because of the user's options.

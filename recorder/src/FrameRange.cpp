@@ -2,6 +2,7 @@
 #include <recorder/FrameRange.h>
 
 #include <base/Quoting.h>
+#include <base/Words.h>
 
 #include <algorithm>
 #include <cassert>
@@ -142,12 +143,7 @@ FrameRange FrameRange::Below(std::int64_t count) const
 
 std::string FrameRange::Text() const
 {
-    std::string text;
-    for (const FrameRun& run : m_runs)
-    {
-        text.append(text.empty() ? "" : ",").append(TextOf(run));
-    }
-    return text;
+    return JoinedBy(",", m_runs, TextOf);
 }
 
 } // namespace boxreel

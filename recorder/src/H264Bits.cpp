@@ -93,11 +93,6 @@ void BitWriter::Copy(std::span<const std::uint8_t> from, std::size_t first, std:
     }
 }
 
-void BitWriter::AlignWithOnes()
-{
-    Bits((1u << m_free) - 1, m_free);
-}
-
 void BitWriter::End()
 {
     Bits(1, 1);

@@ -39,8 +39,6 @@ public:
     void Signed(std::int32_t value);    ///< se(v)
     /// Appends the bits of `from` from `first` up to `end`.
     void Copy(std::span<const std::uint8_t> from, std::size_t first, std::size_t end);
-    /// Appends ones up to the next byte.
-    void AlignWithOnes();
     /// Appends the bit that ends a unit, and zeros up to the next byte.
     void End();
     /// Appends whole bytes. The position must be at one.

@@ -7,10 +7,10 @@
 #include <vector>
 
 /// Pictures of an H.264 stream that equal the one before, written without an encoder (ITU-T H.264).
-/// Such a picture is a slice in which every macroblock is skipped: a dozen bytes. It is no
-/// reference, so the encoder's pictures do not notice it. Only their places in the order of display
-/// (picture order counts) are written again, with more bits, because the encoder counts its own
-/// pictures alone. Plain bytes, without libav; used by RepeatPackets.
+/// Such a picture is a slice in which every macroblock is skipped: a dozen bytes. It is not a
+/// reference, so it does not affect the encoder's pictures. Only their picture order counts are
+/// written again, with more bits, because the encoder counts its own pictures alone. Plain bytes,
+/// without libav; used by RepeatPackets.
 namespace boxreel
 {
 
@@ -56,7 +56,7 @@ private:
     std::int64_t m_start = 0;        ///< index of the last picture that resets the decoder
     std::uint32_t m_frameNumber = 0; ///< of the last reference in decoding order
     std::int64_t m_shown = -1;       ///< index of the reference that is shown last
-    std::uint32_t m_shownNumber = 0; ///< its number
+    std::uint32_t m_shownNumber = 0; ///< the frame number of m_shown
 };
 
 } // namespace boxreel

@@ -93,7 +93,7 @@ struct Rows
     std::size_t size = 0;
 };
 
-/// Returns the rows as RGB, each after a zero: it is not filtered. Null if a pixel is transparent.
+/// Returns the rows as RGB, each after a zero for "no filter". Null if a pixel is transparent.
 Rows RowsOf(const Frame& frame)
 {
     const std::size_t stride = std::size_t(frame.width) * kColors + 1;

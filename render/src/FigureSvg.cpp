@@ -7,6 +7,7 @@
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
 #include <base/Quoting.h>
+#include <base/Words.h>
 #include <debugdraw/DrawListText.h>
 #include <debugdraw/TextWidth.h>
 
@@ -121,11 +122,8 @@ public:
 
     void Polygon(std::span<const Point> corners, bool sharp, const FigurePaint& paint) override
     {
-        std::string points;
-        for (const Point p : corners)
-        {
-            points.append(points.empty() ? "" : " ").append(Number(p.x) + "," + Number(p.y));
-        }
+        const std::string points =
+            JoinedBy(" ", corners, [](const Point& p) { return Number(p.x) + "," + Number(p.y); });
         Line("<polygon" + Attribute("points", points) + Inks(paint) +
              (sharp ? "" : Attribute("stroke-linejoin", "round")) + "/>");
     }

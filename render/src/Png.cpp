@@ -177,7 +177,7 @@ Result<void> OpenFile(Reader& reader, const fs::path& path)
     std::error_code code;
     if (fs::is_directory(path, code))
     {
-        return CannotRead(ErrorKind::Unusable, path, "it is a folder", "name a PNG file");
+        return CannotRead(ErrorKind::Unusable, path, "is a folder", "name a PNG file");
     }
     reader.file.reset(std::fopen(path.c_str(), "rb"));
     if (!reader.file)

@@ -91,7 +91,7 @@ std::string KindCases(const CommandText& program)
 }
 
 constexpr const char* kMatches = R"sh(
-# What begins with $current, a line each. $1: what stands there, then its words.
+# Prints what begins with $current, one per line. $1: the kind of argument, followed by its words.
 _boxreel_matches()
 {
     local kind=$1 last=${current##*,} plain=${current#[\"\']} end

@@ -5,6 +5,7 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
+#include <base/Words.h>
 
 #include <sstream>
 
@@ -149,11 +150,7 @@ std::string Usage(const CommandText& command)
 
 std::string OptionTerm(const OptionText& option)
 {
-    std::string term;
-    for (const std::string& name : option.names)
-    {
-        term += (term.empty() ? "" : ", ") + Bold(name);
-    }
+    const std::string term = JoinedBy(", ", option.names, Bold);
     return option.unit.empty() ? term : term + " " + Italic(option.unit);
 }
 

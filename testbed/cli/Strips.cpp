@@ -203,7 +203,7 @@ private:
         return {};
     }
 
-    /// Both worlds to the moment, to be played side by side.
+    /// Adds pages of both worlds up to the moment.
     Result<void> AddPages(const std::string& scene, std::int64_t last, FilmStrip& strip) const
     {
         if (m_against.empty())

@@ -23,7 +23,7 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-// While nothing moves, the window looks up so often by itself [s]: for signals.
+// Interval at which the window checks for signals while nothing moves [s].
 constexpr double kRest = 0.1;
 // Pause between frames of a scene in which nothing visible moves, to avoid a busy loop.
 constexpr std::chrono::milliseconds kPause(4);

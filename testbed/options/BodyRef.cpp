@@ -3,6 +3,7 @@
 #include "Values.h"
 
 #include <base/Nearest.h>
+#include <base/Words.h>
 
 #include <algorithm>
 
@@ -100,11 +101,8 @@ Result<void> FindNames(const std::string& option, const std::vector<BodyRef*>& b
         }
         if (numbers.size() > 1)
         {
-            std::string all;
-            for (const std::uint32_t number : numbers)
-            {
-                all += (all.empty() ? "" : ", ") + std::to_string(number);
-            }
+            const std::string all = JoinedBy(
+                ", ", numbers, [](std::uint32_t number) { return std::to_string(number); });
             return BadValue(option, body->name, "bodies " + all + " have this name",
                             "give the number of one");
         }

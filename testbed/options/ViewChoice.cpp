@@ -3,6 +3,7 @@
 #include "Values.h"
 
 #include <base/Nearest.h>
+#include <base/Words.h>
 
 #include <charconv>
 #include <cmath>
@@ -137,32 +138,18 @@ Result<ViewChoice> ParsePath(const std::string& option, std::string_view keys)
 /// Each the shortest that is read as the same number.
 std::string Exactly(std::initializer_list<double> numbers)
 {
-    std::string all;
-    for (const double number : numbers)
-    {
+    return JoinedBy(",", numbers, [](double number) {
         char text[40];
         char* const end = std::to_chars(text, text + sizeof text, number).ptr;
-        all.append(all.empty() ? "" : ",").append(&text[0], end);
-    }
-    return all;
+        return std::string(&text[0], end);
+    });
 }
 
 std::string TextOf(const std::vector<BodyRef>& bodies)
 {
-    std::string text;
-    for (const BodyRef& body : bodies)
-    {
-        text.append(text.empty() ? "" : ",");
-        if (body.name.empty())
-        {
-            text.append(std::to_string(body.number));
-        }
-        else
-        {
-            text.append(1, '"').append(body.name).append(1, '"');
-        }
-    }
-    return text;
+    return JoinedBy(",", bodies, [](const BodyRef& body) {
+        return body.name.empty() ? std::to_string(body.number) : '"' + body.name + '"';
+    });
 }
 
 struct Describer

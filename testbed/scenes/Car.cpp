@@ -40,7 +40,7 @@ constexpr KeyBinding kKeys[] = {{'a', "drives to the left"},
                                 {'q', "makes the suspension softer"},
                                 {'e', "makes the suspension harder"}};
 
-/// Stands on a slope and rolls off it; the rest is the driver's.
+/// Starts on a slope and rolls off it. After that the user drives.
 class Car : public Scene
 {
 public:

@@ -17,9 +17,9 @@ constexpr uint16 kEverything = 0xFFFF;
 // Boxes and discs collide with their own kind and the ground, not with each other.
 constexpr b2Filter kBoxes{.categoryBits = kBoxBits, .maskBits = kEverything & ~kDiscBits};
 constexpr b2Filter kDiscs{.categoryBits = kDiscBits, .maskBits = kEverything & ~kBoxBits};
-// Their masks forbid it, but a positive group is stronger.
+// Their masks forbid collisions, but a positive group overrides masks.
 constexpr b2Filter kFriends{.categoryBits = kBoxBits, .maskBits = kGroundBits, .groupIndex = 1};
-// Their masks allow it, but so is a negative group.
+// Their masks allow collisions, but a negative group overrides masks.
 constexpr b2Filter kStrangers{.categoryBits = kBoxBits, .groupIndex = -2};
 
 constexpr int32 kColumn = 6;                      ///< bodies in a column

@@ -44,7 +44,7 @@ public:
         AddLane(kLanes[1], true);
         for (const float32 height : kLanes)
         {
-            // They pass each other by: only the seams are of interest.
+            // They do not collide with each other, because only the seams are of interest.
             SetGroup(*AddBox(m_world, b2Vec2(-5.0f, height + kHalfSize), kHalfSize, kHalfSize,
                              kSlippery),
                      -1);

@@ -3,8 +3,8 @@
 
 #include <Box2D/Box2D.h>
 
-/// Joints as scenes want them, at world points. Called by scenes while they build their world, as
-/// the pieces of Parts.h are.
+/// Creates joints at world points. Called by scenes while they build their world, like the
+/// functions of Parts.h.
 namespace boxreel
 {
 

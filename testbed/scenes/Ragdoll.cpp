@@ -103,7 +103,7 @@ private:
         Join(figure, chest, head, b2Vec2(0.0f, 1.22f), -0.5f, 0.5f);
         for (const float32 side : {-1.0f, 1.0f})
         {
-            // Seen from the front, an arm is raised outwards, and a knee gives way inwards only.
+            // Seen from the front, an arm is raised outwards, and a knee bends inwards only.
             const auto join = [&](b2Body* upper, b2Body* lower, const b2Vec2& point,
                                   float32 inwards, float32 outwards) {
                 Join(figure, upper, lower, b2Vec2(side * point.x, point.y),

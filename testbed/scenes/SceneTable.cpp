@@ -14,7 +14,7 @@ std::span<const SceneEntry> AllScenes()
         {"Bridge", "Joints", "A bridge of hinged planks carries what falls on it.", MakeBridge},
         {"Chain", "Joints", "A chain let go from the horizontal swings and curls.", MakeChain},
         {"Dominos", "Examples",
-         "A hammer starts two rows of dominoes, a ball carries the news from one to the other.",
+         "A hammer starts a row of dominoes, whose last one pushes a ball into a second row.",
          MakeDominos},
         {"Tumbler", "Stacking", "A turning drum churns boxes that are dropped in one by one.",
          MakeTumbler},

@@ -59,7 +59,7 @@ public:
 
 private:
     b2Body* m_ball;        ///< waits on its pedestal
-    bool m_thrown = false; ///< at the columns, once they have been seen to stand
+    bool m_thrown = false; ///< true after the columns have stood for a while
     float32 m_time = 0.0f; ///< [s]
 };
 

@@ -5,6 +5,7 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Quoting.h>
+#include <base/Words.h>
 
 #include <algorithm>
 #include <utility>
@@ -26,13 +27,9 @@ Error Unusable(std::string culprit, std::string problem, std::string remedy = {}
 /// "d (drives forward), a (brakes)".
 std::string KeysOf(const Scene& scene)
 {
-    std::string keys;
-    for (const KeyBinding& binding : scene.Keys())
-    {
-        keys +=
-            (keys.empty() ? "" : ", ") + std::string(1, binding.key) + " (" + binding.effect + ")";
-    }
-    return keys;
+    return JoinedBy(", ", scene.Keys(), [](const KeyBinding& binding) {
+        return std::string(1, binding.key) + " (" + binding.effect + ")";
+    });
 }
 
 Result<void> CheckKey(const Script& script, const ScriptAction& action, const Scene& scene)

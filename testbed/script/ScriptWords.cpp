@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ScriptWords.h"
 
+#include <base/Words.h>
+
 namespace boxreel
 {
 namespace
@@ -52,13 +54,10 @@ Result<std::vector<std::string>> WordsOf(std::string_view line)
 
 std::string LineOf(const std::vector<std::string>& words)
 {
-    std::string line;
-    for (const std::string& word : words)
-    {
+    return JoinedBy(" ", words, [](const std::string& word) {
         const bool isPlain = !word.empty() && word.find_first_of(" \t#") == std::string::npos;
-        line += (line.empty() ? "" : " ") + (isPlain ? word : '"' + word + '"');
-    }
-    return line;
+        return isPlain ? word : '"' + word + '"';
+    });
 }
 
 } // namespace boxreel

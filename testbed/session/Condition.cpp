@@ -3,6 +3,7 @@
 
 #include <base/Nearest.h>
 #include <base/Quoting.h>
+#include <base/Words.h>
 #include <options/Values.h>
 
 #include <array>
@@ -68,7 +69,6 @@ Result<Condition::Quantity> Condition::QuantityOf(std::string_view word, bool is
         {"contacts", Quantity::Contacts, false, true},
     }};
     std::vector<std::string> candidates;
-    std::string all;
     for (const Word& known : words)
     {
         if (!(isOfWorld ? known.isOfWorld : known.isOfBody))
@@ -79,10 +79,9 @@ Result<Condition::Quantity> Condition::QuantityOf(std::string_view word, bool is
         {
             return known.quantity;
         }
-        all.append(candidates.empty() ? "" : ", ").append(known.text);
         candidates.emplace_back(known.text);
     }
-    return Error{ErrorKind::Unusable, Quoted(word), "must be one of " + all,
+    return Error{ErrorKind::Unusable, Quoted(word), "must be one of " + JoinedBy(", ", candidates),
                  DidYouMean(word, candidates, kRemedy)};
 }
 

@@ -3,10 +3,12 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Quoting.h>
+#include <base/Words.h>
 #include <golden/StateHash.h>
 #include <options/Values.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 namespace boxreel
@@ -108,16 +110,12 @@ Result<GoldenSelection> SelectGolden(const std::string& name)
     const std::size_t slash = name.rfind('/');
     ASSIGN_OR_RETURN(const SceneEntry* const scene, FindScene(name.substr(0, slash)));
     GoldenSelection selection{.scene = scene, .moment = name.substr(slash + 1)};
-    std::string moments;
-    for (const Moment& moment : kMoments)
+    if (std::ranges::count(kMoments, selection.moment, &Moment::name) > 0)
     {
-        if (selection.moment == moment.name)
-        {
-            return selection;
-        }
-        moments += (moments.empty() ? "" : ", ") + std::string(moment.name);
+        return selection;
     }
-    return Error{ErrorKind::Unusable, Quoted(name), "unknown moment", "use one of " + moments};
+    return Error{ErrorKind::Unusable, Quoted(name), "unknown moment",
+                 "use one of " + JoinedBy(", ", kMoments, std::mem_fn(&Moment::name))};
 }
 
 Result<void> VisitGoldenMoments(const GoldenSelection& selection, Renderer& renderer,

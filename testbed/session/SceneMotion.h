@@ -34,8 +34,8 @@ public:
     /// moments.
     DrawList Picture(SceneSession& session, const DrawList& scene) const;
 
-    /// After the last picture: Unusable when a body that the look names has never been there, or,
-    /// of those between which it measures, in none of the pictures.
+    /// Call after the last picture. Unusable if a named body never existed, or a measured body is
+    /// in no picture.
     Result<void> CheckBodiesCame() const;
 
 private:

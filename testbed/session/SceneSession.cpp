@@ -282,7 +282,7 @@ Result<void> SceneSession::Replace(SceneSource source, const SceneLook& look)
     return {};
 }
 
-/// A view as wide as what no panel covers, in the picture: its middle there, all of it in sight.
+/// Returns the view fitted to the part that no panel covers.
 Camera SceneSession::Placed(const Camera& view) const
 {
     if (m_look.covered == 0 && view.width == m_look.width && view.height == m_look.height)

@@ -126,7 +126,7 @@ public:
     void LookAt(const b2Vec2& center, double pixelsPerMeter);
     /// Restores the view of its look.
     void LookAsBefore() { m_ownView.reset(); }
-    /// The view goes with bodies by itself.
+    /// True if the view follows bodies.
     bool Follows() const { return !m_ownView && m_camera.Follows(); }
     bool HasOwnView() const { return m_ownView.has_value(); }
     /// Returns the width of the picture that no panel covers [px].
@@ -142,12 +142,12 @@ public:
         m_companion = std::move(companion);
     }
 
-    /// All that decides which states it goes through, as lines of text: before the first step. A
-    /// state that was saved may be restored wherever the text is the same.
+    /// Returns everything that determines the sequence of states, as lines of text. Call it before
+    /// the first step. A saved state can be restored in sessions with the same text.
     std::string DescribeOrigin();
-    /// All that a step leaves to the next one and to pictures.
+    /// Returns what a step leaves to the next one and to pictures.
     std::vector<std::uint8_t> SaveState();
-    /// False when the bytes are not such a state; the session is then as it was.
+    /// False if the bytes are not such a state; the session is then unchanged.
     bool RestoreState(std::span<const std::uint8_t> bytes);
     /// Returns the latest step from which a restored state must be simulated, so the picture of
     /// `step` contains all of its items.

@@ -21,12 +21,11 @@ SolverChoices SolverOf(const SceneSession& session);
 /// Applies the settings that may change during a session: all except the rate.
 void Apply(const SolverChoices& solver, SceneSession& session);
 
-/// Those before and after, as scripts call them: {"sleep", "off"}.
+/// Returns the names and new values of the choices that differ, as in scripts: {"sleep", "off"}.
 std::vector<std::pair<std::string, std::string>> Differences(const SolverChoices& before,
                                                              const SolverChoices& after);
 
-/// Panels over a session that films and pictures are made of, clicked by its script. They are there
-/// too, but not drawn, when only the script needs them.
+/// Panels of a recorded session. A script can click them when they are hidden.
 Result<std::shared_ptr<SessionCompanion>> CreateScriptedPanels(const SceneLook& look,
                                                                const SceneSession& session);
 

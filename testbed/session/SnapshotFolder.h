@@ -26,13 +26,13 @@ bool IsSnapshotDue(std::int64_t step, std::optional<std::int64_t> every);
 class SnapshotFolder
 {
 public:
-    /// Makes the folder unless it is there, and removes what runs on this machine that were killed
-    /// have left half written. Failed, with a sentence, when it takes no files.
+    /// Creates the folder if it does not exist. Removes incomplete files of killed runs on this
+    /// machine. Failed if the folder does not accept files.
     static Result<SnapshotFolder> Open(const std::filesystem::path& folder,
                                        std::optional<std::int64_t> every);
 
-    /// For a session before its first step: takes it on to the newest state at or before `latest`
-    /// that is there. Files that should be states and are not are said once, on standard error.
+    /// For a session before its first step: restores the newest stored state at or before `latest`.
+    /// Reports each invalid state file once on standard error.
     void Begin(SceneSession& session, std::int64_t latest);
 
     /// After each step: saves the state when it is due and not there. A folder that takes no more

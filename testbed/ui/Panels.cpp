@@ -138,7 +138,7 @@ double Panels::Width(const PanelChoices& choices) const
                                : 0.0;
 }
 
-/// Another scene's steps are forgotten.
+/// Discards the observed steps if the scene is another one or has started again.
 void Panels::Recognise(const PanelFacts& facts)
 {
     if (facts.scene != m_observed || facts.step < m_observedStep)

@@ -27,10 +27,10 @@ class Widgets
 public:
     explicit Widgets(double scale) : m_scale(float(scale)) {}
 
-    /// A length that is so long at scale 1 [px].
+    /// Returns a length at the current scale [px]. `length` is at scale 1.
     float Px(double length) const { return float(length) * m_scale; }
 
-    /// Once a frame, before any of the others.
+    /// Call once per frame, before the functions below.
     void BeginFrame();
 
     /// A headline that expands and collapses the controls that follow; true while it is expanded.
@@ -44,13 +44,13 @@ public:
     static float CheckWidth(const char* name);
     /// A slider between two limits, with a button for one less and one for one more.
     bool Number(const char* name, int& value, int lowest, int highest);
-    /// One of a list, as a line that can be chosen.
+    /// An entry of a list, as a line that can be selected.
     bool Line(const char* name, bool isChosen);
     /// "name    value".
     void Fact(const char* name, const std::string& value);
-    /// A line through these points [px] in the colour of plots.
+    /// Draws a line through these points [px] in the colour of plots.
     void Curve(std::span<const Vec2> points);
-    /// Around the window or popup that is being built, whose corners have this radius [px].
+    /// Draws a border around the current window or popup, whose corners have this radius [px].
     void Border(float rounding);
     /// A text beside the mouse.
     void Tip(const std::string& text);

@@ -190,7 +190,7 @@ void Workbench::ApplyChoices(const PanelChoices& before)
     }
 }
 
-/// The view keeps clear of the panels, when they are there.
+/// Fits the view to the part that no shown panel covers.
 void Workbench::Cover()
 {
     m_settings.look.covered = m_choices.showsPanels ? Panels::kColumnWidth : 0;

@@ -70,7 +70,7 @@ void Workbench::Button(const WindowEvent& event, bool isDown)
     }
     if (isDown)
     {
-        BuildPanels(m_input); // the mouse is there first
+        BuildPanels(m_input); // with the mouse at its new position, before the button is down
     }
     m_input.buttons[std::size_t(event.button)] = isDown;
     BuildPanels(m_input);

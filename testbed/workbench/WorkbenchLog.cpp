@@ -14,7 +14,8 @@ namespace boxreel
 namespace
 {
 
-// A view that moves is followed so often [s]; between, a camera goes softly by itself.
+// Interval between logged positions of a moving view [s]. Cameras interpolate smoothly between
+// them.
 constexpr double kSecondsBetweenKeys = 0.25;
 
 /// "1.5s", to the nanosecond.

@@ -58,6 +58,56 @@ void CheckSource(const std::string& path, const std::vector<std::string>& lines,
     }
 }
 
+void CheckTestName(const std::string& path, std::size_t line, const std::string& name,
+                   Findings& findings)
+{
+    if (name.size() > kMaxTestName)
+    {
+        findings.push_back(At(path, line) + name + " has " + std::to_string(name.size()) +
+                           " characters; the limit is " + std::to_string(kMaxTestName));
+    }
+}
+
+/// The parentheses of a test may extend over several lines.
+void CheckCppTests(const std::string& path, const std::vector<std::string>& lines,
+                   Findings& findings)
+{
+    static const std::regex test(R"(\bTEST(?:_F|_P)?\s*\(\s*(\w+)\s*,\s*(\w+)\s*\))");
+    std::string text;
+    for (const std::string& line : lines)
+    {
+        text += line + "\n";
+    }
+    for (std::sregex_iterator found(text.begin(), text.end(), test), end; found != end; ++found)
+    {
+        const auto before = std::count(text.cbegin(), (*found)[0].first, '\n');
+        CheckTestName(path, std::size_t(before) + 1, (*found)[1].str() + "." + (*found)[2].str(),
+                      findings);
+    }
+}
+
+/// Methods have the name "Class.test_method", as unittest prints it.
+void CheckPythonTests(const std::string& path, const std::vector<std::string>& lines,
+                      Findings& findings)
+{
+    static const std::regex classes(R"(^class\s+(\w+))");
+    static const std::regex test(R"(^(\s*)def\s+(test_\w+))");
+    std::string suite;
+    std::smatch found;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+        if (std::regex_search(lines[i], found, classes))
+        {
+            suite = found[1].str() + ".";
+        }
+        else if (std::regex_search(lines[i], found, test))
+        {
+            CheckTestName(path, i + 1, (found.length(1) > 0 ? suite : "") + found[2].str(),
+                          findings);
+        }
+    }
+}
+
 } // namespace
 
 Findings CheckFiles(const fs::path& root)
@@ -90,29 +140,16 @@ Findings CheckFiles(const fs::path& root)
 
 Findings CheckTestNames(const fs::path& root)
 {
-    static const std::regex test(R"(\bTEST(?:_F|_P)?\s*\(\s*(\w+)\s*,\s*(\w+)\s*\))");
     Findings findings;
     for (const std::string& path : FilesBelow(root))
     {
-        if (!IsCpp(path))
+        if (IsCpp(path))
         {
-            continue;
+            CheckCppTests(path, ReadLines(root / path), findings);
         }
-        std::string text;
-        for (const std::string& line : ReadLines(root / path))
+        else if (path.ends_with(".py"))
         {
-            text += line + "\n";
-        }
-        for (std::sregex_iterator found(text.begin(), text.end(), test), end; found != end; ++found)
-        {
-            const std::string name = (*found)[1].str() + "." + (*found)[2].str();
-            if (name.size() > kMaxTestName)
-            {
-                const auto lines = std::count(text.cbegin(), (*found)[0].first, '\n');
-                findings.push_back(At(path, std::size_t(lines) + 1) + name + " has " +
-                                   std::to_string(name.size()) + " characters; the limit is " +
-                                   std::to_string(kMaxTestName));
-            }
+            CheckPythonTests(path, ReadLines(root / path), findings);
         }
     }
     return findings;

@@ -23,7 +23,8 @@ Findings CheckForeignLibraries(const std::filesystem::path& root);
 /// The licence line on top, at most 700 lines, no absolute path of one machine.
 Findings CheckFiles(const std::filesystem::path& root);
 
-/// Names of tests (`Suite.Name`, without program and parameter) of more than 60 characters.
+/// Names of tests of more than 60 characters: `Suite.Name` of C++, without program and parameter,
+/// and `Class.test_name` of Python.
 Findings CheckTestNames(const std::filesystem::path& root);
 
 /// Commands in `compileCommands` (compile_commands.json) for sources below `root` that would let

@@ -207,6 +207,17 @@ TEST_F(PlantedTree, TestNamesOverSixtyCharactersAreFound)
                             StartsWith("tests/base/NameTest.cpp:3: Suite." + kept + "c has 61")));
 }
 
+TEST_F(PlantedTree, PythonTestNamesOverSixtyCharactersAreFound)
+{
+    const std::string kept = "test_" + std::string(49, 'a'); // with "Suite." 60
+    Plant("tests/python/name_test.py", "class Suite(TestCase):\n    def " + kept +
+                                           "(self):\n    def " + kept + "b(self):\ndef " + kept +
+                                           "abcdefg():\n");
+    EXPECT_THAT(CheckTestNames(m_root),
+                ElementsAre(StartsWith("tests/python/name_test.py:3: Suite." + kept + "b has 61"),
+                            StartsWith("tests/python/name_test.py:4: " + kept + "abcdefg has 61")));
+}
+
 TEST_F(PlantedTree, InexactCompileCommandsAreFound)
 {
     const auto entry = [&](const std::string& flags, const std::string& file) {

@@ -1,50 +1,48 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdlib>
+#include <base/WorkFolder.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// A folder of a test's own, removed with all that is in it. Used by tests that write files.
 class TemporaryFolder
 {
 public:
-    TemporaryFolder()
-    {
-        std::string name = (std::filesystem::temp_directory_path() / "boxreel-XXXXXX").string();
-        if (!::mkdtemp(name.data()))
-        {
-            throw std::runtime_error("no temporary folder: " + name);
-        }
-        m_path = name;
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(m_path, ignored);
-    }
+    std::filesystem::path operator/(const std::string& name) const { return Path() / name; }
+    const std::filesystem::path& Path() const { return m_folder.Path(); }
 
-    std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
-
-    /// Returns the names of the files in it.
+    /// Returns the names of the files in it, sorted.
     std::vector<std::string> Names() const
     {
         std::vector<std::string> names;
-        for (const auto& entry : std::filesystem::directory_iterator(m_path))
+        for (const auto& entry : std::filesystem::directory_iterator(Path()))
         {
             names.push_back(entry.path().filename().string());
         }
+        std::sort(names.begin(), names.end());
         return names;
     }
 
 private:
-    std::filesystem::path m_path;
+    static boxreel::WorkFolder Created()
+    {
+        boxreel::Result<boxreel::WorkFolder> folder = boxreel::WorkFolder::Create();
+        if (!folder)
+        {
+            throw std::runtime_error(folder.GetError().problem);
+        }
+        return *std::move(folder);
+    }
+
+    boxreel::WorkFolder m_folder = Created();
 };
 
 inline std::string ReadBytes(const std::filesystem::path& path)

@@ -46,7 +46,7 @@ class Sweep(BuildCase):
         case = ACCURACY.cases(self.folder / "build")[0]
         return ACCURACY.measure(self.folder / "build", case, OPTIONS, self.folder)["runs"]
 
-    def test_varies_iterations_rates_and_the_sub_steps_there_are(self) -> None:
+    def test_varies_iterations_rates_and_sub_steps(self) -> None:
         runs = self.measured("1e-5", "1e-5")
         self.assertEqual(len(runs), 4 * 4 * (3 + 1))
         self.assertEqual({run["subSteps"] for run in runs if run["engine"] == "boxreel_bench"}, {1, 2, 4})

@@ -95,13 +95,13 @@ class Command(BuildCase):
         self.assertFalse((self.folder / "calls").exists(), "refused before anything ran")
         self.assertEqual(self.bench("engine", "--json", "a.json", "--force").returncode, 0)
 
-    def test_refuses_charts_of_cases_that_exist_before_anything_runs(self) -> None:
+    def test_refuses_existing_charts_before_it_runs(self) -> None:
         self.program("boxreel_bench", 'log "$1"; echo \'{"case":"A-projectile","what":"","unit":"m","maxSubSteps":1}\'')
         (self.folder / "a-A-projectile-dark.svg").write_text("mine", encoding="utf-8")
         self.assert_refused(1, "a-A-projectile-dark.svg", "accuracy", "--chart", "a.svg", "--theme", "both")
         self.assertEqual(self.calls(), ["accuracy-list"])
 
-    def test_refuses_a_folder_that_is_not_there_before_anything_runs(self) -> None:
+    def test_refuses_a_missing_folder_before_it_runs(self) -> None:
         self.assert_refused(1, "'nowhere'", "engine", "--json", "nowhere/a.json")
         self.assertFalse((self.folder / "calls").exists())
 
@@ -114,7 +114,7 @@ class Command(BuildCase):
         self.assertEqual(path.read_text(encoding="utf-8"), "before")
         self.assertEqual([name for name in os.listdir(self.folder) if name.startswith(".")], [])
 
-    def test_stopped_shows_the_cases_before_and_leaves_nothing(self) -> None:
+    def test_stopped_shows_the_done_cases_and_leaves_nothing(self) -> None:
         self.program("boxreel_bench", ENGINE.replace("run)", "run) [ $2 = snow ] && { log slow; exec sleep 60; };"))
         (self.folder / "tmp").mkdir()
         environment = {**os.environ, "BOXREEL_BUILD_DIR": str(self.folder / "build"), "TMPDIR": str(self.folder / "tmp")}

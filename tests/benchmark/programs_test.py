@@ -106,7 +106,7 @@ class Programs(BuildCase):
             self.assertLessEqual(GOALS[name].keys(), known)
 
     @unittest.skipIf(os.environ.get("BOXREEL_SANITIZE"), "the sanitizers' own memory counts in the process's growth")
-    def test_need_at_most_15_megabytes_for_the_large_pyramid(self) -> None:
+    def test_need_at_most_15_mb_for_the_large_pyramid(self) -> None:
         ours = objects(run([PROGRAMS / "boxreel_bench", "run", "large-pyramid"]).output)[-1]
         self.assertGreater(ours["memory"], 1024, "5050 boxes take more than that: nobody measured")
         self.assertLessEqual(ours["memory"] / 1024.0, float(GOALS["engine"]["large-pyramid"]["memory [MB]"][3:]))

@@ -96,7 +96,7 @@ class Recording(BuildCase):
             self.assertIn("MISSED", toolkit.Recording().text([result]))
             self.assertIsNone(toolkit.Recording().drawn([result])["speed"].groups[0][3][0][0])
 
-    def test_compares_frames_at_rest_with_moving_ones_without_their_start(self) -> None:
+    def test_compares_resting_frames_with_moving_ones(self) -> None:
         films = [film("boxreel", 601, wall=1.6), film("start", 1, wall=1.0), film("moving", 421, wall=5.2),
                  film("movingStart", 1, wall=1.0)]
         self.assertAlmostEqual(filmed(*films, case="asleep")["reached"]["times faster than moving"], 10.0)
@@ -114,7 +114,7 @@ class Recording(BuildCase):
         self.assertEqual(charts["speed"].groups[0][3], [(2.0, "2.00×")])
         self.assertEqual(charts["stages"].groups[0][3], [(1.0, "1.00")])
 
-    def test_says_before_anything_is_made_that_there_is_no_room(self) -> None:
+    def test_reports_a_full_disk_before_it_records(self) -> None:
         take = {"frames": 10**9, "width": 1280, "height": 720, "from": 0, "take": []}
         self.program("boxreel_record_bench", f"log \"$1\"; echo '{json.dumps(take)}'")
         with self.assertRaises(Problem) as caught:
@@ -162,7 +162,7 @@ esac""")
         self.assertAlmostEqual(ours["decoded"], 1.5e-4)
         self.assertGreater(ours["process"], 0.0)
 
-    def test_refuses_a_program_that_judges_otherwise_than_the_library(self) -> None:
+    def test_refuses_a_program_with_another_verdict(self) -> None:
         self.build(decoded="false")
         with self.assertRaises(Problem) as caught:
             self.measured()

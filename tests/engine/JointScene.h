@@ -23,7 +23,7 @@ public:
     /// A static body without shapes.
     b2Body* Post(float32 x = 0.0f, float32 y = 0.0f) { return Body(b2_staticBody, x, y); }
 
-    /// A box that never sleeps, for rates are measured on it.
+    /// A box that never sleeps, because rates are measured on it.
     b2Body* Load(float32 x, float32 y, float32 hx = 0.5f, float32 hy = 0.5f)
     {
         b2Body* body = Box(x, y, hx, hy);

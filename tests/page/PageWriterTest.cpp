@@ -232,7 +232,7 @@ TEST_F(PageWriterTest, RefusesSettingsOutOfRange)
     refuses([](PageSettings& s) { s.height = 8193; }, "size 640x8193");
     refuses([](PageSettings& s) { s.framesPerSecond = 0.0; }, "rate");
     refuses([](PageSettings& s) { s.speed = std::nan(""); }, "time");
-    EXPECT_TRUE(folder.Files().empty());
+    EXPECT_TRUE(folder.Names().empty());
 }
 
 TEST_F(PageWriterTest, RefusesPathsThatTakeNoFile)
@@ -272,7 +272,7 @@ TEST_F(PageWriterTest, LeavesNothingWithoutAFrameOrClose)
         PageWriter writer = Open(Settings());
         ASSERT_TRUE(writer.Append(ListAt(0), kCamera));
     }
-    EXPECT_TRUE(folder.Files().empty());
+    EXPECT_TRUE(folder.Names().empty());
 }
 
 } // namespace

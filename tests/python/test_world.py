@@ -433,7 +433,7 @@ class Joints(unittest.TestCase):
             self.assertEqual((joint.localAxisA, joint.localAnchorB), (self.b.GetLocalVector((0, 1)), (1, 0)))
             self.assertIsNotNone(self.world.CreateJoint(joint))
 
-    def test_definitions_are_initialized_with_lengths_and_offsets(self):
+    def test_definitions_get_lengths_and_offsets(self):
         rod, pulley, motor = Box2D.b2DistanceJointDef(), Box2D.b2PulleyJointDef(), Box2D.b2MotorJointDef()
         rod.Initialize(self.a, self.b, anchorA=(0, 0), anchorB=(2, 0))
         self.assertEqual(rod.length, 2)

@@ -13,6 +13,18 @@ namespace boxreel
 /// Splits at every separator: one more part than there are separators.
 std::vector<std::string> SplitAt(char separator, std::string_view text);
 
+/// Returns "a, b, c": the texts that `textOf` returns for the items, with `separator` between them.
+template <class Items, class TextOf>
+std::string JoinedBy(std::string_view separator, const Items& items, TextOf&& textOf)
+{
+    std::string text;
+    for (const auto& item : items)
+    {
+        text.append(text.empty() ? "" : separator).append(textOf(item));
+    }
+    return text;
+}
+
 /// Returns "a, b, c": the words with `separator` between them.
 std::string JoinedBy(std::string_view separator, const std::vector<std::string>& words);
 

@@ -31,7 +31,7 @@ struct IncidentSide
 
 /// Fills the manifold with the ends of the cut side that are no higher above the face than the
 /// radius. The side may stick out of the face by `overhang` at either end. The type must be set: it
-/// tells whether the reference shape is A or B.
+/// defines whether the reference shape is A or B.
 void ClipToFace(b2Manifold* manifold, const ReferenceFace& face, const IncidentSide& side,
                 float32 overhang, float32 radius);
 } // namespace box2d

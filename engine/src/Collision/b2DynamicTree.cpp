@@ -118,7 +118,7 @@ int32 b2DynamicTree::CreateProxyExact(const b2AABB& fatAABB, int32 userIndex)
 
 void b2DynamicTree::DestroyProxy(int32 proxyId)
 {
-    if (!B2_REQUIRE(IsProxy(proxyId), "b2DynamicTree::DestroyProxy got a number of no proxy."))
+    if (!B2_REQUIRE(IsProxy(proxyId), "b2DynamicTree::DestroyProxy: not a proxy."))
     {
         return;
     }
@@ -143,7 +143,7 @@ bool b2DynamicTree::MoveProxy(int32 proxyId, const b2AABB& aabb, const b2Vec2& d
 
 void b2DynamicTree::SetProxyAABB(int32 proxyId, const b2AABB& fatAABB)
 {
-    if (!B2_REQUIRE(IsProxy(proxyId), "b2DynamicTree was asked to move a number of no proxy.") ||
+    if (!B2_REQUIRE(IsProxy(proxyId), "b2DynamicTree::SetProxyAABB: not a proxy.") ||
         !B2_REQUIRE(fatAABB.IsValid(),
                     "A proxy's box must be finite, its lower bound below the upper."))
     {
@@ -289,8 +289,8 @@ void b2DynamicTree::RepairFrom(int32 node)
 }
 
 // Returns the maximum height difference of siblings: that of a perfect tree beside a single large
-// box, which is best left at the top. It limits the height to a few times the logarithm of the
-// number of proxies for any order of insertion, as the difference of 1 does in an AVL tree.
+// box, which is best left at the top. For any order of insertion it limits the height to a few
+// times the logarithm of the number of proxies. In an AVL tree the limit is 1.
 int32 b2DynamicTree::BalanceLimit() const
 {
     return std::bit_width(static_cast<uint32>(m_proxyCount));

@@ -205,7 +205,7 @@ void b2DynamicTree::RebuildBottomUp()
 
 void b2DynamicTree::SetProxyAABBForRebuild(int32 proxyId, const b2AABB& fatAABB)
 {
-    if (B2_REQUIRE(IsProxy(proxyId), "b2DynamicTree was asked to move a number of no proxy.") &&
+    if (B2_REQUIRE(IsProxy(proxyId), "b2DynamicTree::SetProxyAABBForRebuild: not a proxy.") &&
         B2_REQUIRE(fatAABB.IsValid(),
                    "A proxy's box must be finite, its lower bound below the upper."))
     {

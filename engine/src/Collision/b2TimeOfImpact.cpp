@@ -21,6 +21,7 @@
 #include <Box2D/Collision/b2TimeOfImpact.h>
 
 #include "Distance.h"
+#include "ImpactTarget.h"
 #include "SearchCounts.h"
 
 #include <Box2D/Common/b2Timer.h>
@@ -28,9 +29,7 @@
 namespace
 {
 // Limit of steps; a longer search advances slowly along an almost touching feature, and ends with
-// the safe time. The target is the distance of the cores at an impact: three slops of overlap of
-// the skins, to which positions are solved. It is at least one slop, so that the closest points
-// have a direction. The tolerance of a quarter leaves at least 3/4 of a slop.
+// the safe time.
 constexpr int32 kMaxSteps = 200;
 
 struct Vector
@@ -279,8 +278,7 @@ public:
         : m_input(input), m_counts(counts), m_a(input.sweepA, input.sweepA.c0, input.proxyA),
           m_b(input.sweepB, input.sweepA.c0, input.proxyB)
     {
-        const float32 radius = input.proxyA.m_radius + input.proxyB.m_radius;
-        m_target = b2Max(b2_linearSlop, radius - 3.0f * b2_linearSlop);
+        m_target = box2d::ImpactDistance(input.proxyA.m_radius + input.proxyB.m_radius);
         const double x = m_b.Velocity().x - m_a.Velocity().x;
         const double y = m_b.Velocity().y - m_a.Velocity().y;
         m_fastest = std::sqrt(x * x + y * y) + m_a.RimSpeed() + m_b.RimSpeed();
@@ -299,7 +297,6 @@ public:
 private:
     b2TOIOutput Advance(int32& steps)
     {
-        constexpr float32 tolerance = 0.25f * b2_linearSlop;
         double t = 0.0;
         while (steps < kMaxSteps)
         {
@@ -314,7 +311,7 @@ private:
             {
                 return {b2TOIOutput::e_overlapped, static_cast<float32>(t)};
             }
-            if (closest.distance < m_target + tolerance)
+            if (closest.distance < m_target + box2d::kImpactTolerance)
             {
                 return {b2TOIOutput::e_touching, static_cast<float32>(t)};
             }

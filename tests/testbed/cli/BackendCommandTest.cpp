@@ -95,7 +95,7 @@ protected:
         const Outcome outcome = Run(arguments);
         EXPECT_EQ(outcome.code, code) << outcome.errors;
         std::string loaded;
-        for (const std::string& file : reports.Files())
+        for (const std::string& file : reports.Names())
         {
             loaded += ReadFile(reports / file);
         }
@@ -123,7 +123,7 @@ TEST_F(BackendCommand, RefusesMissingBackendsBeforeSimulation)
         EXPECT_EQ(outcome.output, "");
         EXPECT_THAT(outcome.errors,
                     ContainsRegex("osmesa: libOSMesa.so.8.*egl: libEGL.so.1.*apt install"));
-        EXPECT_THAT(folder.Files(), IsEmpty()) << command[0];
+        EXPECT_THAT(folder.Names(), IsEmpty()) << command[0];
     }
 }
 
@@ -264,7 +264,7 @@ TEST_F(BackendCommand, UsesNoShadersOfOtherVectorWidths)
     variables.Set("MESA_SHADER_CACHE_DIR", cache.Path().string());
     variables.Set("LP_NATIVE_VECTOR_WIDTH", "128");
     const std::string narrow = Shot();
-    EXPECT_THAT(cache.Files(), IsEmpty());
+    EXPECT_THAT(cache.Names(), IsEmpty());
     unsetenv("LP_NATIVE_VECTOR_WIDTH");
     EXPECT_EQ(Shot(), narrow);
 }

@@ -32,13 +32,13 @@ protected:
     void ExpectRefusal(const std::vector<std::string>& arguments, int code,
                        const std::string& culprit) const
     {
-        const std::vector<std::string> before = folder.Files();
+        const std::vector<std::string> before = folder.Names();
         const Outcome outcome = Run(arguments);
         const std::string line = testing::PrintToString(arguments);
         SCOPED_TRACE(line);
         ExpectRefused(outcome, culprit, code);
         EXPECT_EQ(outcome.output, "") << line;
-        EXPECT_EQ(folder.Files(), before) << line;
+        EXPECT_EQ(folder.Names(), before) << line;
     }
 
     std::string Write(const std::string& name, const std::string& content) const
@@ -136,7 +136,7 @@ TEST_F(Command, ShotWritesPictureOfGivenSize)
         Run({"shot", "pyramid", "--step", "30", "-o", "a.png", "--size", "321x153", "--hud"});
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_EQ(outcome.output + outcome.errors, "");
-    EXPECT_THAT(folder.Files(), ElementsAre("a.png"));
+    EXPECT_THAT(folder.Names(), ElementsAre("a.png"));
     const Result<Frame> frame = ReadPng(folder / "a.png");
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->width, 321);
@@ -328,7 +328,7 @@ TEST_F(Command, NamesMissingFolder)
         Run({"record", "pyramid", "--frames", "10000000", "-o", "none/film.mp4"});
     EXPECT_THAT(outcome.code, testing::AnyOf(1, 4)) << outcome.errors;
     EXPECT_THAT(outcome.errors, HasSubstr("none"));
-    EXPECT_THAT(folder.Files(), IsEmpty());
+    EXPECT_THAT(folder.Names(), IsEmpty());
 }
 
 TEST_F(Command, RefusesOddSizesOfFormatsWithEvenSizes)

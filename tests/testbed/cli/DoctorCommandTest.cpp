@@ -34,7 +34,7 @@ TEST(DoctorCommand, ReportsEachWorkingFeature)
         EXPECT_THAT(outcome.output, HasSubstr("ok    " + std::string(thing)));
     }
     EXPECT_THAT(outcome.output, ContainsRegex("ok    (OSMesa|EGL)"));
-    EXPECT_TRUE(folder.Files().empty());
+    EXPECT_TRUE(folder.Names().empty());
 }
 
 TEST(DoctorCommand, ReportsMissingDisplay)

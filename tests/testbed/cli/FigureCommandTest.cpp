@@ -45,12 +45,12 @@ protected:
     void ExpectRefusal(const std::vector<std::string>& arguments, int code,
                        const std::string& culprit) const
     {
-        const std::vector<std::string> before = folder.Files();
+        const std::vector<std::string> before = folder.Names();
         const Outcome outcome = RunBoxreel(arguments, folder.Path());
         const std::string line = testing::PrintToString(arguments);
         SCOPED_TRACE(line);
         ExpectRefused(outcome, culprit, code);
-        EXPECT_EQ(folder.Files(), before) << line;
+        EXPECT_EQ(folder.Names(), before) << line;
     }
 
     TemporaryFolder folder;
@@ -67,7 +67,7 @@ TEST_F(FigureCommand, ExtensionSelectsFormat)
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
     EXPECT_THAT(Written("a.pdf"), testing::StartsWith("%PDF-"));
     EXPECT_THAT(Written("a.png"), testing::StartsWith("\x89PNG"));
-    EXPECT_THAT(folder.Files(), ElementsAre("a.pdf", "a.png", "a.svg"));
+    EXPECT_THAT(folder.Names(), ElementsAre("a.pdf", "a.png", "a.svg"));
 }
 
 TEST_F(FigureCommand, NamesGroupsByBodiesOfSceneFile)
@@ -152,7 +152,7 @@ TEST_F(FigureCommand, FailsWithoutFileWhenSizeLimitIsReached)
         const int status = std::system(line.c_str());
         ASSERT_TRUE(WIFEXITED(status)) << output << " died of signal " << WTERMSIG(status);
         EXPECT_EQ(WEXITSTATUS(status), 4) << output;
-        EXPECT_THAT(folder.Files(), testing::IsEmpty());
+        EXPECT_THAT(folder.Names(), testing::IsEmpty());
     }
 }
 
@@ -222,7 +222,7 @@ TEST_F(FigureCommand, ThemeBothWritesLightAndDarkPicture)
     {
         EXPECT_EQ(Shot(std::string("twin") + extension, {"--theme", "both"}).code, 0);
     }
-    EXPECT_THAT(folder.Files(),
+    EXPECT_THAT(folder.Names(),
                 ElementsAre("twin-dark.png", "twin-dark.svg", "twin-light.png", "twin-light.svg"));
     EXPECT_EQ(ReadFile(folder / "twin-light.svg"), Written("print.svg", {"--theme", "print"}));
     EXPECT_EQ(ReadFile(folder / "twin-dark.svg"), Written("dark.svg", {"--theme", "dark"}));

@@ -21,7 +21,7 @@ TEST_F(FilmCodecOptions, NamesUnknownOptionAndWritesNothing)
     const Outcome outcome =
         Run({"record", "pyramid", "-o", "a.mkv", "--codec-option", "colour=blue"});
     ExpectRefused(outcome, "--codec-option colour");
-    EXPECT_THAT(folder.Files(), IsEmpty());
+    EXPECT_THAT(folder.Names(), IsEmpty());
 }
 
 TEST_F(FilmCodecOptions, RefusesValuesThatOtherOptionsDecide)
@@ -42,7 +42,7 @@ TEST_F(FilmCodecOptions, RefusesValuesThatOtherOptionsDecide)
             EXPECT_THAT(outcome.errors, HasSubstr(what)) << name << ' ' << option;
         }
     }
-    EXPECT_THAT(folder.Files(), IsEmpty());
+    EXPECT_THAT(folder.Names(), IsEmpty());
 }
 
 TEST_F(FilmCodecOptions, RefusesOptionsUnknownToX264InAnyList)
@@ -63,7 +63,7 @@ TEST_F(FilmCodecOptions, RefusesRateOptionsWithLossless)
     const Outcome outcome = Run(
         {"record", "pyramid", "-o", "a.mp4", "--quality", "lossless", "--codec-option", "crf=20"});
     ExpectRefused(outcome, "--codec-option crf");
-    EXPECT_THAT(folder.Files(), IsEmpty());
+    EXPECT_THAT(folder.Names(), IsEmpty());
 }
 
 TEST_F(FilmCodecOptions, IsLosslessInEveryLosslessCodec)

@@ -116,7 +116,7 @@ void ExpectFails(const std::string& name, const TemporaryFolder& folder)
     ExpectOneSentence(outcome.errors);
     EXPECT_THAT(outcome.errors,
                 StartsWith("boxreel: " + (name.ends_with(".png") ? "f-" : name + ": ")));
-    EXPECT_THAT(folder.Files(), IsEmpty());
+    EXPECT_THAT(folder.Names(), IsEmpty());
 }
 
 TEST_F(FilmFailures, FailsAtFileSizeLimitInEveryFormat)
@@ -144,7 +144,7 @@ TEST_F(FilmFailures, FailsWhenManifestHasNoSpace)
     BOXREEL_NEEDS(disk);
     const Outcome outcome = RunBoxreel(Record("film.mkv"), disk.Folder().Path());
     ExpectRefused(outcome, "film.part.mkv.json", 4);
-    EXPECT_THAT(disk.Folder().Files(), IsEmpty());
+    EXPECT_THAT(disk.Folder().Names(), IsEmpty());
 }
 
 TEST_F(FilmFailures, KeepsFilmWhenThumbnailCannotBeWritten)
@@ -155,7 +155,7 @@ TEST_F(FilmFailures, KeepsFilmWhenThumbnailCannotBeWritten)
                     "--progress", "none", "--quality", "draft", "--thumbnail", "film.png"},
                    folder.Path());
     ExpectRefused(outcome, "film.png", 4);
-    EXPECT_THAT(folder.Files(), ElementsAre("film.webm"));
+    EXPECT_THAT(folder.Names(), ElementsAre("film.webm"));
 }
 
 TEST_F(FilmFailures, RefusesContradictionsBeforeSimulation)
@@ -180,7 +180,7 @@ TEST_F(FilmFailures, RefusesContradictionsBeforeSimulation)
     for (const auto& [arguments, culprit] : cases)
     {
         ExpectRefused(RunBoxreel(arguments, folder.Path()), culprit);
-        EXPECT_TRUE(folder.Files().empty()) << culprit;
+        EXPECT_TRUE(folder.Names().empty()) << culprit;
     }
 }
 
@@ -213,13 +213,13 @@ TEST_F(FilmFailures, KeepsPartsWhenMergeHasNoSpace)
         };
         ASSERT_EQ(part("a", "0-29"), 0);
         ASSERT_EQ(part("b", "30-59"), 0);
-        const std::vector<std::string> before = parts.Files();
+        const std::vector<std::string> before = parts.Names();
         const SmallFiles limit(9000);
         const Outcome outcome =
             RunBoxreel({"merge", "a" + kind, "b" + kind, "-o", "film" + kind}, parts.Path());
         EXPECT_EQ(outcome.code, 4) << outcome.errors;
         ExpectOneSentence(outcome.errors);
-        EXPECT_EQ(parts.Files(), before);
+        EXPECT_EQ(parts.Names(), before);
     }
 }
 
@@ -236,14 +236,14 @@ TEST_F(FilmFailures, FailsInReadOnlyFolderForEveryFormat)
         ExpectOneSentence(outcome.errors);
         EXPECT_THAT(outcome.errors,
                     StartsWith("boxreel: " + (name.ends_with(".png") ? "f-" : name + ": ")));
-        EXPECT_THAT(disk.Folder().Files(), IsEmpty());
+        EXPECT_THAT(disk.Folder().Names(), IsEmpty());
     }
     const std::string elsewhere = (folder / "film.mkv").string();
     const Outcome outcome =
         RunBoxreel(Record(elsewhere, {"--thumbnail", "film.png"}), disk.Folder().Path());
     EXPECT_EQ(outcome.code, 4) << outcome.errors;
     ExpectOneSentence(outcome.errors);
-    EXPECT_THAT(folder.Files(), IsEmpty());
+    EXPECT_THAT(folder.Names(), IsEmpty());
 }
 
 /// Returns the exit code of a film that is piped to a program that reads a little; `errors`: its
@@ -272,7 +272,7 @@ TEST_F(FilmFailures, FailsWhenPipeIsClosed)
         EXPECT_EQ(PipeToHead(format, folder, errors), 4);
         ExpectOneSentence(errors);
         EXPECT_THAT(errors, StartsWith("boxreel: standard output: "));
-        EXPECT_THAT(folder.Files(), ElementsAre("code", "errors"));
+        EXPECT_THAT(folder.Names(), ElementsAre("code", "errors"));
     }
 }
 

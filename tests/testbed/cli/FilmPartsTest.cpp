@@ -151,14 +151,14 @@ TEST_F(FilmParts, KeepsManifestOfOtherFilmsAndBuilds)
             EXPECT_EQ(refused.code, 1);
             EXPECT_THAT(refused.errors,
                         testing::StartsWith("boxreel: " + std::string(name) + ": "));
-            EXPECT_THAT(folder.Files(), ElementsAre(name));
+            EXPECT_THAT(folder.Names(), ElementsAre(name));
             EXPECT_EQ(ReadFile(folder / name), c.manifest);
         }
         std::filesystem::remove(folder / name);
     }
     std::ofstream(folder / "v.part.mkv.json") << older;
     EXPECT_EQ(make("tumbler", {"--frame-range", "0-19", "--force"}).code, 0);
-    EXPECT_THAT(folder.Files(), ElementsAre("v.mkv", "v.mkv.json"));
+    EXPECT_THAT(folder.Names(), ElementsAre("v.mkv", "v.mkv.json"));
     std::filesystem::remove(folder / "v.mkv");
     EXPECT_EQ(make("tumbler", {"--frame-range", "0-19"}).code, 0) << "they are of this film";
 }

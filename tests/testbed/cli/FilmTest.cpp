@@ -151,7 +151,7 @@ TEST_F(Film, NumbersPictureSequence)
     const Outcome outcome =
         Run({"record", "chain", "-o", "f-####.png", "--frames", "3", "--size", "160x90"});
     ASSERT_EQ(outcome.code, 0) << outcome.errors;
-    EXPECT_EQ(folder.Files().size(), 3u);
+    EXPECT_EQ(folder.Names().size(), 3u);
 }
 
 TEST_F(Film, WritesGivenFramesInEveryFormat)
@@ -178,7 +178,7 @@ TEST_F(Film, ForceOverwrites)
                   0);
     }
     EXPECT_EQ(Decode("film.mp4").size(), 7u);
-    EXPECT_THAT(folder.Files(), ElementsAre("film.mp4"));
+    EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
 }
 
 TEST_F(Film, PrintsProgressAsJsonOrNotAtAll)
@@ -236,9 +236,9 @@ TEST_F(Film, SignalLeavesPlayableFilmToResume)
         EXPECT_EQ(outcome.code, 75) << outcome.errors;
         EXPECT_THAT(outcome.errors, HasSubstr("Stopped after"));
         EXPECT_THAT(outcome.errors, HasSubstr("--resume"));
-        EXPECT_THAT(folder.Files(), ElementsAre("film.part.mkv", "film.part.mkv.json"));
+        EXPECT_THAT(folder.Names(), ElementsAre("film.part.mkv", "film.part.mkv.json"));
         EXPECT_GE(Decode("film.part.mkv").size(), 100u);
-        for (const std::string& name : folder.Files())
+        for (const std::string& name : folder.Names())
         {
             std::filesystem::remove(folder / name);
         }
@@ -254,7 +254,7 @@ TEST_F(Film, SignalLeavesPlayableAnimation)
             folder.Path(), [&](int process) { StopAfterGroups(process, SIGINT); });
         EXPECT_EQ(outcome.code, 75) << outcome.errors;
         EXPECT_GE(Decode("film.part" + kind).size(), 50u) << kind;
-        for (const std::string& name : folder.Files())
+        for (const std::string& name : folder.Names())
         {
             std::filesystem::remove(folder / name);
         }
@@ -275,8 +275,8 @@ TEST_F(Film, SecondSignalEndsAtOnceAndLeavesPart)
         });
     EXPECT_TRUE(outcome.code == 128 + SIGINT || outcome.code == 128 + SIGTERM) << outcome.code;
     EXPECT_THAT(outcome.errors, Not(HasSubstr("Stopped")));
-    EXPECT_THAT(folder.Files(), testing::Contains("film.part.mp4"));
-    EXPECT_THAT(folder.Files(), Not(testing::Contains("film.mp4")));
+    EXPECT_THAT(folder.Names(), testing::Contains("film.part.mp4"));
+    EXPECT_THAT(folder.Names(), Not(testing::Contains("film.mp4")));
 }
 
 TEST_F(Film, ThumbnailEqualsFrameAtItsTime)
@@ -325,7 +325,7 @@ TEST_F(Film, ResumedFilmEqualsUninterruptedFilm)
     EXPECT_THAT(resumed.errors, Not(testing::ContainsRegex("frames +360 "))) << "none were there";
     EXPECT_EQ(Decode("film.mp4"), Decode("whole.mp4"));
     EXPECT_EQ(*ReadPng(folder / "film.png"), *ReadPng(folder / "whole.png"));
-    EXPECT_THAT(folder.Files(), ElementsAre("film.mp4", "film.png", "whole.mp4", "whole.png"));
+    EXPECT_THAT(folder.Names(), ElementsAre("film.mp4", "film.png", "whole.mp4", "whole.png"));
 }
 
 TEST_F(Film, ContinuesAtItsLastKeyframeWithoutGroups)
@@ -340,7 +340,7 @@ TEST_F(Film, ContinuesAtItsLastKeyframeWithoutGroups)
     ASSERT_EQ(resumed.code, 0) << resumed.errors;
     EXPECT_THAT(resumed.errors, Not(testing::ContainsRegex("frames +500 "))) << "none were there";
     EXPECT_EQ(Decode("film.mp4", Frames::Stored).size(), 500u);
-    EXPECT_THAT(folder.Files(), ElementsAre("film.mp4"));
+    EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
 }
 
 TEST_F(Film, ResumedAndJoinedAnimationsEqualWholeOnes)
@@ -423,7 +423,7 @@ TEST_F(Film, KeepsOtherFiles)
         const Outcome refused = make({"-o", "v.mp4", "--frame-range", "0-19"});
         ExpectRefused(refused, name);
         EXPECT_EQ(ReadFile(folder / name), "mine");
-        EXPECT_THAT(folder.Files(), ElementsAre(name));
+        EXPECT_THAT(folder.Names(), ElementsAre(name));
         std::filesystem::remove(folder / name);
     }
     const std::vector<std::string> mine{"v.final.mp4", "v.part-indexed.mp4", "v.part-resumed.mp4",
@@ -436,7 +436,7 @@ TEST_F(Film, KeepsOtherFiles)
     std::filesystem::rename(folder / "v.mp4", folder / "v.part.mp4");
     std::filesystem::rename(folder / "v.mp4.json", folder / "v.part.mp4.json");
     EXPECT_EQ(make({"-o", "v.mp4", "--frame-range", "0-19", "--resume"}).code, 0);
-    EXPECT_THAT(folder.Files(),
+    EXPECT_THAT(folder.Names(),
                 ElementsAre(mine[0], "v.mp4", "v.mp4.json", mine[1], mine[2], mine[3]));
     for (const std::string& name : mine)
     {
@@ -485,7 +485,7 @@ TEST_F(Film, WritesToPipe)
     EXPECT_THAT(outcome.output, testing::StartsWith("YUV4MPEG2 W32 H18 F60:1"));
     std::ofstream(folder / "film.y4m", std::ios::binary) << outcome.output;
     EXPECT_EQ(Decode("film.y4m").size(), 3u);
-    EXPECT_THAT(folder.Files(), ElementsAre("film.y4m"));
+    EXPECT_THAT(folder.Names(), ElementsAre("film.y4m"));
 }
 
 TEST_F(Film, WritesAv1ToPipe)
@@ -518,7 +518,7 @@ TEST_F(Film, KeepsPartWhenNoBackendWorks)
     const Outcome failed = Run(command);
     before != nullptr ? setenv("LD_LIBRARY_PATH", before, 1) : unsetenv("LD_LIBRARY_PATH");
     EXPECT_EQ(failed.code, 3) << failed.errors;
-    EXPECT_THAT(folder.Files(), ElementsAre("film.part.mkv", "film.part.mkv.json"));
+    EXPECT_THAT(folder.Names(), ElementsAre("film.part.mkv", "film.part.mkv.json"));
 }
 
 /// Every line is one that Open Job Description's agents know: "openjd_progress: 0 to 100",
@@ -648,7 +648,7 @@ TEST_F(Film, ResumeFinishesFilmWithAllFrames)
     ASSERT_EQ(stopped.code, 75) << stopped.errors;
     std::string manifestName;
     int count = 0;
-    for (const std::string& name : folder.Files())
+    for (const std::string& name : folder.Names())
     {
         count += name.ends_with(".png") ? 1 : 0;
         manifestName = name.ends_with(".json") ? name : manifestName;
@@ -659,7 +659,7 @@ TEST_F(Film, ResumeFinishesFilmWithAllFrames)
     std::ofstream(folder / manifestName) << manifest;
     const Outcome again = Run(record(std::to_string(count)));
     EXPECT_EQ(again.code, 0) << again.errors;
-    EXPECT_EQ(folder.Files().size(), std::size_t(count));
+    EXPECT_EQ(folder.Names().size(), std::size_t(count));
 }
 
 TEST_F(Film, JoinsResumedPart)

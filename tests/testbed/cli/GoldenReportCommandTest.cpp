@@ -157,7 +157,7 @@ TEST_F(GoldenReport, WritesReportAtomically)
     ExpectRefusal({"report", "o", "-o", "none/a.html"}, "none/a.html");
     EXPECT_EQ(ReadFile(folder / "mine.html"), "mine");
     EXPECT_EQ(Run({"report", "o", "-o", "mine.html", "--force"}).code, 0);
-    EXPECT_EQ(folder.Files().size(), 2u) << "nothing unfinished is left";
+    EXPECT_EQ(folder.Names().size(), 2u) << "nothing unfinished is left";
 }
 
 TEST_F(GoldenReport, ReportsUnreadableVerdict)

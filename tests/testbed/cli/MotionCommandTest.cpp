@@ -45,7 +45,7 @@ protected:
         const std::string line = testing::PrintToString(arguments);
         SCOPED_TRACE(line);
         ExpectRefused(outcome, culprit);
-        EXPECT_TRUE(folder.Files().empty()) << line;
+        EXPECT_TRUE(folder.Names().empty()) << line;
     }
 
     TemporaryFolder folder;
@@ -211,7 +211,7 @@ TEST_F(MotionOfWhatComesLater, IsRefusedBeforeItExists)
         const Outcome outcome = Shot(arguments);
         EXPECT_EQ(outcome.code, 1) << look.front();
         EXPECT_THAT(outcome.errors, HasSubstr(look.front() + " 399: "));
-        EXPECT_TRUE(folder.Files().empty());
+        EXPECT_TRUE(folder.Names().empty());
     }
 }
 

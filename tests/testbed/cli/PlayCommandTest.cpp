@@ -73,7 +73,7 @@ TEST_F(PlayCommand, ReportsValueOfFailedExpectation)
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.output, AllOf(HasSubstr("FAIL  a.play:2: chassis.x > 500 ("),
                                       HasSubstr("ok    a.play:3: bodies > 3 (")));
-    EXPECT_THAT(folder.Files(), Contains("film.mp4")) << "what is to be seen of it is made";
+    EXPECT_THAT(folder.Names(), Contains("film.mp4")) << "what is to be seen of it is made";
 }
 
 TEST_F(PlayCommand, ComparesPicturesWithReferences)
@@ -106,7 +106,7 @@ TEST_F(PlayCommand, CheckWritesNothing)
     const Outcome outcome = Play({"--check"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.output, "a.play: Car, 1 action, 1 expectation, 0 pictures, 1 film\n");
-    EXPECT_THAT(folder.Files(), testing::ElementsAre("a.play"));
+    EXPECT_THAT(folder.Names(), testing::ElementsAre("a.play"));
 }
 
 TEST_F(PlayCommand, TestWritesNoFilms)
@@ -115,7 +115,7 @@ TEST_F(PlayCommand, TestWritesNoFilms)
     const Outcome outcome = Play({"--test"});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.output, testing::StartsWith("FAIL  a.play:2: chassis.x > 0 (-2"));
-    EXPECT_THAT(folder.Files(), testing::ElementsAre("a.play"));
+    EXPECT_THAT(folder.Names(), testing::ElementsAre("a.play"));
 }
 
 /// Each is what shows off a scene that answers to keys or the mouse.
@@ -138,7 +138,7 @@ TEST(Scripts, TestbedScriptsPassAndCoverScenesWithKeys)
         EXPECT_FALSE(script->actions.empty()) << entry.path();
         titles.insert(SceneKey(script->scene));
     }
-    EXPECT_THAT(folder.Files(), IsEmpty());
+    EXPECT_THAT(folder.Names(), IsEmpty());
     for (const SceneEntry& scene : AllScenes())
     {
         if (!scene.create(SceneSettings())->Keys().empty())
@@ -236,7 +236,7 @@ TEST_F(PlayCommand, NamesLineAndCulpritOfErrors)
         Write(lines);
         const Outcome outcome = Play();
         ExpectRefused(outcome, std::string("a.play:") + culprit);
-        EXPECT_THAT(folder.Files(), testing::ElementsAre("a.play")) << lines;
+        EXPECT_THAT(folder.Names(), testing::ElementsAre("a.play")) << lines;
         if (outcome.code == 1 && std::string(lines).find("expect") == std::string::npos &&
             std::string(lines).find("click") == std::string::npos) // these show under way
         {

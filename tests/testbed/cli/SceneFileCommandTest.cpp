@@ -115,7 +115,7 @@ TEST_F(SceneFile, RefusesInvalidFiles)
     {
         ExpectRefused(Run(arguments), culprit);
     }
-    EXPECT_THAT(folder.Files(), ElementsAre("a.json"));
+    EXPECT_THAT(folder.Names(), ElementsAre("a.json"));
 }
 
 /// The same part of a text many times, with commas between.
@@ -197,7 +197,7 @@ TEST_F(SceneFile, RefusesFileOfOneGigabyteUnread)
             EXPECT_LT(outcome.peakKilobytes, 200 * 1024);
         }
     }
-    EXPECT_THAT(folder.Files(), ElementsAre("a.json"));
+    EXPECT_THAT(folder.Names(), ElementsAre("a.json"));
 }
 
 } // namespace

@@ -298,7 +298,7 @@ TEST_F(Snapshots, RequireWritableFolderBeforeSimulation)
             Run({"record", "pyramid", "-o", "a.mkv", "--frames", "10000000", "--snapshots", name});
         ExpectRefused(outcome, std::string("--snapshots ") + name, code);
     }
-    EXPECT_THAT(folder.Files(), ElementsAre("file"));
+    EXPECT_THAT(folder.Names(), ElementsAre("file"));
     EXPECT_EQ(Run({"record", "pyramid", "-o", "a.mkv", "--snapshot-every", "5"}).code, 1);
 }
 

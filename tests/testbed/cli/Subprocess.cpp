@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "Subprocess.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -82,33 +80,6 @@ Outcome RunBoxreel(const std::vector<std::string>& arguments, const std::filesys
 Outcome RunTool(const std::vector<std::string>& words, const std::filesystem::path& folder)
 {
     return Run(words.front().c_str(), words, folder, {});
-}
-
-TemporaryFolder::TemporaryFolder()
-{
-    std::string pattern = (std::filesystem::temp_directory_path() / "boxreel-test-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr)
-    {
-        throw std::runtime_error("cannot create a temporary folder like " + pattern);
-    }
-    m_path = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder()
-{
-    std::error_code ignored;
-    std::filesystem::remove_all(m_path, ignored);
-}
-
-std::vector<std::string> TemporaryFolder::Files() const
-{
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(m_path))
-    {
-        names.push_back(entry.path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
 }
 
 Variable::Variable(const char* name, const std::string& value) : m_name(name)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../../base/TemporaryFolder.h"
+
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -26,23 +28,6 @@ Outcome RunBoxreel(const std::vector<std::string>& arguments, const std::filesys
 
 /// Runs another program, which is looked for on the PATH; `words`: its name and its arguments.
 Outcome RunTool(const std::vector<std::string>& words, const std::filesystem::path& folder);
-
-/// A folder of its own for a test, removed with everything in it at the end.
-class TemporaryFolder
-{
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
-    const std::filesystem::path& Path() const { return m_path; }
-    std::vector<std::string> Files() const; ///< names, sorted
-
-private:
-    std::filesystem::path m_path;
-};
 
 /// A variable of the environment, which is as it was before when this goes.
 class Variable

@@ -157,7 +157,7 @@ TEST_F(UiCommand, OpensPickedSceneAndStepsOnce)
     Result<SceneSession> expected = SceneSession::Open(*OpenScene("dominos"), SceneLook());
     expected->AdvanceTo(20);
     EXPECT_EQ(outcome.output, Summary(*expected));
-    EXPECT_TRUE(folder.Files().empty());
+    EXPECT_TRUE(folder.Names().empty());
 }
 
 TEST_F(UiCommand, DrawsEqualPictureWithoutWindow)

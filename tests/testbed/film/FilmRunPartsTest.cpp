@@ -41,11 +41,11 @@ TEST_F(FilmManifestTest, NotesStatesWhereGroupsBegin)
     FilmManifest manifest(options, plan);
     ASSERT_TRUE(manifest.IsKept());
     ASSERT_TRUE(manifest.Note(99, world));
-    EXPECT_THAT(folder.Files(), IsEmpty());
+    EXPECT_THAT(folder.Names(), IsEmpty());
     ASSERT_TRUE(manifest.Note(100, world));
-    EXPECT_THAT(folder.Files(), ElementsAre("a.part.mkv.json"));
+    EXPECT_THAT(folder.Names(), ElementsAre("a.part.mkv.json"));
     manifest.Remove();
-    EXPECT_THAT(folder.Files(), IsEmpty());
+    EXPECT_THAT(folder.Names(), IsEmpty());
 }
 
 TEST_F(FilmManifestTest, FindsWhatIsLeftOfTheSameFilmOnly)

@@ -50,7 +50,7 @@ protected:
 TEST_F(ManifestFile, ComeBackAsTheyWereWritten)
 {
     ASSERT_TRUE(WriteManifest(m_folder / "a.mkv", Sample()));
-    EXPECT_THAT(m_folder.Files(), ElementsAre("a.mkv.json"));
+    EXPECT_THAT(m_folder.Names(), ElementsAre("a.mkv.json"));
     const Result<Manifest> read = ReadManifest(m_folder / "a.mkv", "");
     ASSERT_TRUE(read) << read.GetError().Text();
     EXPECT_EQ(DifferenceOf(*read, Sample()), "");

@@ -3,12 +3,15 @@
 #include "../../engine/MixedWorld.h"
 
 #include <base/Quoting.h>
+#include <base/Words.h>
 #include <options/SceneLayers.h>
 #include <render/Figure.h>
 #include <render/Renderer.h>
 #include <session/SceneSession.h>
 
 #include <gmock/gmock.h>
+
+#include <functional>
 
 namespace boxreel
 {
@@ -25,12 +28,7 @@ LayerSet Layers(const std::string& text)
 /// "shapes,joints,…": all that `--draw` knows.
 std::string Everything()
 {
-    std::string all;
-    for (const LayerInfo& layer : kOptionalLayers)
-    {
-        all.append(all.empty() ? "" : ",").append(layer.option);
-    }
-    return all;
+    return JoinedBy(",", kOptionalLayers, std::mem_fn(&LayerInfo::option));
 }
 
 DrawList Collected(b2World& world, const LayerCollector& collector, const View& view)

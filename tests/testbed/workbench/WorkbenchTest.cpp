@@ -373,7 +373,7 @@ TEST_F(WorkbenchTest, WritesFiguresUnderNamesThatAreFree)
     Click("Run/SVG");
     Click("Run/PNG");
     Click("Run/SVG");
-    EXPECT_THAT(folder.Files(), ElementsAre("bridge-1.png", "bridge-1.svg", "bridge-2.svg"));
+    EXPECT_THAT(folder.Names(), ElementsAre("bridge-1.png", "bridge-1.svg", "bridge-2.svg"));
     EXPECT_THAT(ReadFile(folder / "bridge-1.svg"), HasSubstr("<title"));
     EXPECT_THAT(bench->Message(), HasSubstr("bridge-2.svg"));
 }
@@ -392,7 +392,7 @@ TEST_F(WorkbenchTest, SaysInOneSentenceWhyNothingCanBeWritten)
         EXPECT_THAT(bench->Message(), HasSubstr("nowhere")) << button;
         EXPECT_THAT(bench->Message(), Not(HasSubstr("Wrote"))) << button;
     }
-    EXPECT_TRUE(folder.Files().empty());
+    EXPECT_TRUE(folder.Names().empty());
 }
 
 /// Anything at all, in any order.
@@ -476,7 +476,7 @@ TEST_P(WildSession, IsDoneAgainToTheLastBitByTheScriptItWrites)
     bench->Handle(At(Kind::ButtonUp, pointer)); // or nothing could be clicked
     Steps(2);                                   // what was done shows in them
     Click("Run/Script");
-    const std::vector<std::string> files = folder.Files();
+    const std::vector<std::string> files = folder.Names();
     ASSERT_THAT(files, Contains(HasSubstr(".play")));
     const auto script = std::find_if(files.begin(), files.end(), [](const std::string& name) {
         return name.ends_with(".play");

@@ -62,6 +62,8 @@ void CopyImpulses(b2Manifold& manifold, const b2Manifold& old)
 /// their face, and overlap and normal always belong to the present pose. Far below the slop, and at
 /// most a small share of a small body.
 constexpr float32 kStill = 0.1f * b2_linearSlop;
+/// The same as a share of the distance of its furthest point from its centre. It is smaller than
+/// kStill for distances below 0.1 m, the smallest size that the manual advises.
 constexpr float32 kStillShare = 0.005f;
 
 bool IsKept(const ContactData& c, const b2Transform& bInA)

@@ -3,6 +3,8 @@
 
 #include "../State/Solver.h"
 
+#include "../../Collision/ImpactTarget.h"
+
 #include <Box2D/Collision/Shapes/b2ChainShape.h>
 #include <Box2D/Collision/Shapes/b2CircleShape.h>
 #include <Box2D/Collision/Shapes/b2EdgeShape.h>
@@ -165,8 +167,7 @@ inline float32 CircleImpact(const BodyData& a, const Pose& fromA, const BodyData
     const double d0y = fromB.y - fromA.y;
     const double wx = (b.pose.x - a.pose.x) - d0x;
     const double wy = (b.pose.y - a.pose.y) - d0y;
-    const double D =
-        double(b2Max(b2_linearSlop, radii - 3.0f * b2_linearSlop)) + double(0.25f * b2_linearSlop);
+    const double D = double(ImpactDistance(radii)) + double(kImpactTolerance);
     const double square = d0x * d0x + d0y * d0y;
     const double outside = square - D * D;
     if (outside < 0.0)

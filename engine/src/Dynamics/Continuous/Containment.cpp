@@ -195,8 +195,8 @@ bool Containment::FindCrossing(const Part& moved, const Part& still, Crossing& c
     return any;
 }
 
-/// The same for all walls around a body that is moved back: moving back one of its shapes may take
-/// another one, or the same, beyond a wall that was looked at before.
+/// The same for all walls around a body that is moved back. Moving back one of its shapes may move
+/// a shape beyond a wall that was checked before.
 bool Containment::Hold(const ContactData& c, ImpactJoints& joints)
 {
     if (!HoldOne(c, joints))

@@ -17,6 +17,7 @@
 #include "ImpactJoints.h"
 #include "ImpactMemory.h"
 
+#include "../../Collision/ImpactTarget.h"
 #include "../../Collision/SearchCounts.h"
 
 #include <Box2D/Collision/b2TimeOfImpact.h>
@@ -51,11 +52,6 @@ bool IsObstacle(const BodyData& body)
 {
     return !body.IsDynamic() || (body.flags & kBodyBullet) != 0;
 }
-
-/// The separation at which b2TimeOfImpact reports an impact, and its tolerance [m]. It is the
-/// overlap to which positions are solved, so that resting bodies have no impacts.
-constexpr float32 kImpactSeparation = -3.0f * b2_linearSlop;
-constexpr float32 kImpactTolerance = 0.25f * b2_linearSlop;
 
 /// Returns the displacement since then of a body's point, at `arm` from its current centre [m].
 b2Vec2 MoveOf(const BodyData& body, const Pose& since, const b2Vec2& arm)
@@ -256,7 +252,7 @@ bool ContinuousCollision::Sinks(const ContactData& c) const
     {
         const b2Vec2 apart = MoveOf(b, fromB, end.points[i] - b.worldCenter) -
                              MoveOf(a, fromA, end.points[i] - a.worldCenter);
-        if (end.separations[i] < kImpactSeparation && b2Dot(apart, end.normal) < -kImpactTolerance)
+        if (end.separations[i] < -kImpactOverlap && b2Dot(apart, end.normal) < -kImpactTolerance)
         {
             return true;
         }

@@ -7,8 +7,8 @@ class b2Body;
 class b2Contact;
 class b2Joint;
 
-/// Who is awake. A step looks at the lists of awake bodies, awake contacts and coloured constraints
-/// only; these functions keep those lists true.
+/// Wakes bodies and puts them to sleep. A step uses only the lists of awake bodies, awake contacts
+/// and coloured constraints. These functions keep those lists up to date.
 namespace box2d
 {
 

@@ -8,8 +8,8 @@ namespace
 {
 
 /// A body that is pushed out of skins rests up to this multiple of the sleep tolerances, 10 cm/s.
-/// The skins of a pyramid are pushed out by 3 cm/s after 4 s (docs/notes/pyramid-load.md); with 3
-/// new pyramids take more than a second to sleep, with 30 no test fails.
+/// The skins of a pyramid are pushed out by 3 cm/s after 4 s (docs/notes/pyramid-load.md). With 3,
+/// new pyramids take more than a second to sleep. With 30 no test fails.
 constexpr float32 kSkinsPace = 10.0f;
 /// For so long a body must not have gained speed before it rests [s]: three steps of 1/60 s,
 /// because rounding may slow down a single one. With 0.01 rods on their end sleep while they fall,

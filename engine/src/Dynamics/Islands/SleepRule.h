@@ -3,6 +3,8 @@
 
 #include "../State/Solver.h"
 
+#include "../../Collision/ImpactTarget.h"
+
 /// Decides if a body rests. StepSolver calls it for each awake body at the end of a step. A body
 /// rests while its sleep time grows. An island whose bodies have all rested for b2_timeToSleep
 /// falls asleep (State/Islands.h). Two rules are elsewhere: KeepDrivenAwake (Joints/JointKinds.h)
@@ -26,7 +28,7 @@ bool IsSlow(const b2Vec2& linearVelocity, float32 angularVelocity);
 float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved, const SleepStep& step);
 
 /// The minimum of MaxRestOverlap [m]. Position correction may leave this much of any overlap.
-inline constexpr float32 kMinRestOverlap = 3.0f * b2_linearSlop;
+inline constexpr float32 kMinRestOverlap = kImpactOverlap;
 
 /// Returns the overlap that bodies at rest may have [m]; `radius` is the sum of the two skins.
 /// Bodies placed without space for their skins are pushed apart for minutes in large numbers, from

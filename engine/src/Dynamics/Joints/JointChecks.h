@@ -65,14 +65,14 @@ inline bool AreLimits(bool enabled, float32 lower, float32 upper)
 inline bool IsMotor(float32 speed, float32 largest)
 {
     return B2_REQUIRE(b2IsValid(speed) && largest >= 0.0f,
-                      "A joint's motor needs a finite speed and a largest force or torque that is "
+                      "A joint's motor needs a finite speed and a maximum force or torque that is "
                       "not negative.");
 }
 
 inline bool AreForces(float32 force, float32 torque)
 {
     return B2_REQUIRE(force >= 0.0f && torque >= 0.0f,
-                      "A joint's largest force and torque must not be negative.");
+                      "A joint's maximum force and torque must not be negative.");
 }
 
 inline bool IsShare(float32 factor)

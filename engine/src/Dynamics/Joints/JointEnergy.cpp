@@ -37,6 +37,7 @@ double StoredBetween(const SpringState& before, const SpringState& after)
 
 bool HaveUnequalMasses(const BodyData& a, const BodyData& b)
 {
+    // The manual's limit: "Stability degrades as the mass ratio passes 10:1".
     constexpr float32 kMaxRatio = 10.0f;
     const float32 mA = a.SolverInvMass();
     const float32 mB = b.SolverInvMass();

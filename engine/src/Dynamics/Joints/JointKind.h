@@ -42,7 +42,7 @@ struct NoMotor
     static double MaxPower(const b2Joint&, const JointPair&, double) { return 0.0; }
 };
 
-/// A motor that wants a speed, with a largest force or torque.
+/// A motor with a target speed and a maximum force or torque.
 template <class Joint, auto maxForce>
 struct SpeedMotor
 {

@@ -119,8 +119,8 @@ inline JointLines LinesOf(const b2Joint& joint)
                     []<class Joint>(JointTag<Joint>) { return JointAccess::Kind<Joint>::kLines; });
 }
 
-/// The bodies of a joint do not rest while its motor moves them at the speed that it wants, however
-/// slow.
+/// The bodies of a joint do not rest while its motor moves them at its target speed, even a slow
+/// one.
 void KeepDrivenAwake(b2Joint& joint);
 
 /// Calls `function` with each joint whose bodies this one moves: a gear's two, or the joint itself.

@@ -218,7 +218,7 @@ struct PlacedPair : PairMasses<F>
 template <class Joint, class F>
 struct LanesOf;
 
-/// Truths from a number that is 1 or 0.
+/// Returns the mask of lanes in which the number is 1, not 0.
 template <class F>
 auto IsSet(F flag)
 {

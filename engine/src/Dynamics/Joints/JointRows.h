@@ -177,8 +177,6 @@ struct RowFiller
         a.reach = b2Dot(line.armA, line.axis);
         b.reach = -b2Dot(line.armB, line.axis);
     }
-    /// Adds a row without effect, to keep the positions of later rows.
-    void AddNothing() { ++rows.rows; }
     /// Adds two rows that hold two points together.
     void AddPoint(const b2Vec2& armA, const b2Vec2& armB, const b2Vec2& error)
     {

@@ -82,7 +82,7 @@ void b2MotorJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[
     m_angularImpulse = within[2];
 }
 
-/// It wants to take back a share of its error within a sub-step.
+/// It corrects a share of its error within a sub-step.
 double box2d::JointAccess::Kind<b2MotorJoint>::MaxPower(const b2MotorJoint& joint,
                                                         const JointPair& pair, double subStep)
 {

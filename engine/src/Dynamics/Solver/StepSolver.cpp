@@ -7,6 +7,8 @@
 #include "../Joints/JointKinds.h"
 #include "../State/Access.h"
 
+#include "../../Collision/ImpactTarget.h"
+
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
@@ -236,9 +238,7 @@ void StepSolver::SolvePositions(int32 iterations)
 {
     for (int32 i = 0; i < iterations; ++i)
     {
-        // The target is one slop, approached geometrically. At three, the cores of two polygons
-        // (skins of 4 slops in all) are one slop apart, as b2TimeOfImpact requires.
-        const bool apart = SolveOverlaps(DirectionOf(i), {b2_baumgarte}) >= -3.0f * b2_linearSlop;
+        const bool apart = SolveOverlaps(DirectionOf(i), {b2_baumgarte}) >= -kImpactOverlap;
         const bool joined = m_memory.joints.SolvePositions(m_context, m_threads);
         if (apart && joined)
         {

@@ -24,9 +24,9 @@ public:
     /// Call at the start of a step; the kicks are by awake body. False if the tree cannot be used
     /// in this step, because of motors, limits, moving platforms or bodies without mass.
     bool Begin(const SolverContext& context, const BodyKick* kicks);
-    /// Performs the whole step, in at least `smallSteps` sub-steps, and stores the sums of the
+    /// Performs the whole step, in at least `subSteps` sub-steps, and stores the sums of the
     /// impulses in the joints.
-    void Step(float32 timeStep, int32 smallSteps);
+    void Step(float32 timeStep, int32 subSteps);
 
     template <class Function>
     void ForBodies(Function&& function) const
@@ -74,9 +74,9 @@ private:
         Pair lever, aboveLever;
         b2Vec2 open;          ///< of the hinge [m]
         Inertia inertia;      ///< of the body and all below, about its centre of mass
-        double k11, k12, k22; ///< its mass at the hinge, and
-        Pair turn;            ///< how much it turns when that moves,
-        double ease;          ///< or when it is turned
+        double k11, k12, k22; ///< its mass matrix at the hinge [kg]
+        Pair turn;            ///< change of its angular velocity per change of the hinge's [1/m]
+        double ease;          ///< change of its angular velocity per angular impulse
 
         // Values of a solution.
         Pair residual;          ///< of the hinge's speed

@@ -160,13 +160,13 @@ void JointSystem::TakeImpulses(std::size_t joint)
     }
 }
 
-void JointSystem::StepTrees(float32 timeStep, int32 smallSteps)
+void JointSystem::StepTrees(float32 timeStep, int32 subSteps)
 {
     for (const Part& part : m_parts)
     {
         if (part.tree != nullptr)
         {
-            part.tree->Step(timeStep, smallSteps);
+            part.tree->Step(timeStep, subSteps);
         }
     }
 }

@@ -66,7 +66,8 @@ void b2PoseRecord::Save(const b2World& world)
 b2PosesBetween::b2PosesBetween(b2World& world, const b2PoseRecord& before, double fraction)
 {
     b2Body* body = world.GetBodyList();
-    if (!B2_REQUIRE(!world.IsLocked(), "b2PosesBetween must not be made from inside a callback.") ||
+    if (!B2_REQUIRE(!world.IsLocked(),
+                    "b2PosesBetween must not be called from inside a callback.") ||
         !B2_REQUIRE(fraction >= 0.0 && fraction <= 1.0,
                     "b2PosesBetween needs a fraction from 0 to 1.") ||
         body == nullptr)
