@@ -24,7 +24,7 @@ namespace
 namespace fs = std::filesystem;
 
 Error CannotWrite(ErrorKind kind, const fs::path& path, const std::string& problem,
-                  const std::string& remedy)
+                  const ErrorText& remedy)
 {
     return Error{kind, path.string(), "cannot be written: " + problem, remedy};
 }
@@ -78,8 +78,12 @@ Error CannotFinish(const fs::path& path, int code)
 
 Error AlreadyExists(const fs::path& path)
 {
-    return CannotWrite(ErrorKind::Unusable, path, "it already exists",
-                       "choose another name or allow overwriting (boxreel's --force)");
+    return CannotWrite(
+        ErrorKind::Unusable, path, "it already exists",
+        ErrorText::AnyOf(
+            {"choose another name",
+             "allow overwriting (" +
+                 ErrorSetting{BOXREEL_MEMBER(AtomicFileSettings, overwrite), {"true"}} + ")"}));
 }
 
 Error PartExists(const fs::path& path, const fs::path& part)
@@ -91,7 +95,8 @@ Error PartExists(const fs::path& path, const fs::path& part)
 
 // Opens and locks the part file. The previous owner of the lock may have renamed or removed the
 // file meanwhile. Then the descriptor and the name differ, and the attempt is repeated.
-Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replacesLeftover)
+Result<int> OpenLocked(const fs::path& part, const fs::path& path,
+                       const AtomicFileSettings& settings)
 {
     for (int attempt = 0; attempt < 100; ++attempt)
     {
@@ -121,12 +126,12 @@ Result<int> OpenLocked(const fs::path& part, const fs::path& path, bool replaces
         if (::fstat(descriptor, &opened) == 0 && ::stat(part.c_str(), &named) == 0 &&
             opened.st_dev == named.st_dev && opened.st_ino == named.st_ino)
         {
-            if (!replacesLeftover && opened.st_size > 0)
+            if (!settings.replacesLeftover && opened.st_size > 0)
             {
                 ::close(descriptor);
                 return CannotWrite(ErrorKind::Unusable, path,
                                    part.string() + " was left by a stopped run",
-                                   "continue it (boxreel's --resume) or start again (--force)");
+                                   settings.leftoverRemedy);
             }
             if (::ftruncate(descriptor, 0) == 0)
             {
@@ -238,7 +243,7 @@ Result<AtomicFile> AtomicFile::Create(const std::filesystem::path& path,
     }
     file.m_part = boxreel::PartPath(file.m_path, settings.mark);
     file.m_overwrite = settings.overwrite;
-    ASSIGN_OR_RETURN(int descriptor, OpenLocked(file.m_part, path, settings.replacesLeftover));
+    ASSIGN_OR_RETURN(int descriptor, OpenLocked(file.m_part, path, settings));
     file.m_descriptor = descriptor;
     return file;
 }

@@ -4,16 +4,13 @@
 namespace boxreel
 {
 
-std::string Error::Text() const
+std::string Error::Text(SettingNames names) const
 {
-    std::string text = culprit;
-    if (!problem.empty())
+    std::string text = culprit.Text(names);
+    for (const auto& [separator, part] : {std::pair(": ", &problem), {"; ", &remedy}})
     {
-        text += (text.empty() ? "" : ": ") + problem;
-    }
-    if (!remedy.empty())
-    {
-        text += (text.empty() ? "" : "; ") + remedy;
+        const std::string more = part->Text(names);
+        text += (text.empty() || more.empty() ? "" : separator) + more;
     }
     return text;
 }

@@ -27,4 +27,22 @@ std::string JoinedBy(std::string_view separator, const std::vector<std::string>&
                     [](const std::string& word) -> const std::string& { return word; });
 }
 
+std::string FilledTemplate(std::string_view text,
+                           const std::map<std::string_view, std::string_view>& parts)
+{
+    std::string filled;
+    for (;;)
+    {
+        const std::size_t begin = text.find("{{");
+        const std::size_t end = text.find("}}", begin);
+        filled += text.substr(0, begin);
+        if (begin == std::string_view::npos || end == std::string_view::npos)
+        {
+            return filled;
+        }
+        filled += parts.at(text.substr(begin + 2, end - begin - 2));
+        text.remove_prefix(end + 2);
+    }
+}
+
 } // namespace boxreel

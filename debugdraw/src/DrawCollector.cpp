@@ -30,22 +30,12 @@ Color From(const b2Color& color)
     return {ChannelFrom(color.r), ChannelFrom(color.g), ChannelFrom(color.b), ChannelFrom(color.a)};
 }
 
-DrawLayer LayerFrom(uint32 flag)
-{
-    switch (flag)
-    {
-    case b2Draw::e_jointBit:
-        return DrawLayer::Joints;
-    case b2Draw::e_aabbBit:
-        return DrawLayer::Aabbs;
-    case b2Draw::e_pairBit:
-        return DrawLayer::Pairs;
-    case b2Draw::e_centerOfMassBit:
-        return DrawLayer::CentersOfMass;
-    default:
-        return DrawLayer::Shapes;
-    }
-}
+// The table of layers does not include the engine.
+static_assert(LayerOfFlag(b2Draw::e_shapeBit) == DrawLayer::Shapes &&
+              LayerOfFlag(b2Draw::e_jointBit) == DrawLayer::Joints &&
+              LayerOfFlag(b2Draw::e_aabbBit) == DrawLayer::Aabbs &&
+              LayerOfFlag(b2Draw::e_pairBit) == DrawLayer::Pairs &&
+              LayerOfFlag(b2Draw::e_centerOfMassBit) == DrawLayer::CentersOfMass);
 
 } // namespace
 
@@ -131,7 +121,7 @@ void DrawCollector::DrawTransform(const b2Transform& xf)
 void DrawCollector::BeginLayer(uint32 flag)
 {
     DrawLayer& layer = m_list.layer == DrawLayer::Scene ? m_sceneRoles : m_list.layer;
-    layer = LayerFrom(flag);
+    layer = LayerOfFlag(flag);
 }
 
 void DrawCollector::BeginBody(int32 number)

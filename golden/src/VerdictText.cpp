@@ -15,16 +15,17 @@ namespace
 {
 
 constexpr std::array kStatuses{
-    StatusWords{"error", "not compared",
+    StatusWords{GoldenStatus::NotCompared, "error", "not compared",
                 "the reference is damaged, or a body to leave out is not there", false},
-    StatusWords{"state", "state", "the worlds differ: some body is elsewhere or moves otherwise",
-                false},
-    StatusWords{"drawlist", "geometry", "the same world draws something else", false},
-    StatusWords{"pixels", "pixels", "the same geometry, other pixels", false},
-    StatusWords{"missing", "missing", "never approved", false},
-    StatusWords{"accepted", "accepted",
+    StatusWords{GoldenStatus::State, "state", "state",
+                "the worlds differ: some body is elsewhere or moves otherwise", false},
+    StatusWords{GoldenStatus::DrawList, "drawlist", "geometry",
+                "the same world draws something else", false},
+    StatusWords{GoldenStatus::Pixels, "pixels", "pixels", "the same geometry, other pixels", false},
+    StatusWords{GoldenStatus::Missing, "missing", "missing", "never approved", false},
+    StatusWords{std::nullopt, "accepted", "accepted",
                 "became the reference in this run; look at it before you commit it", true},
-    StatusWords{"same", "as approved", "within the limits", true},
+    StatusWords{GoldenStatus::Same, "same", "as approved", "within the limits", true},
 };
 
 } // namespace
@@ -42,24 +43,11 @@ const StatusWords* FindStatus(std::string_view word)
     return found == kStatuses.end() ? nullptr : found;
 }
 
-const char* StatusWord(GoldenStatus status)
+const char* StatusWord(std::optional<GoldenStatus> status)
 {
-    switch (status)
-    {
-    case GoldenStatus::Same:
-        return "same";
-    case GoldenStatus::Missing:
-        return "missing";
-    case GoldenStatus::State:
-        return "state";
-    case GoldenStatus::DrawList:
-        return "drawlist";
-    case GoldenStatus::Pixels:
-        return "pixels";
-    case GoldenStatus::NotCompared:
-        break;
-    }
-    return "error";
+    return std::find_if(kStatuses.begin(), kStatuses.end(),
+                        [&](const StatusWords& row) { return row.status == status; })
+        ->word;
 }
 
 const char* LimitsWord(LimitsChoice choice)

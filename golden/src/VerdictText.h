@@ -3,6 +3,7 @@
 
 #include <golden/ReferenceStore.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,20 +14,21 @@ namespace boxreel
 
 struct StatusWords
 {
-    const char* word;    ///< in verdict files
-    const char* label;   ///< in reports
-    const char* meaning; ///< in reports
-    bool passes;         ///< true if the moment counts as approved
+    std::optional<GoldenStatus> status; ///< none: accepted in this run
+    const char* word;                   ///< in verdict files
+    const char* label;                  ///< in reports
+    const char* meaning;                ///< in reports
+    bool passes;                        ///< true if the moment counts as approved
 };
 
-/// Returns all statuses of verdict files, the worst first.
+/// Returns the only table of the statuses of verdict files, the worst first.
 std::span<const StatusWords> AllStatusWords();
 
 /// Returns the status of this word, or null.
 const StatusWords* FindStatus(std::string_view word);
 
-/// Returns the word in verdict files.
-const char* StatusWord(GoldenStatus status);
+/// Returns the word in verdict files. None: accepted in this run.
+const char* StatusWord(std::optional<GoldenStatus> status);
 
 /// Returns "as given", "same renderer" or "other renderer".
 const char* LimitsWord(LimitsChoice choice);

@@ -35,23 +35,6 @@ constexpr double kAngleUnit = 0.0001; // of a place of its own [rad]
 // what JavaScript has.
 constexpr double kMaxQuanta = 1e14;
 
-/// Whether items of this layer usually move as one. Others change their form in every step.
-bool IsOfRigidThings(DrawLayer layer)
-{
-    switch (layer)
-    {
-    case DrawLayer::Shapes:
-    case DrawLayer::Joints:
-    case DrawLayer::CentersOfMass:
-    case DrawLayer::CenterMarks:
-    case DrawLayer::JointGlyphs:
-    case DrawLayer::Scene:
-        return true;
-    default:
-        return false;
-    }
-}
-
 } // namespace
 
 PageEncoder::PageEncoder(const Camera& first, double rate)
@@ -126,7 +109,7 @@ Track PageEncoder::BeginLoose(const Run& run)
 /// Expects the points of the run in m_points.
 Track PageEncoder::Begin(const Run& run, const PageBody* body)
 {
-    if (m_points.size() < 2 || !IsOfRigidThings(run.layer))
+    if (m_points.size() < 2 || !InfoOf(run.layer).isRigid)
     {
         return BeginLoose(run);
     }

@@ -6,6 +6,7 @@
 #include <base/ErrorMacros.h>
 #include <base/Gzip.h>
 #include <base/Quoting.h>
+#include <base/Words.h>
 
 #include <algorithm>
 #include <charconv>
@@ -150,30 +151,12 @@ std::string WithoutComments(std::string_view script)
     return lean;
 }
 
-/// The template up to the frames, or behind them, with its parts.
-std::string Filled(std::string_view text, const std::map<std::string_view, std::string>& parts)
-{
-    std::string filled;
-    for (;;)
-    {
-        const std::size_t begin = text.find("{{");
-        const std::size_t end = text.find("}}", begin);
-        filled += text.substr(0, begin);
-        if (begin == std::string_view::npos || end == std::string_view::npos)
-        {
-            return filled;
-        }
-        filled += parts.at(text.substr(begin + 2, end - begin - 2));
-        text.remove_prefix(end + 2);
-    }
-}
-
 } // namespace
 
 std::string PageBegin(const PageSettings& settings)
 {
-    return Filled(kPlayerHtml.substr(0, kPlayerHtml.find(kFramesMark)),
-                  {{"title", MarkupEscaped(settings.title)}, {"style", std::string(kPlayerCss)}});
+    return FilledTemplate(kPlayerHtml.substr(0, kPlayerHtml.find(kFramesMark)),
+                          {{"title", MarkupEscaped(settings.title)}, {"style", kPlayerCss}});
 }
 
 Result<std::string> PageGroup(const std::string& bytes, std::int64_t frames)
@@ -208,8 +191,8 @@ Result<std::string> PageEnd(const PageSettings& settings, const PageEncoder& enc
     json += ",\n\"forms\":\"" + Base64(forms) + "\"}";
     const std::string script =
         std::string(kDecodeJs).append(kDrawJs).append(kViewJs).append(kPlayerJs);
-    return Filled(kPlayerHtml.substr(kPlayerHtml.find(kFramesMark) + kFramesMark.size()),
-                  {{"head", json}, {"script", WithoutComments(script)}});
+    return FilledTemplate(kPlayerHtml.substr(kPlayerHtml.find(kFramesMark) + kFramesMark.size()),
+                          {{"head", json}, {"script", WithoutComments(script)}});
 }
 
 } // namespace boxreel

@@ -3549,7 +3549,11 @@ class b2WheelJoint(b2Joint):
         ...
 
 class Error(Exception):
-    """A file, codec or driver that cannot be used. The text names it and the remedy."""
+    """A file, codec or driver that cannot be used. The text names it and the remedy. `kind` is unusable (wrong name or settings), different, absent (a library) or failed (reading or writing). `culprit` is the argument or file at fault. `problem` and `remedy` may be empty."""
+    kind: str
+    culprit: str
+    problem: str
+    remedy: str
 
 class b2GearJointDef(b2JointDef):
     """Definition of a gear; without bodies it takes those that its joints move."""

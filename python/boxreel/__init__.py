@@ -21,7 +21,6 @@ from Box2D._additions import _from_snapshot
 
 __version__ = "0.1.0"
 
-_THEMES = ("classic", "okabe-ito", "print", "dark")
 _local = _threading.local()
 
 
@@ -81,7 +80,8 @@ def render(world, size=(1280, 720), *, camera=None, theme="classic", scale=1.0, 
     camera: a Camera, by default fit(world); its size is that of the picture.
     theme: classic, okabe-ito, print or dark.
     scale: factor of the widths of lines.
-    layers: some of shapes, joints, boxes, pairs, masses (default: shapes, joints).
+    layers: some of shapes, joints, aabbs, pairs, contacts, normals, impulses, friction, centers, masses, velocities,
+        forces, glyphs, names (default: shapes, joints), as of `boxreel record --draw`.
     trails: paths to draw, each a sequence of points [m], oldest first.
     """
     _require_world(world)

@@ -70,7 +70,11 @@ class Camera:
         ...
 
 class Error(Exception):
-    """A file, codec or driver that cannot be used. The text names it and the remedy."""
+    """A file, codec or driver that cannot be used. The text names it and the remedy. `kind` is unusable (wrong name or settings), different, absent (a library) or failed (reading or writing). `culprit` is the argument or file at fault. `problem` and `remedy` may be empty."""
+    kind: str
+    culprit: str
+    problem: str
+    remedy: str
 def compare(expected: Any, actual: Any, preset: Any = ...) -> Any:
     """Compares two pictures: arrays, PNG files or worlds. `preset` has the limits: exact, same-machine or cross-machine. The result has equal, text, differentPixels, overTolerance, largestDistance, difference."""
     ...
@@ -87,7 +91,7 @@ def load(path: Any) -> Any:
     """Returns the world of a R.U.B.E. scene file; as of scene. `world.left_out` tells what could not be built."""
     ...
 def render(world: Any, size: Any = ..., *, camera: Any = ..., theme: Any = ..., scale: Any = ..., layers: Any = ..., trails: Any = ...) -> Any:
-    """Returns a picture of the world as an array (height, width, 4) of uint8: red, green, blue, opacity.  camera: a Camera, by default fit(world); its size is that of the picture. theme: classic, okabe-ito, print or dark. scale: factor of the widths of lines. layers: some of shapes, joints, boxes, pairs, masses (default: shapes, joints). trails: paths to draw, each a sequence of points [m], oldest first."""
+    """Returns a picture of the world as an array (height, width, 4) of uint8: red, green, blue, opacity.  camera: a Camera, by default fit(world); its size is that of the picture. theme: classic, okabe-ito, print or dark. scale: factor of the widths of lines. layers: some of shapes, joints, aabbs, pairs, contacts, normals, impulses, friction, centers, masses, velocities,     forces, glyphs, names (default: shapes, joints), as of `boxreel record --draw`. trails: paths to draw, each a sequence of points [m], oldest first."""
     ...
 def restore(world: Any, snapshot: Any) -> Any:
     """Puts a world back to a snapshot. Bodies, fixtures and joints that were there keep their Python objects and their attributes as they are; those created later are destroyed."""

@@ -19,11 +19,6 @@ void NoteMisuse(const char* sentence, const char*, int)
     }
 }
 
-std::string TypeName(py::handle value)
-{
-    return value.is_none() ? "None" : std::string("'") + Py_TYPE(value.ptr())->tp_name + "'";
-}
-
 template <class Whole>
 Whole WholeNumber(py::handle value, const char* name)
 {
@@ -85,6 +80,11 @@ T Registered(py::handle value, const char* name, const char* expected)
 }
 
 } // namespace
+
+std::string TypeName(py::handle value)
+{
+    return value.is_none() ? "None" : std::string("'") + Py_TYPE(value.ptr())->tp_name + "'";
+}
 
 void ThrowType(const char* name, const char* expected, py::handle value)
 {

@@ -14,6 +14,9 @@ namespace boxreel::python
 
 namespace py = pybind11;
 
+/// Returns the type of a value for an error: "'str'", or "None".
+std::string TypeName(py::handle value);
+
 /// Throws TypeError: "angle: expected a number, not 'str'".
 [[noreturn]] void ThrowType(const char* name, const char* expected, py::handle value);
 

@@ -47,21 +47,16 @@ py::list ParametersIn(const std::string& doc, const std::string& name)
     return longest;
 }
 
-std::string KindOf(py::handle value)
-{
-    return value.is_none() ? "None" : "'" + std::string(Py_TYPE(value.ptr())->tp_name) + "'";
-}
-
 std::string Given(const py::args& arguments, const py::kwargs& keywords)
 {
     std::string text;
     for (const py::handle argument : arguments)
     {
-        text += (text.empty() ? "" : ", ") + KindOf(argument);
+        text += (text.empty() ? "" : ", ") + TypeName(argument);
     }
     for (const auto& [name, value] : keywords)
     {
-        text += (text.empty() ? "" : ", ") + std::string(py::str(name)) + "=" + KindOf(value);
+        text += (text.empty() ? "" : ", ") + std::string(py::str(name)) + "=" + TypeName(value);
     }
     return "(" + text + ")";
 }

@@ -7,7 +7,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <regex>
 
 /// Films of worlds and of arrays.
 namespace boxreel::python
@@ -15,49 +14,10 @@ namespace boxreel::python
 namespace
 {
 
-Quality QualityFrom(const std::string& name)
-{
-    constexpr std::pair<const char*, Quality> kQualities[] = {{"draft", Quality::Draft},
-                                                              {"standard", Quality::Standard},
-                                                              {"high", Quality::High},
-                                                              {"lossless", Quality::Lossless}};
-    for (const auto& [known, quality] : kQualities)
-    {
-        if (name == known)
-        {
-            return quality;
-        }
-    }
-    ThrowMisuse("quality: there is no '" + name +
-                "'; expected one of draft, standard, high, lossless");
-}
-
-/// Returns an error whose advice names the keywords of boxreel.film and not options of the program.
-Error InKeywords(Error error)
-{
-    static const std::pair<std::regex, const char*> kOptions[] = {
-        {std::regex("--chroma 444(, | or )?"), ""},
-        {std::regex("--(quality|codec) ([\\w-]+)"), "$1=\"$2\""},
-        {std::regex("--codec-option( \\S+)?"), "codec options"},
-        {std::regex("--(quality|codec)"), "$1"},
-        {std::regex("--force"), "overwrite=True"},
-        {std::regex("use (\\d+)x(\\d+)"), "use size=($1, $2)"}};
-    for (std::string* part : {&error.culprit, &error.problem, &error.remedy})
-    {
-        for (const auto& [option, keyword] : kOptions)
-        {
-            *part = std::regex_replace(*part, option, keyword);
-        }
-    }
-    return error;
-}
-
-/// As Need, with InKeywords.
-template <class T>
-T NeedOfFilm(Result<T> result)
-{
-    return result ? Need(std::move(result)) : Need(Result<T>(InKeywords(result.GetError())));
-}
+constexpr Word<Quality> kQualities[] = {{"draft", Quality::Draft},
+                                        {"standard", Quality::Standard},
+                                        {"high", Quality::High},
+                                        {"lossless", Quality::Lossless}};
 
 /// Fails if the folder does not exist.
 void RequireFolder(const std::filesystem::path& path)
@@ -89,12 +49,12 @@ public:
         m_video.width = From<int32>(options["width"], "size");
         m_video.height = From<int32>(options["height"], "size");
         m_video.framesPerSecond = Need(Rational::Parse(std::string(py::str(options["fps"]))));
-        m_video.quality = QualityFrom(py::str(options["quality"]));
+        m_video.quality = OneOf("quality", py::str(options["quality"]), kQualities);
         m_video.codec = py::str(options["codec"]);
         m_video.overwrite = From<bool>(options["overwrite"], "overwrite");
         m_drawing.theme = ThemeFrom(py::str(options["theme"]));
         m_drawing.scale = From<double>(options["scale"], "scale");
-        NeedOfFilm(CheckVideoPath(m_path, m_video)); // before anything is simulated
+        Need(CheckVideoPath(m_path, m_video)); // before anything is simulated
         RequireFolder(m_path);
     }
 
@@ -111,7 +71,7 @@ public:
         {
             Result<Recording> recording =
                 Unlocked([&] { return Recording::Open(m_path, m_video, m_drawing); });
-            m_recording.emplace(NeedOfFilm(std::move(recording)));
+            m_recording.emplace(Need(std::move(recording)));
         }
         if (!Unlocked([&] { return m_recording->Add(list, view); }))
         {
@@ -140,10 +100,10 @@ public:
             RequireSize(frame);
             Result<VideoWriter> writer =
                 Unlocked([&] { return VideoWriter::Open(m_path, m_video); });
-            m_writer.emplace(NeedOfFilm(std::move(writer)));
+            m_writer.emplace(Need(std::move(writer)));
         }
         RequireSize(frame);
-        NeedOfFilm(Unlocked([&] { return m_writer->Append(frame); }));
+        Need(Unlocked([&] { return m_writer->Append(frame); }));
         ++m_frames;
     }
 

@@ -14,24 +14,11 @@ namespace boxreel::python
 namespace
 {
 
-GoldenAccept AcceptFrom(const std::string& name)
-{
-    constexpr std::pair<const char*, GoldenAccept> kModes[] = {
-        {"none", GoldenAccept::None},
-        {"missing", GoldenAccept::Missing},
-        {"changed", GoldenAccept::Changed},
-        {"all", GoldenAccept::All},
-        {"this-renderer", GoldenAccept::ThisRenderer}};
-    for (const auto& [known, mode] : kModes)
-    {
-        if (name == known)
-        {
-            return mode;
-        }
-    }
-    ThrowMisuse("accept: there is no '" + name +
-                "'; expected none, missing, changed, all or this-renderer");
-}
+constexpr Word<GoldenAccept> kModes[] = {{"none", GoldenAccept::None},
+                                         {"missing", GoldenAccept::Missing},
+                                         {"changed", GoldenAccept::Changed},
+                                         {"all", GoldenAccept::All},
+                                         {"this-renderer", GoldenAccept::ThisRenderer}};
 
 py::dict Compared(py::handle expected, py::handle actual, const std::string& preset)
 {
@@ -66,7 +53,7 @@ py::tuple Check(py::handle world, const std::string& name, py::handle camera, in
     const GoldenCandidate candidate = Need(CandidateOf(self.world, name, look));
     const CompareSettings settings = Need(CompareSettings::Preset("preset", preset));
     const GoldenCheckSettings folders{
-        .references = references, .output = output, .accept = AcceptFrom(accept)};
+        .references = references, .output = output, .accept = OneOf("accept", accept, kModes)};
     const GoldenOutcome outcome = [&] {
         const py::gil_scoped_release unlocked;
         return CheckGolden(candidate, settings, folders, accepted);

@@ -3,10 +3,14 @@
 #include "Module.h"
 #include "Toolkit.h"
 
-#include <debugdraw/DrawCollector.h>
+#include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
+#include <base/Nearest.h>
 #include <debugdraw/Trail.h>
 #include <debugdraw/WorldBounds.h>
+#include <debugdraw/WorldLayers.h>
 #include <golden/StateHash.h>
+#include <recorder/VideoWriter.h>
 #include <render/Figure.h>
 #include <render/Png.h>
 #include <render/Renderer.h>
@@ -19,31 +23,66 @@ namespace boxreel::python
 namespace
 {
 
+// Converts impulses to forces for the lengths of arrows.
+constexpr double kStepsPerSecond = 60.0;
+
 PyObject* g_error = nullptr; // boxreel.Error, which lives as long as the process
 
-struct LayerName
-{
-    const char* name;
-    std::uint32_t bit;
+// The only table from members of settings to keywords. A setting without a keyword has no row.
+constexpr SettingName kKeywords[] = {
+    {BOXREEL_MEMBER(AtomicFileSettings, overwrite), "true", "overwrite=True"},
+    {BOXREEL_MEMBER(VideoSettings, overwrite), "true", "overwrite=True"},
+    {BOXREEL_MEMBERS(VideoSettings, width, height), "", "size", "=(", ", ", ")"},
+    {BOXREEL_MEMBER(VideoSettings, framesPerSecond), "", "fps", "="},
+    {BOXREEL_MEMBER(VideoSettings, quality), "Quality::Lossless", "quality=\"lossless\""},
+    {BOXREEL_MEMBER(VideoSettings, codec), "", "codec", "=\"", "", "\""},
 };
-constexpr LayerName kLayers[] = {{"shapes", b2Draw::e_shapeBit},
-                                 {"joints", b2Draw::e_jointBit},
-                                 {"boxes", b2Draw::e_aabbBit},
-                                 {"pairs", b2Draw::e_pairBit},
-                                 {"masses", b2Draw::e_centerOfMassBit}};
 
-std::uint32_t LayerBit(const std::string& name)
+/// Returns the name of an ErrorKind in boxreel.Error.
+const char* KindName(ErrorKind kind)
 {
-    std::string known;
-    for (const LayerName& layer : kLayers)
+    switch (kind)
     {
-        if (name == layer.name)
-        {
-            return layer.bit;
-        }
-        known += (known.empty() ? "" : ", ") + std::string(layer.name);
+    case ErrorKind::Unusable:
+        return "unusable";
+    case ErrorKind::Different:
+        return "different";
+    case ErrorKind::Absent:
+        return "absent";
+    case ErrorKind::Failed:
+        break;
     }
-    ThrowMisuse("layers: there is no '" + name + "'; expected some of " + known);
+    return "failed";
+}
+
+/// Returns the names of bodies that have an attribute `name`, as those of boxreel.scene do.
+BodyNames NamesOf(WorldObject& world)
+{
+    BodyNames names;
+    const std::vector<b2Body*> bodies = world.Bodies();
+    for (b2Body* body : bodies)
+    {
+        const py::object name = py::getattr(Wrap(world, body), "name", py::none());
+        if (!name.is_none())
+        {
+            names[std::uint32_t(body->GetNumber())] = py::str(name);
+        }
+    }
+    return names;
+}
+
+JointNames NamesOfJoints(WorldObject& world)
+{
+    JointNames names;
+    for (b2Joint* joint = world.world.GetJointList(); joint != nullptr; joint = joint->GetNext())
+    {
+        const py::object name = py::getattr(Wrap(world, joint), "name", py::none());
+        if (!name.is_none())
+        {
+            names[joint] = py::str(name);
+        }
+    }
+    return names;
 }
 
 /// A renderer for pictures of one size. It owns a GL context, so it belongs to one thread.
@@ -160,8 +199,19 @@ void WriteFigure(py::handle world, const std::string& path, const Camera& camera
 
 void ThrowError(const Error& error)
 {
-    PyErr_SetString(g_error, error.Text().c_str());
+    const py::object raised = py::handle(g_error)(error.Text(kKeywords));
+    raised.attr("kind") = KindName(error.kind);
+    raised.attr("culprit") = error.culprit.Text(kKeywords);
+    raised.attr("problem") = error.problem.Text(kKeywords);
+    raised.attr("remedy") = error.remedy.Text(kKeywords);
+    PyErr_SetObject(g_error, raised.ptr());
     throw py::error_already_set();
+}
+
+void ThrowNotOneOf(const char* argument, const std::string& word,
+                   const std::vector<std::string>& words)
+{
+    ThrowMisuse(NotOneOf(argument, word, words).Text());
 }
 
 Theme ThemeFrom(const std::string& name)
@@ -170,26 +220,24 @@ Theme ThemeFrom(const std::string& name)
     {
         return *theme;
     }
-    std::string known;
-    for (const std::string_view each : ThemeNames())
-    {
-        known += (known.empty() ? "" : ", ") + std::string(each);
-    }
-    ThrowMisuse("theme: there is no '" + name + "'; expected one of " + known);
+    ThrowNotOneOf("theme", name, {ThemeNames().begin(), ThemeNames().end()});
 }
 
 Look LookFrom(py::handle layers, py::handle trails)
 {
-    Look look{0, {}};
-    if (layers.is_none())
+    Look look;
+    if (!layers.is_none())
     {
-        look.layers = b2Draw::e_shapeBit | b2Draw::e_jointBit;
-    }
-    else
-    {
-        for (const py::handle name : py::reinterpret_borrow<py::iterable>(layers))
+        look.layers = LayerSet::None();
+        for (const py::handle each : py::reinterpret_borrow<py::iterable>(layers))
         {
-            look.layers |= LayerBit(py::str(name));
+            const std::string name = py::str(each);
+            const std::optional<DrawLayer> layer = FindLayer(name);
+            if (!layer)
+            {
+                ThrowNotOneOf("layers", name, LayerNames());
+            }
+            look.layers[*layer] = true;
         }
     }
     if (!trails.is_none())
@@ -214,11 +262,13 @@ DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look)
     {
         AddTrail(list, camera, look.trails[i], {.color = TrailColor(i)});
     }
-    DrawCollector collector(list);
-    collector.SetFlags(look.layers);
-    world.world.SetDebugDraw(&collector);
-    world.world.DrawDebugData();
-    world.world.SetDebugDraw(nullptr);
+    // Which contact points are new is not known here, so none are drawn as new.
+    LayerCollector collector(look.layers, {}, kStepsPerSecond, world.world);
+    collector.BeforeStep(world.world);
+    const BodyNames names = look.layers[DrawLayer::Labels] ? NamesOf(world) : BodyNames();
+    const JointNames jointNames =
+        look.layers[DrawLayer::Labels] ? NamesOfJoints(world) : JointNames();
+    collector.Collect(world.world, ViewOfEverything(camera), names, jointNames, list);
     return list;
 }
 
@@ -281,10 +331,18 @@ Frame FrameFrom(py::handle array)
 
 void BindPictures(py::module_& module)
 {
-    g_error = PyErr_NewExceptionWithDoc(
-        "boxreel.Error",
-        "A file, codec or driver that cannot be used. The text names it and the remedy.",
-        PyExc_RuntimeError, nullptr);
+    py::dict members;
+    for (const char* const name : {"kind", "culprit", "problem", "remedy"})
+    {
+        members[name] = "";
+    }
+    g_error = PyErr_NewExceptionWithDoc("boxreel.Error",
+                                        "A file, codec or driver that cannot be used. The text "
+                                        "names it and the remedy. `kind` is unusable (wrong "
+                                        "name or settings), different, absent (a library) or "
+                                        "failed (reading or writing). `culprit` is the argument "
+                                        "or file at fault. `problem` and `remedy` may be empty.",
+                                        PyExc_RuntimeError, members.ptr());
     module.attr("Error") = py::handle(g_error);
     BindCamera(module);
     py::class_<PictureRenderer>(module, "_Renderer")

@@ -5,6 +5,7 @@
 
 #include <base/Result.h>
 #include <debugdraw/Camera.h>
+#include <debugdraw/DrawLayer.h>
 #include <debugdraw/DrawList.h>
 #include <debugdraw/Theme.h>
 #include <render/Frame.h>
@@ -32,13 +33,41 @@ T Need(Result<T> result)
     }
 }
 
+/// Throws b2Error: the argument has a word that is not one of these.
+[[noreturn]] void ThrowNotOneOf(const char* argument, const std::string& word,
+                                const std::vector<std::string>& words);
+
+/// A word of an argument, and its meaning.
+template <class T>
+struct Word
+{
+    const char* word;
+    T meaning;
+};
+
+/// Returns the meaning of a word in a table, or throws b2Error.
+template <class T, std::size_t N>
+T OneOf(const char* argument, const std::string& word, const Word<T> (&table)[N])
+{
+    std::vector<std::string> words;
+    for (const Word<T>& row : table)
+    {
+        if (word == row.word)
+        {
+            return row.meaning;
+        }
+        words.emplace_back(row.word);
+    }
+    ThrowNotOneOf(argument, word, words);
+}
+
 /// Returns the theme of that name.
 Theme ThemeFrom(const std::string& name);
 
 /// The content of a picture of a world.
 struct Look
 {
-    std::uint32_t layers;                  ///< b2Draw's bits
+    LayerSet layers;                       ///< by default the usual ones
     std::vector<std::vector<Vec2>> trails; ///< paths [m], oldest point first
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegCodec.h"
+#include "SettingTexts.h"
 
 #include "FFmpegPicture.h"
 
@@ -44,7 +45,7 @@ Error Refused(const EncoderPlan& plan, const VideoSettings& settings, const std:
     const std::string options = Given(settings);
     if (!options.empty())
     {
-        return Error{ErrorKind::Unusable, "--codec-option " + options,
+        return Error{ErrorKind::Unusable, ErrorSetting{kCodecOptions, {options}},
                      "the encoder " + plan.encoder + " refuses it (" + FFmpegText(status) + ")",
                      "`ffmpeg -h encoder=" + plan.encoder + "` lists its options"};
     }
@@ -60,7 +61,7 @@ Error Unknown(const EncoderPlan& plan, const VideoSettings& settings, const std:
     {
         if (name == option)
         {
-            return Error{ErrorKind::Unusable, "--codec-option " + option,
+            return Error{ErrorKind::Unusable, ErrorSetting{kCodecOptions, {option}},
                          "the encoder " + plan.encoder + " has no such option",
                          "`ffmpeg -h encoder=" + plan.encoder + "` lists its options"};
         }
@@ -170,7 +171,7 @@ Result<FFmpegCodec> FFmpegCodec::Open(const EncoderPlan& plan, const VideoSettin
     }
     if (const char* what = Overridden(*context, plan, settings); what != nullptr)
     {
-        return Error{ErrorKind::Unusable, "--codec-option " + Given(settings),
+        return Error{ErrorKind::Unusable, ErrorSetting{kCodecOptions, {Given(settings)}},
                      std::string("changes the film's ") + what + ", which other options set",
                      "remove it"};
     }

@@ -7,6 +7,7 @@
 #include "FFmpegPackets.h"
 #include "FFmpegPicture.h"
 #include "FFmpegRepeat.h"
+#include "SettingTexts.h"
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
@@ -135,11 +136,11 @@ Result<void> FFmpegFilm::OpenFile()
         return {};
     }
     const bool isFresh = m_settings.overwrite && !m_settings.resume;
-    ASSIGN_OR_RETURN(
-        AtomicFile file,
-        AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
-                                    .mark = m_settings.resume ? kResumedMark : "part",
-                                    .replacesLeftover = isFresh || m_settings.resume}));
+    ASSIGN_OR_RETURN(AtomicFile file,
+                     AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
+                                                 .mark = m_settings.resume ? kResumedMark : "part",
+                                                 .replacesLeftover = isFresh || m_settings.resume,
+                                                 .leftoverRemedy = LeftoverRemedy()}));
     m_file.emplace(std::move(file));
     m_output = std::make_unique<FFmpegOutput>(&*m_file);
     return {};

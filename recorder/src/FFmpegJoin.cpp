@@ -3,6 +3,7 @@
 #include "FFmpegCodec.h"
 #include "FFmpegCopy.h"
 #include "FrameTimes.h"
+#include "SettingTexts.h"
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
@@ -112,8 +113,9 @@ Result<bool> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::file
     RETURN_IF_ERROR(CheckAlike(films, tick));
     FillDecodingTimes(parts);
     Result<FFmpegPackets> first = FFmpegPackets::Open(films.front().path, tick);
-    Result<AtomicFile> file = AtomicFile::Create(
-        path, {.overwrite = settings.overwrite, .replacesLeftover = settings.overwrite});
+    Result<AtomicFile> file = AtomicFile::Create(path, {.overwrite = settings.overwrite,
+                                                        .replacesLeftover = settings.overwrite,
+                                                        .leftoverRemedy = LeftoverRemedy()});
     if (!first || !file)
     {
         return first ? file.GetError() : first.GetError();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "FFmpegRepeat.h"
+#include "SettingTexts.h"
 
 #include "Vp9Slot.h"
 
@@ -55,7 +56,7 @@ void SetHeader(std::span<const std::uint8_t> header, AVCodecParameters& paramete
 Error Unreadable()
 {
     return Error{ErrorKind::Failed, "film", "the encoder returned a packet that cannot be repeated",
-                 "use --variable-rate"};
+                 ErrorText::AnyOf({"use " + kVariableRate})};
 }
 
 } // namespace

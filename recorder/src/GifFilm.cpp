@@ -3,6 +3,7 @@
 #include "FrameTimes.h"
 #include "GifLzw.h"
 #include "GifPalette.h"
+#include "SettingTexts.h"
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
@@ -179,7 +180,8 @@ Result<void> GifFilm::Open()
         AtomicFile file,
         AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
                                     .mark = isResumed ? kResumedMark : "part",
-                                    .replacesLeftover = m_settings.overwrite || isResumed}));
+                                    .replacesLeftover = m_settings.overwrite || isResumed,
+                                    .leftoverRemedy = LeftoverRemedy()}));
     m_file.emplace(std::move(file));
     return m_file->Write(Header(m_settings.width, m_settings.height, m_settings.plays));
 }

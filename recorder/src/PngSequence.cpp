@@ -2,6 +2,7 @@
 #include "PngSequence.h"
 #include "PngStream.h"
 #include "SequenceName.h"
+#include "SettingTexts.h"
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
@@ -317,8 +318,9 @@ Result<std::unique_ptr<VideoSink>> OpenPngSequence(const std::filesystem::path& 
         if (!settings.overwrite && !settings.resume && IsAmong(number, settings.frames))
         {
             return Error{ErrorKind::Unusable, name.PathOf(number).string(), "already exists",
-                         "choose another name, or continue a stopped film (boxreel's --resume) or "
-                         "overwrite it (--force)"};
+                         ErrorText::AnyOf({"choose another name",
+                                           "continue a stopped film (" + kResumed + ")",
+                                           "overwrite it (" + kOverwritten + ")"})};
         }
     }
     // Checks that the folder is writable before the simulation starts.

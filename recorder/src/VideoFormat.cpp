@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "VideoFormat.h"
 #include "SequenceName.h"
+#include "SettingTexts.h"
 #include "VideoPlan.h"
 
 #include <base/ErrorMacros.h>
@@ -61,6 +62,12 @@ std::string LowerExtension(const std::filesystem::path& path)
     return extension;
 }
 
+ErrorText FormatText(const VideoSettings& settings)
+{
+    return settings.format.empty() ? ErrorSetting{kFormat}
+                                   : ErrorSetting{kFormat, {settings.format}};
+}
+
 Error UnknownName(const std::filesystem::path& path, const VideoSettings& settings)
 {
     const std::string formats =
@@ -70,11 +77,10 @@ Error UnknownName(const std::filesystem::path& path, const VideoSettings& settin
     };
     if (IsPipe(path))
     {
-        return Error{ErrorKind::Unusable,
-                     settings.format.empty() ? "--format" : "--format " + settings.format,
+        return Error{ErrorKind::Unusable, FormatText(settings),
                      settings.format.empty() ? "is required for standard output"
                                              : "cannot be written to standard output",
-                     "give --format y4m, nut, mkv or webm"};
+                     "give " + ErrorSetting{kFormat} + " y4m, nut, mkv or webm"};
     }
     if (LowerExtension(path) == ".png")
     {
@@ -90,9 +96,9 @@ Error UnknownName(const std::filesystem::path& path, const VideoSettings& settin
                     DidYouMean(extension, VideoEnds(), formats));
 }
 
-std::string SizeText(int width, int height)
+ErrorText SizeText(int width, int height)
 {
-    return std::to_string(width) + "x" + std::to_string(height);
+    return ErrorSetting{kSize, {std::to_string(width), std::to_string(height)}};
 }
 
 Result<void> CheckSize(const VideoSettings& settings)
@@ -101,7 +107,7 @@ Result<void> CheckSize(const VideoSettings& settings)
     const int h = settings.height;
     if (w < 1 || h < 1 || w > kMaxSize || h > kMaxSize)
     {
-        return Error{ErrorKind::Unusable, "size " + SizeText(w, h),
+        return Error{ErrorKind::Unusable, SizeText(w, h),
                      "width and height must be between 1 and " + std::to_string(kMaxSize)};
     }
     return {};
@@ -116,11 +122,17 @@ Result<void> CheckEvenSize(VideoFormat format, const VideoSettings& settings)
     {
         return {};
     }
-    const char* const others = format == VideoFormat::Y4m // y4m cannot be lossless
-                                   ? ", --chroma 444 or nut"
-                                   : ", --chroma 444, --quality lossless, .gif or frames-####.png";
-    return Error{ErrorKind::Unusable, "size " + SizeText(w, h), "must be even with 4:2:0 chroma",
-                 "use " + SizeText(w + w % 2, h + h % 2) + others};
+    std::vector<ErrorText> others = {SizeText(w + w % 2, h + h % 2), kFullChroma};
+    if (format == VideoFormat::Y4m) // y4m cannot be lossless
+    {
+        others.emplace_back("nut");
+    }
+    else
+    {
+        others.insert(others.end(), {kLossless, ".gif", "frames-####.png"});
+    }
+    return Error{ErrorKind::Unusable, SizeText(w, h), "must be even with 4:2:0 chroma",
+                 "use " + ErrorText::AnyOf(others)};
 }
 
 Result<void> CheckRate(const Rational& rate)
@@ -128,7 +140,8 @@ Result<void> CheckRate(const Rational& rate)
     if (rate.num < 1 || rate.den < 1 || rate.num > rate.den * kMaxRate)
     {
         return Error{ErrorKind::Unusable,
-                     "rate " + std::to_string(rate.num) + "/" + std::to_string(rate.den),
+                     ErrorSetting{BOXREEL_MEMBER(VideoSettings, framesPerSecond),
+                                  {std::to_string(rate.num) + "/" + std::to_string(rate.den)}},
                      "must be above 0 and at most " + std::to_string(kMaxRate) +
                          " frames per second"};
     }
@@ -139,21 +152,44 @@ Result<void> CheckNumbers(const VideoSettings& settings)
 {
     if (settings.threads < 0 || settings.threads > kMaxThreads)
     {
-        return Error{ErrorKind::Unusable, "threads " + std::to_string(settings.threads),
+        return Error{ErrorKind::Unusable,
+                     ErrorSetting{BOXREEL_MEMBER(VideoSettings, threads),
+                                  {std::to_string(settings.threads)}},
                      "must be between 0 (two threads) and " + std::to_string(kMaxThreads)};
     }
     if (settings.groupFrames < 0)
     {
-        return Error{ErrorKind::Unusable, "groupFrames " + std::to_string(settings.groupFrames),
+        return Error{ErrorKind::Unusable,
+                     ErrorSetting{BOXREEL_MEMBER(VideoSettings, groupFrames),
+                                  {std::to_string(settings.groupFrames)}},
                      "must be at least 0"};
     }
     if (settings.plays < 0 || settings.plays > kMaxPlays)
     {
-        return Error{ErrorKind::Unusable, "plays " + std::to_string(settings.plays),
+        return Error{ErrorKind::Unusable, ErrorSetting{kPlays, {std::to_string(settings.plays)}},
                      "must be between 0 (forever) and " + std::to_string(kMaxPlays)};
     }
     RETURN_IF_ERROR(CheckRate(settings.framesPerSecond));
     return CheckSize(settings);
+}
+
+/// Checks that no settings of a codec are given to a format without one. WebP has codec options.
+Result<void> CheckCodecless(const std::filesystem::path& path, VideoFormat format,
+                            const VideoSettings& settings)
+{
+    const std::pair<ErrorSetting, bool> given[] = {
+        {{kCodec, {settings.codec}}, !settings.codec.empty()},
+        {kFullChroma, settings.chroma != Chroma::Half},
+        {{kCodecOptions}, format != VideoFormat::WebP && !settings.codecOptions.empty()}};
+    for (const auto& [setting, isGiven] : given)
+    {
+        if (isGiven)
+        {
+            return Error{ErrorKind::Unusable, setting, "does not apply to " + path.string(),
+                         "remove it"};
+        }
+    }
+    return {};
 }
 
 /// Checks for settings that the format does not support.
@@ -163,13 +199,13 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
     if (settings.plays != 0 && !IsAnimation(format))
     {
         return Error{ErrorKind::Unusable, path.string(), "format has no loop count",
-                     "remove --loop, or write .gif, .apng or .webp"};
+                     "remove " + ErrorSetting{kPlays} + ", or write .gif, .apng or .webp"};
     }
     const bool isWhole = IsPipe(path) || !HasParts(format);
     if (settings.resume && isWhole)
     {
         return Error{ErrorKind::Unusable, path.string(), "cannot be resumed",
-                     "remove --resume, or write another format"};
+                     "remove " + ErrorSetting{kResume} + ", or write another format"};
     }
     const bool storesAll =
         IsOfLibav(format) ? !HasParts(format) : format == VideoFormat::PngSequence;
@@ -177,24 +213,18 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
     {
         return Error{ErrorKind::Unusable, path.string(),
                      "has a constant frame rate, because the format stores every frame",
-                     "remove --variable-rate, or write .mp4, .mkv or .webm"};
+                     "remove " + kVariableRate + ", or write .mp4, .mkv or .webm"};
     }
     if (settings.timing == FrameTiming::Constant && format == VideoFormat::WebP)
     {
         return Error{ErrorKind::Unusable, path.string(),
                      "cannot have a constant rate, because libwebp joins identical frames",
-                     "remove --constant-rate, or write .apng"};
+                     "remove " + ErrorText(ErrorSetting{kTiming, {"FrameTiming::Constant"}}) +
+                         ", or write .apng"};
     }
     if (!IsOfLibav(format))
     {
-        const bool asksCodec = !settings.codec.empty() || settings.chroma != Chroma::Half;
-        if (asksCodec || (format != VideoFormat::WebP && !settings.codecOptions.empty()))
-        {
-            return Error{ErrorKind::Unusable, path.string(),
-                         "format has no codec or chroma options",
-                         "remove --codec, --chroma and --codec-option"};
-        }
-        return {};
+        return CheckCodecless(path, format, settings);
     }
     ASSIGN_OR_RETURN(const EncoderPlan plan, PlanFor(format, settings));
     return plan.pixelFormat == "yuv420p" ? CheckEvenSize(format, settings) : Result<void>();
@@ -282,8 +312,7 @@ Result<void> CheckVideoPath(const std::filesystem::path& path, const VideoSettin
     }
     if (!IsPipe(path) && !settings.format.empty())
     {
-        return Error{ErrorKind::Unusable, "--format " + settings.format,
-                     "applies to standard output only",
+        return Error{ErrorKind::Unusable, FormatText(settings), "applies to standard output only",
                      "remove it; the extension of " + path.string() + " sets the format"};
     }
     if (*format == VideoFormat::PngSequence && ParseSequenceName(path)->digits > 9)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "VideoPlan.h"
+#include "SettingTexts.h"
 
 #include <base/ErrorMacros.h>
 #include <base/Words.h>
@@ -88,8 +89,7 @@ std::vector<CodecChoice> CodecChoices()
 namespace
 {
 
-Error Contradiction(const std::string& culprit, const std::string& problem,
-                    const std::string& remedy)
+Error Contradiction(const ErrorText& culprit, const ErrorText& problem, const ErrorText& remedy)
 {
     return Error{ErrorKind::Unusable, culprit, problem, remedy};
 }
@@ -259,13 +259,13 @@ Result<void> AddUsers(EncoderPlan& plan, const VideoSettings& settings)
     {
         if (settings.quality == Quality::Lossless && plan.needsGroups && IsRateOption(name))
         {
-            return Contradiction("--codec-option " + name, "is set by --quality lossless",
+            return Contradiction(ErrorSetting{kCodecOptions, {name}}, "is set by " + kLossless,
                                  "remove one of them");
         }
         if (name == "flags" && value.find("pass") != std::string::npos)
         {
-            return Contradiction("--codec-option flags=" + value, "films are encoded in one pass",
-                                 "remove it");
+            return Contradiction(ErrorSetting{kCodecOptions, {"flags=" + value}},
+                                 "films are encoded in one pass", "remove it");
         }
         if (name == "b" || name == "qp" || name == "cqp")
         {
@@ -284,7 +284,7 @@ Result<void> PlanRaw(EncoderPlan& plan, VideoFormat format, const VideoSettings&
     plan.pixelFormat = format == VideoFormat::Nut ? "rgb24" : YuvOf(settings.chroma);
     if (format == VideoFormat::Y4m && settings.quality == Quality::Lossless)
     {
-        return Contradiction("--quality lossless", "y4m stores YUV, which rounds colours",
+        return Contradiction(kLossless, "y4m stores YUV, which rounds colours",
                              "use nut, or remove it");
     }
     return {};
@@ -302,9 +302,10 @@ Result<std::string> CodecOf(const Container& container, const VideoSettings& set
     if (std::find(codecs.begin(), codecs.end(), settings.codec) == codecs.end())
     {
         const bool hasChoice = codecs.size() > 1;
-        return Contradiction(
-            "--codec " + settings.codec, std::string(container.name) + " does not support it",
-            hasChoice ? "use one of " + JoinedBy(", ", codecs) : "remove --codec, it has only one");
+        return Contradiction(ErrorSetting{kCodec, {settings.codec}},
+                             std::string(container.name) + " does not support it",
+                             hasChoice ? ErrorText("use one of " + JoinedBy(", ", codecs))
+                                       : "remove " + ErrorSetting{kCodec} + ", it has only one");
     }
     return settings.codec;
 }
@@ -317,11 +318,11 @@ Result<void> PlanCodec(EncoderPlan& plan, VideoFormat format, const std::string&
     const bool hasChroma = format == VideoFormat::Y4m || plan.needsGroups;
     if (settings.chroma == Chroma::Full && (!hasChroma || isLossless))
     {
-        return Contradiction("--chroma 444", "applies to YUV, and this film is RGB", "remove it");
+        return Contradiction(kFullChroma, "applies to YUV, and this film is RGB", "remove it");
     }
     if (codec == "ffv1" && !isLossless)
     {
-        return Contradiction("--codec ffv1", "requires --quality lossless",
+        return Contradiction(ErrorSetting{kCodec, {"ffv1"}}, "requires " + kLossless,
                              "add it, or use another codec");
     }
     if (codec == "h264")

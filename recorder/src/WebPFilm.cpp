@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "WebPFilm.h"
+#include "SettingTexts.h"
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
@@ -106,7 +107,7 @@ Result<double> ParseOption(const std::string& name, const std::string& text)
     {
         read = 0;
     }
-    return Error{ErrorKind::Unusable, "--codec-option " + name + "=" + text,
+    return Error{ErrorKind::Unusable, ErrorSetting{kCodecOptions, {name + "=" + text}},
                  "requires a number after the ="};
 }
 
@@ -128,8 +129,8 @@ Result<void> SetOption(const std::string& name, const std::string& text, WebPCon
         }
         known += std::string(", ") + option.name;
     }
-    return Error{ErrorKind::Unusable, "--codec-option " + name, "libwebp has no such option",
-                 "use one of " + known};
+    return Error{ErrorKind::Unusable, ErrorSetting{kCodecOptions, {name}},
+                 "libwebp has no such option", "use one of " + known};
 }
 
 /// Returns the number of frames in a film: its chunks ANMF. A film of one frame is a still picture.
@@ -212,8 +213,8 @@ Result<void> WebPFilm::Configure()
     }
     if (m_library.validateConfig(&m_config) == 0)
     {
-        return Error{ErrorKind::Unusable, "--codec-option", "libwebp refuses these values",
-                     "`cwebp -longhelp` lists the valid values"};
+        return Error{ErrorKind::Unusable, ErrorSetting{kCodecOptions},
+                     "libwebp refuses these values", "`cwebp -longhelp` lists the valid values"};
     }
     return {};
 }
@@ -226,7 +227,8 @@ Result<void> WebPFilm::Open()
         AtomicFile file,
         AtomicFile::Create(m_path, {.overwrite = m_settings.overwrite,
                                     .mark = isResumed ? kResumedMark : "part",
-                                    .replacesLeftover = m_settings.overwrite || isResumed}));
+                                    .replacesLeftover = m_settings.overwrite || isResumed,
+                                    .leftoverRemedy = LeftoverRemedy()}));
     m_file.emplace(std::move(file));
     WebPAnimEncoderOptions options;
     m_library.optionsInit(&options, WEBP_MUX_ABI_VERSION);

@@ -8,6 +8,7 @@
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <base/WorkFolder.h>
+#include <options/OptionNames.h>
 #include <page/PageWriter.h>
 #include <recorder/VideoWriter.h>
 #include <render/Backend.h>
@@ -153,7 +154,7 @@ Finding LookAtDisplay()
     }
     const Result<void> display = CheckDisplay();
     return display ? Finding(std::string("DISPLAY is ") + name)
-                   : Error{ErrorKind::Absent, display.GetError().Text(), "",
+                   : Error{ErrorKind::Absent, TextInOptions(display.GetError()), "",
                            "start it, or unset DISPLAY; record, shot and play need no display"};
 }
 
@@ -164,7 +165,7 @@ public:
     void Add(const std::string& name, const Finding& finding)
     {
         Write(finding ? "ok  " : Red("FAIL", stdout), name,
-              finding ? *finding : finding.GetError().Text());
+              finding ? *finding : TextInOptions(finding.GetError()));
         if (!finding && m_code == 0)
         {
             m_code = static_cast<int>(finding.GetError().kind);

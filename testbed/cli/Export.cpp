@@ -5,6 +5,7 @@
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
+#include <options/OptionNames.h>
 #include <rube/RubeExport.h>
 #include <rube/RubeFile.h>
 #include <rube/RubeScene.h>
@@ -27,7 +28,7 @@ Result<int> Run(const ExportOptions& options)
     if (const Result<RubeScene> back = ParseRubeScene(text, session.Title()); !back)
     {
         return Error{ErrorKind::Unusable, options.scene,
-                     "cannot be exported at this moment: " + back.GetError().Text(),
+                     "cannot be exported at this moment: " + TextInOptions(back.GetError()),
                      "choose another --at"};
     }
     for (const RubeNote& part : leftOut)

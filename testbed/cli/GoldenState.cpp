@@ -6,6 +6,7 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
+#include <options/OptionNames.h>
 
 namespace boxreel
 {
@@ -63,7 +64,7 @@ private:
     Error Odd(const Error& error) const
     {
         return Error{ErrorKind::Unusable, "--against " + m_program.string(),
-                     "did not print scene states (" + error.Text() + ")",
+                     "did not print scene states (" + TextInOptions(error) + ")",
                      "give another build of boxreel"};
     }
 

@@ -5,6 +5,7 @@
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <film/Progress.h>
+#include <options/OptionNames.h>
 
 namespace boxreel
 {
@@ -34,11 +35,11 @@ bool AsksForOpenJd(const std::vector<std::string>& arguments)
 
 int Report(const Error& error, const std::vector<std::string>& arguments)
 {
-    WriteMessage(Red("boxreel:", stderr) + " " + error.Text());
+    WriteMessage(Red("boxreel:", stderr) + " " + TextInOptions(error));
     if (AsksForOpenJd(arguments))
     {
         // If this cannot be written, there is no other way to report it.
-        (void)WriteOutput(FailOpenJdText(error.Text()) + "\n");
+        (void)WriteOutput(FailOpenJdText(TextInOptions(error)) + "\n");
     }
     return static_cast<int>(error.kind);
 }

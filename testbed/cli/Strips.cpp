@@ -7,6 +7,7 @@
 #include <base/WorkFolder.h>
 #include <debugdraw/NiceNumbers.h>
 #include <golden/StateHash.h>
+#include <options/OptionNames.h>
 #include <render/Png.h>
 #include <session/GoldenScenes.h>
 
@@ -156,7 +157,7 @@ public:
         }
         if (const Result<void> ready = Prepare(); !ready)
         {
-            strip.note = "The steps could not be drawn: " + ready.GetError().Text();
+            strip.note = "The steps could not be drawn: " + TextInOptions(ready.GetError());
             return strip;
         }
         ASSIGN_OR_RETURN(SceneSession session, OpenGolden(selection, kWidth, kHeight));

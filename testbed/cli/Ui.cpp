@@ -6,6 +6,7 @@
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
 #include <film/StopSignals.h>
+#include <options/OptionNames.h>
 #include <render/Renderer.h>
 #include <render/Window.h>
 #include <ui/UiSettings.h>
@@ -210,7 +211,7 @@ UiSettings Kept(const UiOptions& options, const std::filesystem::path& file)
         }
         else
         {
-            WriteMessage("boxreel: " + kept.GetError().Text());
+            WriteMessage("boxreel: " + TextInOptions(kept.GetError()));
         }
     }
     if (options.size)
@@ -239,7 +240,7 @@ Result<int> Run(const UiOptions& options)
     {
         if (const Result<void> kept = WriteUiSettings(file, desk.Settings()); !kept)
         {
-            WriteMessage("boxreel: The settings were not saved: " + kept.GetError().Text());
+            WriteMessage("boxreel: The settings were not saved: " + TextInOptions(kept.GetError()));
         }
     }
     const Result<void> said = WriteOutput(desk.Bench().Summary() + "\n");

@@ -4,6 +4,7 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
+#include <options/OptionNames.h>
 #include <recorder/StageTimes.h>
 #include <session/SessionPanels.h>
 
@@ -122,7 +123,7 @@ Result<int> FilmSimulation::Conclude(std::int64_t frames) const
     const Result<void> played = m_session->CheckCompanion();
     if (const Result<void> met = m_session->CheckView(); played && !met)
     {
-        WriteMessage("boxreel: " + met.GetError().Text());
+        WriteMessage("boxreel: " + TextInOptions(met.GetError()));
     }
     return played ? Result<int>(0) : played.GetError();
 }

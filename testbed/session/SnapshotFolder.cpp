@@ -6,6 +6,7 @@
 #include <base/ErrorMacros.h>
 #include <base/ReadWhole.h>
 #include <base/Terminal.h>
+#include <options/OptionNames.h>
 
 #include <algorithm>
 #include <chrono>
@@ -246,7 +247,7 @@ void SnapshotFolder::Offer(SceneSession& session)
     }
     if (const Result<void> written = Write(session); !written)
     {
-        WriteMessage("boxreel: " + written.GetError().Text() +
+        WriteMessage("boxreel: " + TextInOptions(written.GetError()) +
                      " This run writes no more snapshots.");
         m_isFull = true;
     }

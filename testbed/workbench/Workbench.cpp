@@ -4,6 +4,7 @@
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
 #include <golden/StateHash.h>
+#include <options/OptionNames.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,7 @@ void Workbench::Change(const std::string& scene, bool isOther)
     Result<SceneSource> source = OpenScene(scene);
     if (!source)
     {
-        Say(source.GetError().Text());
+        Say(TextInOptions(source.GetError()));
         return;
     }
     SceneLook look = m_settings.look;
@@ -83,7 +84,7 @@ void Workbench::Change(const std::string& scene, bool isOther)
     const Camera view = m_work.Uncovered();
     if (const Result<void> changed = Session().Replace(std::move(*source), look); !changed)
     {
-        Say(changed.GetError().Text());
+        Say(TextInOptions(changed.GetError()));
         return;
     }
     if (!keeps)
@@ -281,13 +282,13 @@ void Workbench::Film()
     {
         const std::filesystem::path path = m_film->Path();
         const Result<void> ended = Finish();
-        Say(ended ? "Wrote " + path.string() + "." : ended.GetError().Text());
+        Say(ended ? "Wrote " + path.string() + "." : TextInOptions(ended.GetError()));
         return;
     }
     Result<WorkbenchFilm> film = WorkbenchFilm::Open(m_work, Output());
     if (!film)
     {
-        Say(film.GetError().Text());
+        Say(TextInOptions(film.GetError()));
         return;
     }
     const std::filesystem::path path = film->Path();
@@ -301,7 +302,7 @@ void Workbench::FilmFrame()
     if (!m_film->Add(m_work, m_panels.Picture()))
     {
         const Result<void> why = Finish();
-        Say(why ? "The film ended." : why.GetError().Text());
+        Say(why ? "The film ended." : TextInOptions(why.GetError()));
     }
 }
 
@@ -315,7 +316,7 @@ Result<void> Workbench::Finish()
 void Workbench::Picture(const std::string& extension)
 {
     const Result<std::filesystem::path> written = WritePicture(m_work, Output(), extension);
-    Say(written ? "Wrote " + written->string() + "." : written.GetError().Text());
+    Say(written ? "Wrote " + written->string() + "." : TextInOptions(written.GetError()));
 }
 
 void Workbench::SaveScript()
@@ -323,7 +324,7 @@ void Workbench::SaveScript()
     const std::filesystem::path path = FreeName(m_settings.into, Session().Title(), ".play");
     const Result<void> written = WriteWhole(path, m_work.Script(), false);
     Say(written ? "Wrote " + path.string() + ": what was done since the scene began."
-                : written.GetError().Text());
+                : TextInOptions(written.GetError()));
 }
 
 } // namespace boxreel

@@ -59,7 +59,7 @@ MATCHER_P2(RefusesWith, culprit, detail, "")
         return false;
     }
     const Error& error = arg.GetError();
-    return (error.problem + " " + error.remedy).find(detail) != std::string::npos;
+    return (error.problem + " " + error.remedy).Text().find(detail) != std::string::npos;
 }
 
 } // namespace boxreel

@@ -55,7 +55,8 @@ TEST(Nearest, RefusalNamesOptionAndSuggestsNearWord)
     {
         const Error error = NotOneOf("--quality", typed, words);
         EXPECT_THAT(error, IsError(ErrorKind::Unusable, culprit));
-        EXPECT_EQ(error.remedy.find("'high'") != std::string::npos, typed == std::string("hihg"));
+        EXPECT_EQ(error.remedy.Text().find("'high'") != std::string::npos,
+                  typed == std::string("hihg"));
     }
     EXPECT_EQ(DidYouMean("best", words, "write it"), "write it");
 }

@@ -17,7 +17,7 @@ void ExpectUnusable(const std::filesystem::path& path, std::uintmax_t limit)
     const Result<std::string> read = ReadWhole(path, limit);
     ASSERT_FALSE(read);
     EXPECT_EQ(read.GetError().kind, ErrorKind::Unusable);
-    EXPECT_EQ(read.GetError().culprit, path);
+    EXPECT_EQ(read.GetError().culprit, path.string());
 }
 
 TEST(ReadWhole, ReturnsAllBytes)

@@ -34,7 +34,7 @@ bool IsLine(const std::string& text)
 
 std::string WhyBadRefusal(const Error& error)
 {
-    if (error.kind != ErrorKind::Unusable || !error.culprit.starts_with(kSource))
+    if (error.kind != ErrorKind::Unusable || !error.culprit.Text().starts_with(kSource))
     {
         return "the refusal does not blame the file: " + error.Text();
     }

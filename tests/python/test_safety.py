@@ -196,7 +196,7 @@ class Conversions(unittest.TestCase):
 
 
 class Uninitialized(unittest.TestCase):
-    def test_objects_without_constructor_refuse_every_use(self):
+    def test_objects_refuse_every_use(self):
         for cls in (value for value in vars(Box2D).values() if isinstance(value, type)):
             try:
                 made = cls.__new__(cls)
@@ -213,7 +213,7 @@ class Uninitialized(unittest.TestCase):
             with self.assertRaises(TypeError):
                 getattr(cls.__new__(cls), name)
 
-    def test_constructors_refuse_objects_of_other_classes(self):
+    def test_constructors_refuse_other_objects(self):
         world = b2World()
         body = ball(world)
         fixture = body.fixtures[0]

@@ -4,6 +4,7 @@
 import copy
 import os
 import pickle
+import re
 import subprocess
 import sys
 import tempfile
@@ -63,8 +64,31 @@ class Pictures(InFolder):
             boxreel.render(world, theme="printed")
         with self.assertRaises(b2Error):
             boxreel.render(world, layers=["shape"])
+        with self.assertRaisesRegex(b2Error, "^theme .*okabe-ito.*'print'"):
+            boxreel.render(world, theme="prnt")
         with self.assertRaises(TypeError):
             boxreel.render(None)
+
+    def test_layers_have_the_names_of_draw(self):
+        world = drop()
+        step(world, 100)
+        world.bodies[-1].name = "ball"
+        plain = boxreel.render(world, (320, 180), layers=[])
+        for layers in re.search(r"layers: some of (.*?) \(default: (.*?)\)", boxreel.render.__doc__, re.S).groups():
+            for layer in re.findall(r"\w+", layers):
+                with self.subTest(layer):
+                    boxreel.render(world, (320, 180), layers=[layer])
+        for layer in ("shapes", "aabbs", "contacts", "normals", "masses", "centers", "names"):
+            with self.subTest(layer):
+                self.assertTrue((boxreel.render(world, (320, 180), layers=[layer]) != plain).any())
+
+    def test_the_documentation_names_all_layers_and_themes(self):
+        for argument, call in (("layers", {"layers": [""]}), ("theme", {"theme": ""})):
+            with self.assertRaises(b2Error) as caught:
+                boxreel.render(drop(), **call)
+            known = re.search("must be one of ([^;]+)", str(caught.exception))[1]
+            text = re.search(argument + r": (?:some of )?(.*?)[.(]", boxreel.render.__doc__, re.S)[1]
+            self.assertEqual(re.findall("[a-z-]+", text.replace(" or ", ", ")), known.split(", "))
 
     def test_cameras_are_copied_and_pickled(self):
         camera = boxreel.Camera(200, 100, center=(0, 3))
@@ -144,12 +168,43 @@ class Films(InFolder):
         with self.assertRaises(b2Error):
             film.add(drop())
 
+    def refusal_of(self, name, **settings):
+        """The error of a film whose first frame is added."""
+        with self.assertRaises(boxreel.Error) as caught:
+            with boxreel.film(self.path(name), **{"size": (32, 18), **settings}) as film:
+                film.add(drop())
+        error = caught.exception
+        self.assertNotIn("--", str(error))
+        self.assertNotIn("::", str(error))
+        return error
+
     def test_errors_of_films_name_keywords(self):
-        with self.assertRaisesRegex(boxreel.Error, r"use size=\(322, 180\), quality=") as caught:
-            boxreel.film(self.path("a.mp4"), size=(321, 180))
-        self.assertNotIn("--", str(caught.exception))
-        with self.assertRaisesRegex(boxreel.Error, "folder .*none does not exist"):
-            boxreel.film(self.path("none/a.mp4"))
+        for name, settings, culprit in (("a.mp4", {"size": (321, 180)}, "size=(321, 180)"),
+                                        ("a.mp4", {"fps": 2000}, "fps=2000/1"),
+                                        ("a.mp4", {"codec": "vp9"}, 'codec="vp9"'),
+                                        ("a.mkv", {"codec": "ffv1"}, 'codec="ffv1"'),
+                                        ("d.gif", {"codec": "h264"}, 'codec="h264"'),
+                                        ("a.y4m", {"quality": "lossless"}, 'quality="lossless"'),
+                                        ("none/a.mp4", {}, self.path("none/a.mp4"))):
+            with self.subTest(name=name, **settings):
+                error = self.refusal_of(name, **settings)
+                self.assertEqual((error.kind, error.culprit), ("unusable", culprit))
+                self.assertNotIn("chroma =", str(error))  # no keyword of films
+
+    def test_errors_of_films_advise_what_python_can_do(self):
+        odd = self.refusal_of("a.mp4", size=(321, 180))
+        self.assertIn("size=(322, 180)", odd.remedy)
+        self.assertIn('quality="lossless"', odd.remedy)
+        for name in ("b.mp4", "c.part.mp4"):  # a film, and one that was interrupted
+            with open(self.path(name), "wb") as file:
+                file.write(b"film")
+        for name in ("b.mp4", "c.mp4"):
+            error = self.refusal_of(name, overwrite=False)
+            self.assertEqual((error.kind, error.culprit), ("unusable", self.path(name)))
+            self.assertIn("overwrite=True", error.remedy)
+            self.assertNotIn("resume", error.remedy)
+
+    def test_errors_of_films_come_before_wrong_frames(self):
         film = boxreel.film(self.path("a.mp4"), size=(320, 180))
         with self.assertRaisesRegex(b2Error, "16 x 9 pixels.*320 x 180"):
             film.add(numpy.zeros((9, 16, 3), numpy.uint8))

@@ -214,8 +214,8 @@ TEST_P(Parts, AreNotRestartedUnlessAllowed)
         ASSERT_TRUE(writer.Suspend());
     }
     const Result<VideoWriter> refused = VideoWriter::Open(Path("film"), Settings());
-    EXPECT_THAT(refused, RefusesWith(Path("film").string(), "--resume"));
-    EXPECT_THAT(refused, RefusesWith(Path("film").string(), "--force"));
+    EXPECT_THAT(refused, RefusesWith(Path("film").string(), "resume = true"));
+    EXPECT_THAT(refused, RefusesWith(Path("film").string(), "overwrite = true"));
     EXPECT_EQ(ReadShown(Path("film.part"), kRate).size(), 15u) << "it is still there";
 }
 
@@ -436,7 +436,8 @@ protected:
         const Result<bool> joined = JoinFilms(parts, m_folder / whole, {});
         EXPECT_FALSE(joined);
         EXPECT_FALSE(std::filesystem::exists(m_folder / whole));
-        return joined ? "" : std::filesystem::path(joined.GetError().culprit).filename().string();
+        return joined ? ""
+                      : std::filesystem::path(joined.GetError().culprit.Text()).filename().string();
     }
 
     TemporaryFolder m_folder;

@@ -21,6 +21,7 @@ struct AtomicFileSettings
     bool overwrite = false;         ///< false: an existing file is an Error
     std::string_view mark = "part"; ///< the temporary name is NAME.MARK.EXT
     bool replacesLeftover = true;   ///< false: a leftover part file is an Error too
+    ErrorText leftoverRemedy{};     ///< remedy of that Error
 };
 
 /// A file that appears under its name only when complete.

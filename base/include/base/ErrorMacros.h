@@ -3,11 +3,21 @@
 
 #include <base/Result.h>
 
+#include <string_view>
 #include <utility>
 
 /// @file
-/// Macros that pass an error on in one line. For our own sources: public headers must not include
-/// this file, because the macros have no prefix.
+/// Macros that pass an error on in one line, or name a member in one. For our own sources: public
+/// headers must not include this file, because the macros have no prefix.
+
+/// The name of a member, for an ErrorSetting: "VideoSettings::codec". Does not compile if there is
+/// none.
+#define BOXREEL_MEMBER(type, member)                                                               \
+    (static_cast<void>(&type::member), std::string_view(#type "::" #member))
+/// The name of two members that have a value together: "VideoSettings::width x height".
+#define BOXREEL_MEMBERS(type, one, other)                                                          \
+    (static_cast<void>(&type::one), static_cast<void>(&type::other),                               \
+     std::string_view(#type "::" #one " x " #other))
 
 /// Joins two names, after their macros are expanded.
 #define BOXREEL_JOIN_NAMES(a, b) a##b

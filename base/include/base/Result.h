@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <base/ErrorText.h>
+
 #include <string>
 #include <utility>
 #include <variant>
@@ -25,12 +27,12 @@ enum class ErrorKind
 struct Error
 {
     ErrorKind kind = ErrorKind::Failed; ///< category of the cause
-    std::string culprit;      ///< the option, file or name at fault, as the caller named it
-    std::string problem = {}; ///< the problem: lower case, no full stop
-    std::string remedy = {};  ///< the remedy: lower case, no full stop; may be empty
+    ErrorText culprit;      ///< the setting, file or name at fault, as the caller named it
+    ErrorText problem = {}; ///< the problem: lower case, no full stop
+    ErrorText remedy = {};  ///< the remedy: lower case, no full stop; may be empty
 
-    /// Returns "film.mp4: already exists; use --force to replace it".
-    std::string Text() const;
+    /// Returns "film.mp4: already exists; choose another name", settings in these names.
+    std::string Text(SettingNames names = {}) const;
 };
 
 /// Either a value or an Error. Test it before use: `if (!result) return result.GetError();`

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,5 +28,10 @@ std::string JoinedBy(std::string_view separator, const Items& items, TextOf&& te
 
 /// Returns "a, b, c": the words with `separator` between them.
 std::string JoinedBy(std::string_view separator, const std::vector<std::string>& words);
+
+/// Returns the text with each {{word}} replaced by the part of that name, which must exist. Text of
+/// parts is not replaced.
+std::string FilledTemplate(std::string_view text,
+                           const std::map<std::string_view, std::string_view>& parts);
 
 } // namespace boxreel

@@ -116,24 +116,16 @@ private:
 /// Replaces the world's debug drawing; none is registered afterwards.
 inline DrawList DrawListOf(b2World& world, uint32 flags = b2Draw::e_shapeBit | b2Draw::e_jointBit)
 {
-    struct Layer
-    {
-        uint32 flag;
-        DrawLayer layer;
-    };
     // In the order of DebugDraw, so that items overlap in the same way.
-    constexpr std::array<Layer, 5> layers{{{b2Draw::e_shapeBit, DrawLayer::Shapes},
-                                           {b2Draw::e_jointBit, DrawLayer::Joints},
-                                           {b2Draw::e_pairBit, DrawLayer::Pairs},
-                                           {b2Draw::e_aabbBit, DrawLayer::Aabbs},
-                                           {b2Draw::e_centerOfMassBit, DrawLayer::CentersOfMass}}};
+    constexpr std::array<uint32, 5> order{b2Draw::e_shapeBit, b2Draw::e_jointBit, b2Draw::e_pairBit,
+                                          b2Draw::e_aabbBit, b2Draw::e_centerOfMassBit};
     DrawList list;
     DrawCollector collector(list);
     world.SetDebugDraw(&collector);
-    for (const Layer& each : layers)
+    for (const uint32 flag : order)
     {
-        list.layer = each.layer;
-        collector.SetFlags(flags & each.flag);
+        list.layer = LayerOfFlag(flag);
+        collector.SetFlags(flags & flag);
         world.DebugDraw();
     }
     world.SetDebugDraw(nullptr);

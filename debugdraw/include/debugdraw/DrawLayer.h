@@ -4,7 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 /// @file
 /// The layers of a picture, and the only list of them. Draw lists and SVG groups, `--draw` with its
@@ -41,32 +45,35 @@ enum class DrawLayer : std::uint8_t
 /// The properties of a layer.
 struct LayerInfo
 {
-    DrawLayer layer;      ///< the layer itself
-    const char* name;     ///< name in the text of draw lists and in SVG groups
-    const char* option;   ///< name in `--draw` and in the settings of the window; null: none
-    const char* label;    ///< label of its check box; null: none
+    DrawLayer layer;        ///< the layer itself
+    const char* name;       ///< name in the text of draw lists and in SVG groups
+    const char* option;     ///< name in `--draw` and in the settings of the window; null: none
+    const char* label;      ///< label of its check box; null: none
+    std::uint32_t flag = 0; ///< b2Draw's bit of what the engine draws; 0: not drawn by it
+    /// Items usually move as one. Others change their form in every step.
+    bool isRigid = false;
     bool isUsual = false; ///< drawn unless options say otherwise
 };
 
 /// A row for each layer, in their order.
 inline constexpr std::array<LayerInfo, 18> kDrawLayers{{
-    {DrawLayer::Shapes, "shapes", "shapes", "Shapes", true},
-    {DrawLayer::Joints, "joints", "joints", "Joints", true},
-    {DrawLayer::Aabbs, "aabbs", "aabbs", "AABBs"},
-    {DrawLayer::Pairs, "pairs", "pairs", "Pairs"},
+    {DrawLayer::Shapes, "shapes", "shapes", "Shapes", 0x1, true, true},
+    {DrawLayer::Joints, "joints", "joints", "Joints", 0x2, true, true},
+    {DrawLayer::Aabbs, "aabbs", "aabbs", "AABBs", 0x4},
+    {DrawLayer::Pairs, "pairs", "pairs", "Pairs", 0x8},
     {DrawLayer::Contacts, "contacts", "contacts", "Contact points"},
     {DrawLayer::ContactNormals, "normals", "normals", "Contact normals"},
     {DrawLayer::ContactImpulses, "impulses", "impulses", "Contact impulses"},
     {DrawLayer::ContactFriction, "friction", "friction", "Friction impulses"},
-    {DrawLayer::CentersOfMass, "centers-of-mass", "centers", "Centres of mass"},
-    {DrawLayer::CenterMarks, "centers-of-mass", "masses", "Mass signs"},
+    {DrawLayer::CentersOfMass, "centers-of-mass", "centers", "Centres of mass", 0x10, true},
+    {DrawLayer::CenterMarks, "centers-of-mass", "masses", "Mass signs", 0, true},
     {DrawLayer::Velocities, "velocities", "velocities", "Velocities"},
     {DrawLayer::JointForces, "forces", "forces", "Joint forces"},
-    {DrawLayer::JointGlyphs, "glyphs", "glyphs", "Joint signs"},
+    {DrawLayer::JointGlyphs, "glyphs", "glyphs", "Joint signs", 0, true},
     {DrawLayer::Labels, "labels", "names", "Names"},
     {DrawLayer::Trails, "trails", nullptr, nullptr},
     {DrawLayer::Poses, "poses", nullptr, nullptr},
-    {DrawLayer::Scene, "scene", nullptr, nullptr},
+    {DrawLayer::Scene, "scene", nullptr, nullptr, 0, true},
     {DrawLayer::Annotations, "annotations", nullptr, nullptr},
 }};
 
@@ -78,6 +85,25 @@ inline constexpr std::span<const LayerInfo> kOptionalLayers =
 constexpr const LayerInfo& InfoOf(DrawLayer layer)
 {
     return kDrawLayers[std::size_t(layer)];
+}
+
+/// Returns the names of these layers, in their order.
+std::vector<std::string> LayerNames();
+
+/// Returns the layer of a name of `--draw`; none if there is no such layer.
+std::optional<DrawLayer> FindLayer(std::string_view option);
+
+/// Returns the layer of what the engine announces with a bit of b2Draw.
+constexpr DrawLayer LayerOfFlag(std::uint32_t flag)
+{
+    for (const LayerInfo& info : kDrawLayers)
+    {
+        if (info.flag != 0 && info.flag == flag)
+        {
+            return info.layer;
+        }
+    }
+    return DrawLayer::Shapes;
 }
 
 static_assert(

@@ -20,7 +20,7 @@ namespace boxreel
 struct ReportedVerdict
 {
     std::string name;   ///< of the moment
-    std::string status; ///< "same", "missing", "state", "drawlist", "pixels", "error", "accepted"
+    std::string status; ///< word of a verdict file: "pixels", or "accepted" in this run
     std::vector<std::string> findings; ///< differences
     std::string accept;                ///< command that accepts the candidate; empty: inspect first
     std::string renderer;              ///< of the actual picture
@@ -34,7 +34,7 @@ struct ReportedVerdict
     std::string folder;         ///< folder, for display
     std::filesystem::path base; ///< prefix of the files: base + ".expected.png" and so on
     /// True if the moment is as approved.
-    bool Passed() const { return status == "same"; }
+    bool Passed() const;
 };
 
 /// A moment, merged over all folders.

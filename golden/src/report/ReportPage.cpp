@@ -133,10 +133,10 @@ Result<std::string> Card(const ReportedMoment& moment, const FilmStrip* strip)
                        MarkupEscaped(LabelOf(shown.status)) + "</span></h2>\n" + Message(shown);
     if (!shown.accept.empty() && IsFailure(moment))
     {
-        const char* const which = shown.status == "missing" ? "missing" : "changed";
+        const bool isMissing = shown.status == StatusWord(GoldenStatus::Missing);
         text += "<p>If the picture is right, accept it: <code>" + MarkupEscaped(shown.accept) +
-                "</code>, or run the test with <code>BOXREEL_GOLDEN_ACCEPT=" + which +
-                "</code>.</p>\n";
+                "</code>, or run the test with <code>BOXREEL_GOLDEN_ACCEPT=" +
+                (isMissing ? "missing" : "changed") + "</code>.</p>\n";
     }
     for (const ReportedVerdict& other : moment.others)
     {
@@ -204,29 +204,12 @@ std::string Passed(const std::vector<ReportedMoment>& moments)
             list += "<li data-name=\"" + name + "\">" + name + "</li>\n";
         }
     }
-    return number == 0
-               ? ""
-               : "<details id=\"passed\"" + std::string(number == moments.size() ? " open" : "") +
-                     "><summary>" + Counted(number, "moment") + " as approved</summary>\n<ul>\n" +
-                     list + "</ul>\n</details>\n";
-}
-
-/// Replaces each {{word}} of the template in a single pass: inserted text is not expanded.
-std::string Fill(std::string_view page, const std::map<std::string_view, std::string_view>& parts)
-{
-    std::string text;
-    for (;;)
-    {
-        const std::size_t begin = page.find("{{");
-        const std::size_t end = page.find("}}", begin);
-        text += page.substr(0, begin);
-        if (begin == std::string_view::npos || end == std::string_view::npos)
-        {
-            return text;
-        }
-        text += parts.at(page.substr(begin + 2, end - begin - 2));
-        page.remove_prefix(end + 2);
-    }
+    return number == 0 ? ""
+                       : "<details id=\"passed\" data-status=\"" +
+                             std::string(StatusWord(GoldenStatus::Same)) + "\"" +
+                             std::string(number == moments.size() ? " open" : "") + "><summary>" +
+                             Counted(number, "moment") + " as approved</summary>\n<ul>\n" + list +
+                             "</ul>\n</details>\n";
 }
 
 } // namespace
@@ -236,7 +219,7 @@ std::string DescribeOutcome(const std::vector<ReportedMoment>& moments)
     const auto failures = std::count_if(moments.begin(), moments.end(), IsFailure);
     const auto accepted =
         std::count_if(moments.begin(), moments.end(), [](const ReportedMoment& moment) {
-            return moment.shown.status == "accepted";
+            return moment.shown.status == StatusWord(std::nullopt);
         });
     return Counted(moments.size(), "moment") + ": " +
            (failures == 0 ? "all as approved" : std::to_string(failures) + " not as approved") +
@@ -263,14 +246,14 @@ Result<std::string> ReportPage(const std::vector<ReportedMoment>& moments,
     const std::string buttons = Buttons(moments);
     const std::string facts = Facts(moments);
     const std::string passed = Passed(moments);
-    return Fill(kPageHtml, {{"outcome", outcome},
-                            {"class", cards.empty() ? "good" : "bad"},
-                            {"style", kPageCss},
-                            {"script", kPageJs},
-                            {"buttons", buttons},
-                            {"facts", facts},
-                            {"cards", cards},
-                            {"passed", passed}});
+    return FilledTemplate(kPageHtml, {{"outcome", outcome},
+                                      {"class", cards.empty() ? "good" : "bad"},
+                                      {"style", kPageCss},
+                                      {"script", kPageJs},
+                                      {"buttons", buttons},
+                                      {"facts", facts},
+                                      {"cards", cards},
+                                      {"passed", passed}});
 }
 
 } // namespace boxreel

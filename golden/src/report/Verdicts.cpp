@@ -75,7 +75,7 @@ ReportedVerdict FromJson(const json& file)
     }
     if (file.value("accepted", false))
     {
-        verdict.status = "accepted";
+        verdict.status = StatusWord(std::nullopt);
     }
     if (file.contains("firstStep"))
     {
@@ -116,8 +116,10 @@ ReportedVerdict Unreadable(const fs::path& path, const fs::path& folder, const E
 {
     std::string name = path.lexically_relative(folder).generic_string();
     name.resize(name.size() - std::string_view(kEnd).size());
-    return FromJson(
-        {{"verdict", 2}, {"name", name}, {"status", "error"}, {"findings", {error.Text()}}});
+    return FromJson({{"verdict", 2},
+                     {"name", name},
+                     {"status", StatusWord(GoldenStatus::NotCompared)},
+                     {"findings", {error.Text()}}});
 }
 
 /// Returns the files of a folder, sorted, so that the same folders give the same page.
@@ -175,6 +177,11 @@ void Merge(ReportedMoment& moment, ReportedVerdict verdict)
 }
 
 } // namespace
+
+bool ReportedVerdict::Passed() const
+{
+    return status == StatusWord(GoldenStatus::Same);
+}
 
 std::string JsonText(const std::string& bytes)
 {

@@ -511,7 +511,7 @@ function filter() {
   }
   const passed = $("details#passed"); // a card may have the same id
   if (passed) {
-    passed.hidden = !on.has("same");
+    passed.hidden = !on.has(passed.dataset.status);
     const items = $$("li", passed);
     for (const item of items) item.hidden = !fits(item.dataset.name);
     const left = items.filter(item => !item.hidden).length;

@@ -94,7 +94,7 @@ TEST(CommandLineCompare, RefusesInvalidLimits)
 {
     const auto refusal = [](const std::string& options) {
         const Result<Request> request = Parse("diff a.png b.png " + options);
-        return request ? "accepted: " + options : request.GetError().culprit;
+        return request ? "accepted: " + options : request.GetError().culprit.Text();
     };
     for (const char* text : {"1,2,3", "1,2,0x4", "1,2,3x0", "-1,2,3x4", "1,2,3x4x5", "1,2,3x4,5",
                              "a,2,3x4", "1,2,65536x4", "x"})

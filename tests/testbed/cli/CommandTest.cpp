@@ -334,7 +334,7 @@ TEST_F(Command, NamesMissingFolder)
 TEST_F(Command, RefusesOddSizesOfFormatsWithEvenSizes)
 {
     ExpectRefusal({"record", "pyramid", "--frames", "2", "--size", "321x180", "-o", "a.mp4"}, 1,
-                  "size 321x180");
+                  "--size 321x180");
 }
 
 TEST_F(Command, RefusesMistypedOptionsAndValues)

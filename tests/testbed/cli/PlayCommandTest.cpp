@@ -216,7 +216,7 @@ TEST_F(PlayCommand, NamesLineAndCulpritOfErrors)
         {"scene car\nat 0s shot a.png\nrecord b.png\n", "3: b.png"},
         {"scene car\nat 0s shot a.png\nrecord none/a.mp4\n", "3: none/a.mp4"},
         {"scene car\nat 0s shot a.png\nat 1s shot none/b.png\n", "3: none/b.png"},
-        {"scene car\nat 0s shot a.png\nrecord a.mp4 --size 63x64\n", "3: size 63x64"},
+        {"scene car\nat 0s shot a.png\nrecord a.mp4 --size 63x64\n", "3: --size 63x64"},
         {"scene car\nat 0s shot a.png\nrecord a.mp4\nrecord ./a.mp4\n", "4: ./a.mp4"},
         {"scene car\nat 0s shot a.png --theme both\nat 1s shot a-light.png\n", "3: a-light.png"},
         {"scene car\nat 0s shot f-0001.png\nrecord f-####.png\n", "3: f-####.png"},

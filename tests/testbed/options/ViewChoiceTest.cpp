@@ -24,7 +24,7 @@ std::string Refusal(const std::string& text)
         return "accepted: " + text;
     }
     EXPECT_EQ(view.GetError().kind, ErrorKind::Unusable) << text;
-    EXPECT_EQ(view.GetError().culprit.find('\n'), std::string::npos) << text;
+    EXPECT_EQ(view.GetError().culprit.Text().find('\n'), std::string::npos) << text;
     return view.GetError().culprit;
 }
 
