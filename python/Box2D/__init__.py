@@ -32,14 +32,24 @@ b2DebugDraw = b2Draw  # noqa: F405
 
 
 class _Globals:
-    """The constants of the engine, which cannot be changed."""
+    """The constants of the engine, which cannot be changed, and its counters, which can: b2_gjkCalls and so on."""
 
     def __init__(self):
         for name, value in vars(_boxreel).items():
             if name.startswith("b2_"):
                 self.__dict__[name] = value
 
+        self.__dict__["b2_version"] = b2_version
+
+    def __getattr__(self, name):
+        if name not in _boxreel._counters:
+            raise AttributeError(f"b2Globals has no attribute '{name}'")
+        return _boxreel._counters[name][0]()
+
     def __setattr__(self, name, value):
+        if name in _boxreel._counters:
+            _boxreel._counters[name][1](value)
+            return
         raise AttributeError(f"{name}: the constants of the engine cannot be changed")
 
 

@@ -377,7 +377,7 @@ class b2Body:
         """Attaches a b2EdgeShape: vertices, all_vertices, vertex0, vertex1, vertex2, vertex3, radius, and the fields of b2FixtureDef."""
         ...
     def CreateLoopFixture(self, **keywords: Any) -> Any:
-        """Attaches a b2ChainShape: vertices, vertices_loop, radius, and the fields of b2FixtureDef."""
+        """Attaches a b2ChainShape: vertices, vertices_loop, vertices_chain, radius, and the fields of b2FixtureDef."""
         ...
     def CreateChainFixture(self, **keywords: Any) -> Any:
         """Attaches an open chain: vertices, and the fields of b2FixtureDef."""
@@ -407,6 +407,9 @@ class b2Body:
     @property
     def fixtures_gen(self) -> Any:
         """A generator of fixtures."""
+        ...
+    def ClearUserData(self) -> Any:
+        """Sets userData to None."""
         ...
     def GetUserData(self, *arguments: Any) -> Any:
         """Any object of the program."""
@@ -1088,6 +1091,9 @@ class b2Fixture:
     def RayCast(self, *arguments: Any, **keywords: Any) -> Any:
         """Casts a ray at the fixture: RayCast(input, childIndex=0) or RayCast(output, input, childIndex). Returns (hit, b2RayCastOutput)."""
         ...
+    def ClearUserData(self) -> Any:
+        """Sets userData to None."""
+        ...
     def GetUserData(self, *arguments: Any) -> Any:
         """Any object of the program."""
         ...
@@ -1263,6 +1269,9 @@ class b2Joint:
         ...
     def GetReactionTorque(self, inv_dt: Any) -> float:
         """Returns the torque on body B [N m] in a step of 1 / inv_dt seconds."""
+        ...
+    def ClearUserData(self) -> Any:
+        """Sets userData to None."""
         ...
     def GetUserData(self, *arguments: Any) -> Any:
         """Any object of the program."""
@@ -2506,6 +2515,7 @@ class b2ChainShape(b2Shape):
     def copy(self) -> b2ChainShape:
         """Returns a copy."""
         ...
+    def __eq__(self, other: object) -> bool: ...
 
 class b2CircleShape(b2Shape):
     """A solid circle: radius=, pos=."""
@@ -2527,6 +2537,7 @@ class b2CircleShape(b2Shape):
     def copy(self) -> b2CircleShape:
         """Returns a copy."""
         ...
+    def __eq__(self, other: object) -> bool: ...
 
 class b2DistanceJoint(b2Joint):
     """Keeps two anchors at a distance."""
@@ -2689,6 +2700,7 @@ class b2EdgeShape(b2Shape):
     def copy(self) -> b2EdgeShape:
         """Returns a copy."""
         ...
+    def __eq__(self, other: object) -> bool: ...
 
 class b2FixtureFilter(b2Filter):
     """The filter of a fixture. What is written reaches the fixture."""
@@ -2970,6 +2982,7 @@ class b2PolygonShape(b2Shape):
     def copy(self) -> b2PolygonShape:
         """Returns a copy."""
         ...
+    def __eq__(self, other: object) -> bool: ...
 
 class b2PrismaticJoint(b2Joint):
     """A slider: body B moves along an axis of body A."""
@@ -3777,6 +3790,9 @@ class b2RevoluteJointDef(b2JointDef):
         """Sets the bodies and a common anchor in the world [m]; their angle now is the reference."""
         ...
     type: int
+
+class b2TypeError(Exception):
+    """An argument of a wrong type."""
 
 class b2WeldJointDef(b2JointDef):
     """Definition of a weld."""

@@ -80,11 +80,13 @@ def _shape_fixture(shape_class, *names):
     known = {*names, *b2FixtureDef._names()}
 
     def create(self, **keywords):
+        shape = keywords.pop("shape", None)
         for name in keywords:
             if name not in known:
                 raise TypeError(f"fixture of a {shape_class.__name__}: there is no keyword '{name}'"
                                 f"{_boxreel._hint(name, list(known))}")
-        shape = shape_class(**{name: keywords.pop(name) for name in names if name in keywords})
+        if shape is None or any(name in keywords for name in names):
+            shape = shape_class(**{name: keywords.pop(name) for name in names if name in keywords})
         return _create_fixture(self, shape=shape, **keywords)
 
     create.__doc__ = f"Attaches a {shape_class.__name__}: {', '.join(names)}, and the fields of b2FixtureDef."
@@ -95,7 +97,7 @@ def _create_chain_fixture(self, **keywords):
     """Attaches an open chain: vertices, and the fields of b2FixtureDef."""
     if "vertices" in keywords:
         keywords["vertices_chain"] = keywords.pop("vertices")
-    return _shape_fixture(b2ChainShape, "vertices_chain")(self, **keywords)
+    return _shape_fixture(b2ChainShape, "vertices_chain", "vertices_loop", "radius")(self, **keywords)
 
 
 def _create_edge_chain(self, edge_list):
@@ -122,7 +124,7 @@ b2Body.CreatePolygonFixture = _shape_fixture(b2PolygonShape, "box", "vertices", 
 b2Body.CreateCircleFixture = _shape_fixture(b2CircleShape, "pos", "radius")
 b2Body.CreateEdgeFixture = _shape_fixture(b2EdgeShape, "vertices", "all_vertices", "vertex0", "vertex1", "vertex2",
                                           "vertex3", "radius")
-b2Body.CreateLoopFixture = _shape_fixture(b2ChainShape, "vertices", "vertices_loop", "radius")
+b2Body.CreateLoopFixture = _shape_fixture(b2ChainShape, "vertices", "vertices_loop", "vertices_chain", "radius")
 b2Body.CreateChainFixture = _create_chain_fixture
 b2Body.CreateEdgeChain = _create_edge_chain
 b2Body.CreateFixturesFromShapes = _create_fixtures_from_shapes
@@ -381,6 +383,25 @@ b2World.__setstate__ = _set_attributes
 for _class in (b2Body, b2Fixture, b2Joint):
     _class.__deepcopy__ = _deepcopy_item
     _class.__reduce_ex__ = lambda self, protocol: _reduce_item(self)
+
+
+def _clear_user_data(self):
+    """Sets userData to None."""
+    self.userData = None
+
+
+def _equal_shapes(self, other):
+    """Equal if of the same class, with the same numbers: a fixture's shape is a copy."""
+    if type(other) is not type(self):
+        return NotImplemented
+    return self.__getstate__() == other.__getstate__()
+
+
+for _class in (b2Body, b2Fixture, b2Joint):
+    _class.ClearUserData = _clear_user_data
+for _class in (b2CircleShape, b2EdgeShape, b2PolygonShape, b2ChainShape):
+    _class.__eq__ = _equal_shapes
+    _class.__hash__ = lambda self: hash((type(self), self.childCount, self.radius))
 
 
 def _reduce_value(self, protocol):

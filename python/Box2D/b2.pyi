@@ -1,5 +1,6 @@
 # Made by python/stubs.py.
 from . import b2Error as error
+from . import b2TypeError as typeError
 from . import b2_pi as pi
 from . import b2_epsilon as epsilon
 from . import b2_maxFloat as maxFloat

@@ -52,7 +52,7 @@ class Car:
 
 start = middle[1] - middle[0]
 car = Car(middle[0], math.atan2(-start.x, start.y))
-camera = boxreel.Camera(640, 360, center=(0, 0), pixelsPerMeter=5.2)
+camera = boxreel.Camera(640, 360, center=(0, 0), pixelsPerMeter=5.0)
 goal, path = 3, []
 with boxreel.film(sys.argv[1] if len(sys.argv) > 1 else "car.mp4", size=(640, 360), fps=50) as film:
     for _ in range(900):

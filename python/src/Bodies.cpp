@@ -43,6 +43,7 @@ void MassPart(py::class_<BodyHandle>& type, const char* name, const char* doc)
 
 py::list FixturesOf(const BodyHandle& handle)
 {
+    const WithoutCollector wholeList;
     py::list fixtures;
     for (b2Fixture* fixture = handle.Get().GetFixtureList(); fixture != nullptr;
          fixture = fixture->GetNext())
@@ -57,6 +58,7 @@ py::list FixturesOf(const BodyHandle& handle)
 template <class Edge, class WrapItem>
 py::list EdgesOf(const BodyHandle& handle, Edge* first, WrapItem wrap)
 {
+    const WithoutCollector wholeList;
     py::list edges;
     for (Edge* edge = first; edge != nullptr; edge = edge->next)
     {

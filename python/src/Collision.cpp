@@ -109,10 +109,12 @@ void BindBoxes(py::module_& module)
             },
             py::arg("output"), py::arg("input"),
             "Returns whether the ray hits, and fills the output.")
-        .def("__eq__",
-             [](const b2AABB& a, const b2AABB& b) {
-                 return a.lowerBound == b.lowerBound && a.upperBound == b.upperBound;
-             })
+        .def(
+            "__eq__",
+            [](const b2AABB& a, const b2AABB& b) {
+                return a.lowerBound == b.lowerBound && a.upperBound == b.upperBound;
+            },
+            py::is_operator())
         .def("__repr__", [](py::handle self) {
             return "b2AABB(lowerBound=" + std::string(py::repr(self.attr("lowerBound"))) +
                    ", upperBound=" + std::string(py::repr(self.attr("upperBound"))) + ")";

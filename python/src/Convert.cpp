@@ -9,7 +9,8 @@ namespace
 {
 
 thread_local const char* t_misuse = nullptr;
-PyObject* g_error = nullptr; // b2Error, which lives as long as the process
+PyObject* g_error = nullptr;     // b2Error, which lives as long as the process
+PyObject* g_typeError = nullptr; // programs of the 2.3 module catch ValueError for some of these
 
 void NoteMisuse(const char* sentence, const char*, int)
 {
@@ -88,7 +89,10 @@ std::string TypeName(py::handle value)
 
 void ThrowType(const char* name, const char* expected, py::handle value)
 {
-    throw py::type_error(std::string(name) + ": expected " + expected + ", not " + TypeName(value));
+    const std::string sentence =
+        std::string(name) + ": expected " + expected + ", not " + TypeName(value);
+    PyErr_SetString(g_typeError, sentence.c_str());
+    throw py::error_already_set();
 }
 
 void ThrowMisuse(const std::string& sentence)
@@ -123,6 +127,15 @@ void InstallMisuse(py::module_& module)
         throw py::error_already_set();
     }
     module.attr("b2Error") = py::handle(g_error);
+    const py::tuple types =
+        py::make_tuple(py::handle(PyExc_TypeError), py::handle(PyExc_ValueError));
+    g_typeError = PyErr_NewExceptionWithDoc("Box2D.b2TypeError", "An argument of a wrong type.",
+                                            types.ptr(), nullptr);
+    if (g_typeError == nullptr)
+    {
+        throw py::error_already_set();
+    }
+    module.attr("b2TypeError") = py::handle(g_typeError);
     b2SetMisuse(NoteMisuse);
 }
 

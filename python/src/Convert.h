@@ -17,8 +17,42 @@ namespace py = pybind11;
 /// Returns the type of a value for an error: "'str'", or "None".
 std::string TypeName(py::handle value);
 
-/// Throws TypeError: "angle: expected a number, not 'str'".
+/// Throws an error that is a TypeError and a ValueError: "angle: expected a number, not 'str'".
 [[noreturn]] void ThrowType(const char* name, const char* expected, py::handle value);
+
+/// Keeps Python's lock released. At the end of the program Python stops threads that ask for the
+/// lock, by unwinding their stacks, which a destructor must allow.
+class WithoutLock
+{
+public:
+    WithoutLock() : m_state(PyEval_SaveThread()) {}
+    ~WithoutLock() noexcept(false) { PyEval_RestoreThread(m_state); }
+    WithoutLock(const WithoutLock&) = delete;
+    WithoutLock& operator=(const WithoutLock&) = delete;
+
+private:
+    PyThreadState* m_state;
+};
+
+/// Keeps the garbage collector off, which runs code of the program (`__del__`) that may destroy
+/// what a list is made of.
+class WithoutCollector
+{
+public:
+    WithoutCollector() : m_was(PyGC_Disable() != 0) {}
+    ~WithoutCollector()
+    {
+        if (m_was)
+        {
+            PyGC_Enable();
+        }
+    }
+    WithoutCollector(const WithoutCollector&) = delete;
+    WithoutCollector& operator=(const WithoutCollector&) = delete;
+
+private:
+    bool m_was;
+};
 
 /// Throws b2Error with the sentence.
 [[noreturn]] void ThrowMisuse(const std::string& sentence);

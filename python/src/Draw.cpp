@@ -108,11 +108,14 @@ private:
 void DrawWith(WorldObject& world, const py::object& renderer)
 {
     PythonDraw draw(world, renderer);
-    world.world.SetDebugDraw(&draw);
-    world.isDestroying = true; // what is drawn must not be destroyed meanwhile
-    world.world.DrawDebugData();
-    world.isDestroying = false;
-    world.world.SetDebugDraw(nullptr);
+    {
+        const WorldObject::Use use(world);
+        world.world.SetDebugDraw(&draw);
+        world.isDestroying = true; // what is drawn must not be destroyed meanwhile
+        world.world.DrawDebugData();
+        world.isDestroying = false;
+        world.world.SetDebugDraw(nullptr);
+    }
     world.Finish();
 }
 

@@ -36,9 +36,22 @@ void RequireFolder(const std::filesystem::path& path)
 template <class Function>
 auto Unlocked(Function function)
 {
-    const py::gil_scoped_release unlocked;
+    const WithoutLock unlocked;
     return function();
 }
+
+/// Marks a film as in use, because adding lets other threads run.
+class Busy
+{
+public:
+    explicit Busy(bool& isBusy) : m_isBusy(isBusy) { m_isBusy = true; }
+    ~Busy() { m_isBusy = false; }
+    Busy(const Busy&) = delete;
+    Busy& operator=(const Busy&) = delete;
+
+private:
+    bool& m_isBusy;
+};
 
 /// A film. Its first frame decides whether it shows worlds, which are drawn here, or arrays.
 class Film
@@ -61,6 +74,7 @@ public:
     void AddWorld(WorldObject& world, py::handle camera, const Look& look)
     {
         RequireOpen();
+        const Busy busy(m_isBusy);
         if (m_writer)
         {
             ThrowMisuse("this film is of arrays; use another for a world");
@@ -69,6 +83,7 @@ public:
         const DrawList list = ListOf(world, view, look);
         if (!m_recording)
         {
+            RequireThreadsOfFilms();
             Result<Recording> recording =
                 Unlocked([&] { return Recording::Open(m_path, m_video, m_drawing); });
             m_recording.emplace(Need(std::move(recording)));
@@ -85,6 +100,7 @@ public:
     void AddArray(py::handle array)
     {
         RequireOpen();
+        const Busy busy(m_isBusy);
         if (m_recording)
         {
             ThrowMisuse("this film is of a world; use another for arrays");
@@ -98,6 +114,7 @@ public:
                 m_video.height = frame.height;
             }
             RequireSize(frame);
+            RequireThreadsOfFilms();
             Result<VideoWriter> writer =
                 Unlocked([&] { return VideoWriter::Open(m_path, m_video); });
             m_writer.emplace(Need(std::move(writer)));
@@ -113,6 +130,7 @@ public:
         {
             return;
         }
+        RequireIdle();
         m_isDone = true;
         if (!m_recording && !m_writer)
         {
@@ -145,6 +163,15 @@ private:
         if (m_isDone)
         {
             ThrowMisuse("this film is closed; nothing can be added");
+        }
+        RequireIdle();
+    }
+
+    void RequireIdle() const
+    {
+        if (m_isBusy)
+        {
+            ThrowMisuse("another thread adds to this film; wait until it is done");
         }
     }
 
@@ -186,6 +213,7 @@ private:
     std::optional<FitCamera> m_follower;
     std::int64_t m_frames = 0;
     bool m_isDone = false;
+    bool m_isBusy = false; ///< a frame is being added
     bool m_sizeIsGiven = false;
 };
 

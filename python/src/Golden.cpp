@@ -26,7 +26,7 @@ py::dict Compared(py::handle expected, py::handle actual, const std::string& pre
     const Frame first = FrameFrom(expected);
     const Frame second = FrameFrom(actual);
     Comparison result = [&] {
-        const py::gil_scoped_release unlocked;
+        const WithoutLock unlocked;
         return Compare(first, second, settings);
     }();
     py::dict verdict;
@@ -55,7 +55,7 @@ py::tuple Check(py::handle world, const std::string& name, py::handle camera, in
     const GoldenCheckSettings folders{
         .references = references, .output = output, .accept = OneOf("accept", accept, kModes)};
     const GoldenOutcome outcome = [&] {
-        const py::gil_scoped_release unlocked;
+        const WithoutLock unlocked;
         return CheckGolden(candidate, settings, folders, accepted);
     }();
     return py::make_tuple(outcome.passed, outcome.message, outcome.output, accepted);

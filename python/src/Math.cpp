@@ -394,8 +394,10 @@ void BindMatrices(py::module_& module)
                                      : NotImplemented();
             })
         .def("__abs__", [](const b2Mat22& m) { return b2Abs(m); })
-        .def("__eq__",
-             [](const b2Mat22& a, const b2Mat22& b) { return a.ex == b.ex && a.ey == b.ey; })
+        .def(
+            "__eq__",
+            [](const b2Mat22& a, const b2Mat22& b) { return a.ex == b.ex && a.ey == b.ey; },
+            py::is_operator())
         .def("__repr__",
              [](const b2Mat22& m) {
                  return Text("b2Mat22(ex=b2Vec2(%g,%g), ey=b2Vec2(%g,%g))", m.ex.x, m.ex.y, m.ey.x,

@@ -13,6 +13,32 @@ namespace boxreel::python
 namespace
 {
 
+/// Statistics of the engine by the names of the 2.3 generation, which programs read and set to 0.
+template <class Number>
+void BindCounter(py::dict& counters, const char* name, Number& counter)
+{
+    counters[name] = py::make_tuple(py::cpp_function([&counter] { return counter; }),
+                                    py::cpp_function([&counter, name](py::handle value) {
+                                        counter = From<Number>(value, name);
+                                    }));
+}
+
+void BindCounters(py::module_& module)
+{
+    py::dict counters;
+    BindCounter(counters, "b2_gjkCalls", b2_gjkCalls);
+    BindCounter(counters, "b2_gjkIters", b2_gjkIters);
+    BindCounter(counters, "b2_gjkMaxIters", b2_gjkMaxIters);
+    BindCounter(counters, "b2_toiCalls", b2_toiCalls);
+    BindCounter(counters, "b2_toiIters", b2_toiIters);
+    BindCounter(counters, "b2_toiMaxIters", b2_toiMaxIters);
+    BindCounter(counters, "b2_toiRootIters", b2_toiRootIters);
+    BindCounter(counters, "b2_toiMaxRootIters", b2_toiMaxRootIters);
+    BindCounter(counters, "b2_toiTime", b2_toiTime);
+    BindCounter(counters, "b2_toiMaxTime", b2_toiMaxTime);
+    module.attr("_counters") = counters;
+}
+
 void BindConstants(py::module_& module)
 {
     const auto number = [&module](const char* name, auto value) { module.attr(name) = value; };
@@ -86,6 +112,7 @@ PYBIND11_MODULE(_boxreel, module)
     module.doc() = "The engine and the toolkit, for the packages Box2D and boxreel.";
     InstallMisuse(module);
     BindConstants(module);
+    BindCounters(module);
     BindMath(module);
     BindMathFunctions(module);
     BindShapes(module);

@@ -15,6 +15,8 @@
 #include <render/Png.h>
 #include <render/Renderer.h>
 
+#include <unistd.h>
+
 #include <cstring>
 
 /// Cameras, pictures and figures of worlds.
@@ -38,6 +40,19 @@ constexpr SettingName kKeywords[] = {
     {BOXREEL_MEMBER(VideoSettings, codec), "", "codec", "=\"", "", "\""},
 };
 
+pid_t g_drew = 0;   // the process that drew or filmed first
+pid_t g_filmed = 0; // the process that filmed first
+
+void RequireProcess(pid_t first, const char* what)
+{
+    if (first != 0 && first != ::getpid())
+    {
+        ThrowMisuse(std::string(what) +
+                    ": this process was forked after its parent drew or filmed, whose threads are "
+                    "not here; use multiprocessing.set_start_method('spawn')");
+    }
+}
+
 /// Returns the name of an ErrorKind in boxreel.Error.
 const char* KindName(ErrorKind kind)
 {
@@ -59,13 +74,12 @@ const char* KindName(ErrorKind kind)
 BodyNames NamesOf(WorldObject& world)
 {
     BodyNames names;
-    const std::vector<b2Body*> bodies = world.Bodies();
-    for (b2Body* body : bodies)
+    for (const py::handle object : world.BodyObjects())
     {
-        const py::object name = py::getattr(Wrap(world, body), "name", py::none());
-        if (!name.is_none())
+        const py::object name = py::getattr(object, "name", py::none());
+        if (!name.is_none()) // reading it may have destroyed the body
         {
-            names[std::uint32_t(body->GetNumber())] = py::str(name);
+            names[std::uint32_t(object.cast<BodyHandle&>().Get().GetNumber())] = py::str(name);
         }
     }
     return names;
@@ -93,7 +107,8 @@ struct PictureRenderer
         const Theme colors = ThemeFrom(theme);
         const RendererSettings settings{
             .width = width, .height = height, .theme = colors, .scale = scale};
-        const py::gil_scoped_release unlocked;
+        RequireThreadsOfPictures();
+        const WithoutLock unlocked;
         Result<Renderer> result = Renderer::Create(settings);
         const py::gil_scoped_acquire locked;
         renderer = std::make_unique<Renderer>(Need(std::move(result)));
@@ -104,7 +119,7 @@ struct PictureRenderer
         const DrawList list = ListOf(world, camera, look);
         Frame frame;
         const Result<void> result = [&] {
-            const py::gil_scoped_release unlocked;
+            const WithoutLock unlocked;
             return renderer->Draw(list, camera, frame);
         }();
         Need(result);
@@ -158,7 +173,8 @@ void BindCamera(py::module_& module)
                 return py::make_tuple(point.x, point.y);
             },
             py::arg("pixel"), "Converts a point of the picture [px, y down] to the world [m].")
-        .def("__eq__", [](const Camera& a, const Camera& b) { return a == b; })
+        .def(
+            "__eq__", [](const Camera& a, const Camera& b) { return a == b; }, py::is_operator())
         .def("__repr__", [](const Camera& c) {
             return "Camera(width=" + std::to_string(c.width) +
                    ", height=" + std::to_string(c.height) + ", center=(" +
@@ -188,7 +204,7 @@ void WriteFigure(py::handle world, const std::string& path, const Camera& camera
         FigureOf(ListOf(WorldFrom(world, "world"), camera, look), camera, ThemeFrom(theme));
     figure.scale = scale;
     const Result<void> result = [&] {
-        const py::gil_scoped_release unlocked;
+        const WithoutLock unlocked;
         return path.ends_with(".pdf") ? WritePdf(path, figure, {overwrite})
                                       : WriteSvg(path, figure, {overwrite});
     }();
@@ -196,6 +212,19 @@ void WriteFigure(py::handle world, const std::string& path, const Camera& camera
 }
 
 } // namespace
+
+void RequireThreadsOfPictures()
+{
+    RequireProcess(g_filmed, "picture");
+    g_drew = g_drew == 0 ? ::getpid() : g_drew;
+}
+
+void RequireThreadsOfFilms()
+{
+    RequireProcess(g_drew, "film");
+    g_drew = g_drew == 0 ? ::getpid() : g_drew;
+    g_filmed = g_filmed == 0 ? ::getpid() : g_filmed;
+}
 
 void ThrowError(const Error& error)
 {
@@ -372,7 +401,7 @@ void BindPictures(py::module_& module)
     module.def("_png", [](py::handle pixels) {
         const Frame frame = FrameFrom(pixels);
         const Result<std::vector<std::uint8_t>> bytes = [&] {
-            const py::gil_scoped_release unlocked;
+            const WithoutLock unlocked;
             return EncodePng(frame);
         }();
         const std::vector<std::uint8_t> png = Need(bytes);
@@ -381,7 +410,7 @@ void BindPictures(py::module_& module)
     module.def("_write_png", [](const std::string& path, py::handle pixels, bool overwrite) {
         const Frame frame = FrameFrom(pixels);
         const Result<void> result = [&] {
-            const py::gil_scoped_release unlocked;
+            const WithoutLock unlocked;
             return WritePng(path, frame, {.overwrite = overwrite});
         }();
         Need(result);

@@ -75,6 +75,11 @@ struct Look
 Look LookFrom(py::handle layers, py::handle trails);
 
 /// Returns the draw list of a world in the view of a camera.
+/// Throws b2Error in a forked process that would wait for ever: the threads that its parent's
+/// drawing or encoding began do not exist there. Call before the first picture or a film.
+void RequireThreadsOfPictures();
+void RequireThreadsOfFilms();
+
 DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look);
 
 /// Returns the camera, or for None the view of a world that a film starts with.

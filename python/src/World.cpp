@@ -69,7 +69,10 @@ void QueryAABB(WorldObject& self, const py::object& callback, py::handle aabb)
         ThrowMisuse("aabb: the bounds must be finite and sorted");
     }
     Query query(self, ReportOf(callback));
-    self.world.QueryAABB(&query, box);
+    {
+        const WorldObject::Use use(self);
+        self.world.QueryAABB(&query, box);
+    }
     self.Finish();
 }
 
@@ -83,13 +86,17 @@ void RayCast(WorldObject& self, const py::object& callback, py::handle point1, p
         ThrowMisuse("b2World.RayCast: both points must be finite");
     }
     Query query(self, ReportOf(callback));
-    self.world.RayCast(&query, p1, p2);
+    {
+        const WorldObject::Use use(self);
+        self.world.RayCast(&query, p1, p2);
+    }
     self.Finish();
 }
 
 template <class Object, class WrapItem>
 py::list ListOf(Object* first, int32 count, WrapItem wrap)
 {
+    const WithoutCollector wholeList;
     py::list items(count);
     for (Object* object = first; object != nullptr; object = object->GetNext())
     {
@@ -102,13 +109,7 @@ py::list ListOf(Object* first, int32 count, WrapItem wrap)
 py::list BodiesOf(WorldObject& self)
 {
     self.RequireThread();
-    const std::vector<b2Body*>& bodies = self.Bodies();
-    py::list list(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-    {
-        list[i] = Wrap(self, bodies[i]);
-    }
-    return list;
+    return self.BodyObjects();
 }
 
 /// Writes x, y [m] and angle [rad] of each body, in the order of creation, into `out` or a new
@@ -116,11 +117,14 @@ py::list BodiesOf(WorldObject& self)
 py::array_t<float32> PosesOf(WorldObject& self, const py::object& out)
 {
     self.RequireThread();
-    const py::ssize_t count = self.world.GetBodyCount();
     py::array_t<float32> poses;
     if (out.is_none())
     {
-        poses = py::array_t<float32>({count, py::ssize_t(3)});
+        do // the first array imports NumPy, which lets other threads run
+        {
+            poses = py::array_t<float32>({py::ssize_t(self.world.GetBodyCount()), py::ssize_t(3)});
+        } while (poses.shape(0) != self.world.GetBodyCount());
+        self.RequireThread();
     }
     else
     {
@@ -128,6 +132,7 @@ py::array_t<float32> PosesOf(WorldObject& self, const py::object& out)
         {
             ThrowType("out", "an array of float32", out);
         }
+        const py::ssize_t count = self.world.GetBodyCount();
         poses = py::reinterpret_borrow<py::array_t<float32>>(out);
         if (poses.ndim() != 2 || poses.shape(0) != count || poses.shape(1) != 3 ||
             (poses.flags() & py::array::c_style) == 0)

@@ -281,6 +281,18 @@ const std::vector<b2Body*>& WorldObject::Bodies()
     return bodies;
 }
 
+py::list WorldObject::BodyObjects()
+{
+    const WithoutCollector wholeList;
+    const std::vector<b2Body*>& all = Bodies();
+    py::list list(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+        list[i] = Wrap(*this, all[i]);
+    }
+    return list;
+}
+
 void WorldObject::Release(HandleBase& handle)
 {
     handle.world = nullptr;
@@ -301,12 +313,8 @@ void WorldObject::Step(float32 timeStep, int32 velocityIterations, int32 positio
             world.Step(timeStep, velocityIterations, positionIterations);
             return;
         }
-        stepper = PyThread_get_thread_ident();
-        {
-            const py::gil_scoped_release released_;
-            world.Step(timeStep, velocityIterations, positionIterations);
-        }
-        stepper = 0;
+        const WithoutLock unlocked;
+        world.Step(timeStep, velocityIterations, positionIterations);
     });
 }
 
@@ -322,6 +330,7 @@ void WorldObject::DestroyBody(BodyHandle& handle)
         isDestroying = true;
         bodies.clear();
         world.DestroyBody(&body);
+        bodies.clear(); // a callback may have asked for them
         isDestroying = false;
         Release(handle);
     });
@@ -362,6 +371,7 @@ void WorldObject::DestroyJoint(JointHandle& handle)
 py::bytes WorldObject::Save()
 {
     RequireUnlocked("save");
+    const WithoutCollector wholeList;
     // Objects without a handle get one, so that Restore finds it again.
     for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
     {

@@ -41,13 +41,34 @@ struct WorldObject final : b2ContactListener,
     void RequireUnlocked(const char* function) const;
     /// Throws the first exception of a callback since the last call, and what the engine refused.
     void Finish();
+    /// Keeps other threads from using the world: callbacks may let them run.
+    class Use
+    {
+    public:
+        explicit Use(WorldObject& world) : m_world(world), m_before(world.stepper)
+        {
+            world.RequireThread();
+            world.stepper = PyThread_get_thread_ident();
+        }
+        ~Use() { m_world.stepper = m_before; }
+        Use(const Use&) = delete;
+        Use& operator=(const Use&) = delete;
+
+    private:
+        WorldObject& m_world;
+        unsigned long m_before;
+    };
+
     /// Calls `function`, in which callbacks may run, and then Finish.
     template <class Function>
     void Run(Function function)
     {
-        ++epoch;
-        function();
-        ++epoch;
+        {
+            const Use use(*this);
+            ++epoch;
+            function();
+            ++epoch;
+        }
         Finish();
     }
 
@@ -92,6 +113,8 @@ struct WorldObject final : b2ContactListener,
         }
     }
 
+    /// Returns the objects of all bodies in the order of creation.
+    py::list BodyObjects();
     /// Returns all bodies in the order of creation. Valid until a body is created or destroyed.
     const std::vector<b2Body*>& Bodies();
 
@@ -106,7 +129,7 @@ struct WorldObject final : b2ContactListener,
     std::shared_ptr<WorldLink> link;
     std::uint64_t handleCount = 0; ///< of all handles so far
     std::uint64_t epoch = 0;       ///< grows when contacts may have been destroyed
-    unsigned long stepper = 0;     ///< thread that steps the world without Python's lock; 0: none
+    unsigned long stepper = 0;     ///< thread that steps, queries or draws the world; 0: none
     bool isDestroying = false;     ///< inside DestroyBody and the like, where callbacks may run
     std::vector<b2Body*> bodies;   ///< of Bodies(); empty: not up to date
     ContactCalls calls;

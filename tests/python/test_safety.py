@@ -6,6 +6,8 @@ import gc
 import math
 import pickle
 import random
+import subprocess
+import sys
 import threading
 import unittest
 import weakref
@@ -225,6 +227,103 @@ class Uninitialized(unittest.TestCase):
                             getattr(cls, name)(other, *arguments)
                         except (TypeError, AttributeError, ValueError):
                             pass
+
+
+class Reentrance(unittest.TestCase):
+    """Code of the program that runs where the engine or a list is half done."""
+
+    def test_bodies_are_read_while_one_is_destroyed(self):
+        class Goodbye(b2DestructionListener):
+            def SayGoodbye(self, gone):
+                self.seen = len(gone.body.world.bodies)
+
+        class Contacts(b2ContactListener):
+            def EndContact(self, contact):
+                list(contact.fixtureA.body.world.bodies)
+
+        goodbye, contacts = Goodbye(), Contacts()
+        world = b2World(destructionListener=goodbye, contactListener=contacts)
+        ground(world)
+        balls = [ball(world, (i, 0.4)) for i in range(3)]
+        world.Step(1 / 60, 8, 3)
+        world.DestroyBody(balls[0])
+        self.assertEqual(goodbye.seen, 4)
+        self.assertEqual(len(world.bodies), 3)
+        self.assertEqual(world.poses().shape, (3, 3))
+        self.assertTrue(all(body.position.y < 5 for body in world.bodies))
+
+    def test_collector_destroys_bodies_while_lists_are_made(self):
+        class Sprite:
+            def __init__(self, world):
+                self.me, self.world = self, world
+                self.body = world.CreateDynamicBody()
+
+            def __del__(self):
+                self.world.DestroyBody(self.body)
+
+        before = gc.get_threshold()
+        gc.set_threshold(1)
+        try:
+            for read in (lambda world: world.bodies, lambda world: list(world), lambda world: copy.deepcopy(world)):
+                for _ in range(20):
+                    world = b2World()
+                    for _ in range(20):
+                        world.CreateDynamicBody()
+                    for _ in range(5):
+                        Sprite(world)
+                    read(world)
+        finally:
+            gc.set_threshold(*before)
+
+    def test_world_is_of_one_thread_while_a_callback_waits(self):
+        inside, done, refused = threading.Event(), threading.Event(), []
+
+        class Waits(b2ContactListener):
+            def BeginContact(self, contact):
+                inside.set()
+                done.wait(10)
+
+        world = b2World(contactListener=Waits())
+        ground(world)
+        body = ball(world)
+
+        def other():
+            inside.wait(10)
+            for use in (lambda: world.QueryAABB(lambda fixture: True, Box2D.b2AABB(lowerBound=(-9, -9), upperBound=(9, 9))),
+                        lambda: body.position, lambda: world.Step(1 / 60, 8, 3)):
+                try:
+                    use()
+                except b2Error:
+                    refused.append(use)
+            done.set()
+
+        thread = threading.Thread(target=other)
+        thread.start()
+        world.Step(1 / 60, 8, 3)
+        thread.join()
+        self.assertEqual(len(refused), 3)
+
+    def test_program_ends_while_a_thread_steps(self):
+        program = ("import threading, time, Box2D\n"
+                   "world = Box2D.b2World()\n"
+                   "for i in range(100): world.CreateDynamicBody(position=(i, 0)).CreateCircleFixture(radius=1, density=1)\n"
+                   "def run():\n    while True: world.Step(1 / 60, 8, 3)\n"
+                   "threading.Thread(target=run, daemon=True).start()\ntime.sleep(0.2)\n")
+        for _ in range(3):
+            self.assertEqual(subprocess.run([sys.executable, "-c", program], timeout=60).returncode, 0)
+
+    def test_forked_process_refuses_to_film(self):
+        program = ("import os, Box2D, boxreel\n"
+                   "world = Box2D.b2World(); world.CreateDynamicBody().CreateCircleFixture(radius=1, density=1)\n"
+                   "boxreel.render(world, (16, 16))\n"
+                   "child = os.fork()\n"
+                   "if child == 0:\n"
+                   "    try: boxreel.film('never.mp4', size=(16, 16)).add(world)\n"
+                   "    except Box2D.b2Error: os._exit(7)\n"
+                   "    os._exit(1)\n"
+                   "raise SystemExit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n")
+        result = subprocess.run([sys.executable, "-c", program], timeout=60, capture_output=True)
+        self.assertEqual(result.returncode, 7, result.stderr)
 
 
 class Destroyed(unittest.TestCase):

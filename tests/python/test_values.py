@@ -11,6 +11,37 @@ from Box2D import (b2AABB, b2ChainShape, b2CircleShape, b2Color, b2EdgeShape, b2
                    b2PolygonShape, b2RayCastInput, b2RayCastOutput, b2Rot, b2Sweep, b2Transform, b2Vec2, b2Vec3)
 
 
+class OldNames(unittest.TestCase):
+    """What programs of the 2.3 module rely on beside the values themselves."""
+
+    def test_counters_are_read_and_set(self):
+        Box2D.b2Globals.b2_gjkCalls = 0
+        Box2D.b2Distance(shapeA=b2CircleShape(radius=1), shapeB=b2CircleShape(radius=1, pos=(5, 0)),
+                         transformA=b2Transform(), transformB=b2Transform(), useRadii=True)
+        self.assertEqual(Box2D.b2Globals.b2_gjkCalls, 1)
+        with self.assertRaises(AttributeError):
+            Box2D.b2Globals.b2_pi = 3
+
+    def test_comparison_with_other_types_is_false(self):
+        for value in (b2AABB(), b2Mat22(), b2PolygonShape(box=(1, 1))):
+            self.assertFalse(value == None)  # noqa: E711
+            self.assertTrue(value != 1)
+            self.assertNotIn(value, ["text"])
+
+    def test_shapes_of_a_fixture_are_equal(self):
+        world = Box2D.b2World()
+        fixture = world.CreateStaticBody().CreatePolygonFixture(shape=b2PolygonShape(box=(1, 2)))
+        self.assertEqual(fixture.shape, fixture.shape)
+        self.assertNotEqual(fixture.shape, b2PolygonShape(box=(1, 1)))
+
+    def test_wrong_types_of_vertices_are_also_value_errors(self):
+        for make in (lambda: b2PolygonShape(vertices=[(1, 2, 3)] * 3), lambda: b2PolygonShape(vertices=None),
+                     lambda: b2EdgeShape(vertices=None), lambda: b2PolygonShape(box=(1, 2, 3, 4, 5))):
+            for kind in (TypeError, ValueError):
+                with self.assertRaises(kind):
+                    make()
+
+
 class Vectors(unittest.TestCase):
     def test_arithmetic_takes_tuples(self):
         a = b2Vec2(1, 2)
