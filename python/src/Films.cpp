@@ -5,6 +5,8 @@
 #include <debugdraw/WorldBounds.h>
 #include <recorder/Recording.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <optional>
 
@@ -142,9 +144,28 @@ public:
         Need(result);
     }
 
+    ~Film()
+    {
+        if (m_process != ::getpid())
+        {
+            Discard();
+        }
+    }
+    Film(const Film&) = delete;
+    Film& operator=(const Film&) = delete;
+
     void Discard()
     {
         m_isDone = true;
+        if (m_process != ::getpid())
+        {
+            // A forked process would wait for the threads of its parent, and remove its file.
+            new std::optional<Recording>(std::move(m_recording));
+            new std::optional<VideoWriter>(std::move(m_writer));
+            m_recording.reset();
+            m_writer.reset();
+            return;
+        }
         Unlocked([&] {
             m_recording.reset();
             m_writer.reset();
@@ -169,6 +190,10 @@ private:
 
     void RequireIdle() const
     {
+        if (m_process != ::getpid())
+        {
+            ThrowMisuse("this film belongs to the process that this one was forked from");
+        }
         if (m_isBusy)
         {
             ThrowMisuse("another thread adds to this film; wait until it is done");
@@ -213,6 +238,7 @@ private:
     std::optional<FitCamera> m_follower;
     std::int64_t m_frames = 0;
     bool m_isDone = false;
+    pid_t m_process = ::getpid();
     bool m_isBusy = false; ///< a frame is being added
     bool m_sizeIsGiven = false;
 };

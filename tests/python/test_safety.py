@@ -4,10 +4,12 @@
 import copy
 import gc
 import math
+import os
 import pickle
 import random
 import subprocess
 import sys
+import tempfile
 import threading
 import unittest
 import weakref
@@ -311,6 +313,24 @@ class Reentrance(unittest.TestCase):
                    "threading.Thread(target=run, daemon=True).start()\ntime.sleep(0.2)\n")
         for _ in range(3):
             self.assertEqual(subprocess.run([sys.executable, "-c", program], timeout=60).returncode, 0)
+
+    def test_forked_process_leaves_the_film_of_its_parent(self):
+        program = ("import os, sys, Box2D, boxreel\n"
+                   "world = Box2D.b2World(); world.CreateDynamicBody().CreateCircleFixture(radius=1, density=1)\n"
+                   "film = boxreel.film(sys.argv[1], size=(16, 16)); film.add(world)\n"
+                   "child = os.fork()\n"
+                   "if child == 0:\n"
+                   "    try: film.add(world)\n"
+                   "    except Box2D.b2Error: pass\n"
+                   "    del film\n"
+                   "    os._exit(7)\n"
+                   "status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])\n"
+                   "film.close()\n"
+                   "raise SystemExit(status)\n")
+        with tempfile.TemporaryDirectory() as folder:
+            result = subprocess.run([sys.executable, "-c", program, folder + "/film.mp4"], timeout=60, capture_output=True)
+            self.assertEqual(result.returncode, 7, result.stderr)
+            self.assertGreater(os.path.getsize(folder + "/film.mp4"), 500)
 
     def test_forked_process_refuses_to_film(self):
         program = ("import os, Box2D, boxreel\n"
