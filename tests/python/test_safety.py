@@ -254,7 +254,7 @@ class Reentrance(unittest.TestCase):
         self.assertEqual(world.poses().shape, (3, 3))
         self.assertTrue(all(body.position.y < 5 for body in world.bodies))
 
-    def test_collector_destroys_bodies_while_lists_are_made(self):
+    def test_collector_destroys_bodies_during_a_list(self):
         class Sprite:
             def __init__(self, world):
                 self.me, self.world = self, world
@@ -277,7 +277,7 @@ class Reentrance(unittest.TestCase):
         finally:
             gc.set_threshold(*before)
 
-    def test_world_is_of_one_thread_while_a_callback_waits(self):
+    def test_world_is_of_one_thread_during_a_callback(self):
         inside, done, refused = threading.Event(), threading.Event(), []
 
         class Waits(b2ContactListener):
