@@ -35,8 +35,13 @@ int main()
     for (int step = 0; step < 240; ++step)
     {
         const b2Vec2 at = ball->GetPosition();
-        const boxreel::PageBody bodies[] = {
-            {std::uint32_t(ball->GetNumber()), {at.x, at.y}, ball->GetAngle(), "ball"}};
+        const b2Vec2 velocity = ball->GetLinearVelocity();
+        const boxreel::PageBody bodies[] = {{std::uint32_t(ball->GetNumber()),
+                                             {at.x, at.y},
+                                             ball->GetAngle(),
+                                             "ball",
+                                             {velocity.x, velocity.y},
+                                             ball->GetAngularVelocity()}};
         if (!page->Append(boxreel::DrawListOf(world), {640, 360, 0.0, 2.0, 60.0}, bodies))
         {
             return 1;

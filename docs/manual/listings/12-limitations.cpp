@@ -91,7 +91,7 @@ std::string Line(const char* name, float32 (*measure)(int32, float32), float32 r
 TEST(LimitationsListing, MeasuresWhatThePageShows)
 {
     std::string table;
-    table += "small steps                     1       2       4\n";
+    table += "sub-steps                       1       2       4\n";
     table += Line("heavy top, 10:1          ", HeavyTop, 10.0f);
     table += Line("heavy top, 100:1         ", HeavyTop, 100.0f);
     table += Line("heavy top, 1000:1        ", HeavyTop, 1000.0f);
