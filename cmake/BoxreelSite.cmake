@@ -28,7 +28,7 @@ if(NOT BOXREEL_MKDOCS)
   boxreel_missing(site "mkdocs mkdocs-material")
 elseif(NOT BOXREEL_SITE_PYTHON)
   boxreel_missing(site python3)
-else()
+elseif(TARGET boxreel) # which makes the pages that play
   add_custom_target(site
     COMMAND ${BOXREEL_SITE_PYTHON} ${PROJECT_SOURCE_DIR}/docs/site/site.py ${PROJECT_SOURCE_DIR} ${BOXREEL_SITE_DIR}
       $<TARGET_FILE:boxreel> VERBATIM)

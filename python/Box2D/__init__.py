@@ -19,13 +19,14 @@ from ._callbacks import *  # noqa: F401,F403
 from ._additions import *  # noqa: F401,F403
 from ._collision import *  # noqa: F401,F403
 from ._bound import *  # noqa: F401,F403
+from ._calls import check_calls as _check_calls
 
 __version__ = "2.3.0"
 __version_info__ = (2, 3, 0)
 __author__ = "The boxreel authors"
 __license__ = "MIT"
 __date__ = "2026-11-26"
-b2_version = __version_info__
+b2_version = b2Version(*__version_info__)  # noqa: F405
 
 b2LoopShape = b2ChainShape  # noqa: F405
 b2DebugDraw = b2Draw  # noqa: F405
@@ -59,21 +60,37 @@ b2Globals = _Globals()
 class b2Vec2Array(list):
     """A list of points."""
 
+    def __init__(self, points=()):
+        if not hasattr(points, "__iter__"):
+            raise TypeError(f"b2Vec2Array: points: expected a list of points, not '{type(points).__name__}'")
+        super().__init__(points)
+
+
+def _require_like(function, *values):
+    """All are numbers, or all vectors."""
+    if not (all(isinstance(one, (int, float)) for one in values)
+            or all(isinstance(one, (tuple, list, _boxreel.b2Vec2)) and len(one) == 2 for one in values)):
+        kinds = ", ".join(f"'{type(one).__name__}'" for one in values)
+        raise TypeError(f"{function}: expected numbers or vectors, not ({kinds})")
+
 
 def b2Min(a, b):
     """Returns the minimum, of each component for vectors."""
+    _require_like("b2Min", a, b)
     return a if isinstance(a, (int, float)) and a < b else b if isinstance(a, (int, float)) else \
         _boxreel.b2Vec2(min(a[0], b[0]), min(a[1], b[1]))
 
 
 def b2Max(a, b):
     """Returns the maximum, of each component for vectors."""
+    _require_like("b2Max", a, b)
     return a if isinstance(a, (int, float)) and a > b else b if isinstance(a, (int, float)) else \
         _boxreel.b2Vec2(max(a[0], b[0]), max(a[1], b[1]))
 
 
 def b2Clamp(a, low, high):
     """Returns `a` limited to [low, high], of each component for vectors."""
+    _require_like("b2Clamp", a, low, high)
     return b2Max(low, b2Min(a, high))
 
 
@@ -86,5 +103,6 @@ for _item in [globals()[name] for name in __all__]:
         except (AttributeError, TypeError):
             pass
 del _item
+_check_calls(globals())
 
-from . import b2  # noqa: E402,F401  programs use Box2D.b2 after `import Box2D`
+from . import b2, Box2D  # noqa: E402,F401  programs use Box2D.b2 after `import Box2D`

@@ -24,16 +24,16 @@ class b2BroadPhase:
     def treeQuality(self) -> Any:
         """Ratio of the areas of the trees."""
         ...
-    def GetProxyCount(self, *arguments: Any) -> Any:
+    def GetProxyCount(self) -> Any:
         """Number of boxes."""
         ...
-    def GetTreeHeight(self, *arguments: Any) -> Any:
+    def GetTreeHeight(self) -> Any:
         """Height of the highest tree."""
         ...
-    def GetTreeBalance(self, *arguments: Any) -> Any:
+    def GetTreeBalance(self) -> Any:
         """Maximum balance of the trees."""
         ...
-    def GetTreeQuality(self, *arguments: Any) -> Any:
+    def GetTreeQuality(self) -> Any:
         """Ratio of the areas of the trees."""
         ...
 
@@ -411,157 +411,157 @@ class b2Body:
     def ClearUserData(self) -> Any:
         """Sets userData to None."""
         ...
-    def GetUserData(self, *arguments: Any) -> Any:
+    def GetUserData(self) -> Any:
         """Any object of the program."""
         ...
-    def SetUserData(self, *arguments: Any) -> Any:
+    def SetUserData(self, value: Any) -> Any:
         """Any object of the program."""
         ...
-    def GetPosition(self, *arguments: Any) -> Any:
+    def GetPosition(self) -> Any:
         """Position of the origin [m]."""
         ...
-    def SetPosition(self, *arguments: Any) -> Any:
+    def SetPosition(self, value: Any) -> Any:
         """Position of the origin [m]."""
         ...
-    def GetAngle(self, *arguments: Any) -> Any:
+    def GetAngle(self) -> Any:
         """Angle, counter-clockwise [rad]. It grows with every turn."""
         ...
-    def SetAngle(self, *arguments: Any) -> Any:
+    def SetAngle(self, value: Any) -> Any:
         """Angle, counter-clockwise [rad]. It grows with every turn."""
         ...
-    def GetTransform(self, *arguments: Any) -> Any:
+    def GetTransform(self) -> Any:
         """Transform from the body to the world. May be set to (position, angle) [m, rad]."""
         ...
-    def GetWorldCenter(self, *arguments: Any) -> Any:
+    def GetWorldCenter(self) -> Any:
         """Centre of mass in the world [m]."""
         ...
-    def GetLinearVelocity(self, *arguments: Any) -> Any:
+    def GetLinearVelocity(self) -> Any:
         """Velocity of the centre of mass [m/s]."""
         ...
-    def SetLinearVelocity(self, *arguments: Any) -> Any:
+    def SetLinearVelocity(self, value: Any) -> Any:
         """Velocity of the centre of mass [m/s]."""
         ...
-    def GetAngularVelocity(self, *arguments: Any) -> Any:
+    def GetAngularVelocity(self) -> Any:
         """Angular velocity, counter-clockwise [rad/s]."""
         ...
-    def SetAngularVelocity(self, *arguments: Any) -> Any:
+    def SetAngularVelocity(self, value: Any) -> Any:
         """Angular velocity, counter-clockwise [rad/s]."""
         ...
-    def GetLinearDamping(self, *arguments: Any) -> Any:
+    def GetLinearDamping(self) -> Any:
         """Decay rate of the linear velocity [1/s]."""
         ...
-    def SetLinearDamping(self, *arguments: Any) -> Any:
+    def SetLinearDamping(self, value: Any) -> Any:
         """Decay rate of the linear velocity [1/s]."""
         ...
-    def GetAngularDamping(self, *arguments: Any) -> Any:
+    def GetAngularDamping(self) -> Any:
         """Decay rate of the angular velocity [1/s]."""
         ...
-    def SetAngularDamping(self, *arguments: Any) -> Any:
+    def SetAngularDamping(self, value: Any) -> Any:
         """Decay rate of the angular velocity [1/s]."""
         ...
-    def GetGravityScale(self, *arguments: Any) -> Any:
+    def GetGravityScale(self) -> Any:
         """Factor of the world's gravity."""
         ...
-    def SetGravityScale(self, *arguments: Any) -> Any:
+    def SetGravityScale(self, value: Any) -> Any:
         """Factor of the world's gravity."""
         ...
-    def GetType(self, *arguments: Any) -> Any:
+    def GetType(self) -> Any:
         """b2_staticBody, b2_kinematicBody or b2_dynamicBody."""
         ...
-    def SetType(self, *arguments: Any) -> Any:
+    def SetType(self, value: Any) -> Any:
         """b2_staticBody, b2_kinematicBody or b2_dynamicBody."""
         ...
-    def GetBullet(self, *arguments: Any) -> Any:
+    def GetBullet(self) -> Any:
         """True for continuous collision against dynamic bodies too."""
         ...
-    def SetBullet(self, *arguments: Any) -> Any:
+    def SetBullet(self, value: Any) -> Any:
         """True for continuous collision against dynamic bodies too."""
         ...
-    def GetSleepingAllowed(self, *arguments: Any) -> Any:
+    def GetSleepingAllowed(self) -> Any:
         """True if it may fall asleep."""
         ...
-    def IsSleepingAllowed(self, *arguments: Any) -> Any:
+    def IsSleepingAllowed(self) -> Any:
         """True if it may fall asleep."""
         ...
-    def SetSleepingAllowed(self, *arguments: Any) -> Any:
+    def SetSleepingAllowed(self, value: Any) -> Any:
         """True if it may fall asleep."""
         ...
-    def GetAwake(self, *arguments: Any) -> Any:
+    def GetAwake(self) -> Any:
         """True if awake."""
         ...
-    def IsAwake(self, *arguments: Any) -> Any:
+    def IsAwake(self) -> Any:
         """True if awake."""
         ...
-    def SetAwake(self, *arguments: Any) -> Any:
+    def SetAwake(self, value: Any) -> Any:
         """True if awake."""
         ...
-    def GetActive(self, *arguments: Any) -> Any:
+    def GetActive(self) -> Any:
         """True if it takes part in collision and dynamics."""
         ...
-    def IsActive(self, *arguments: Any) -> Any:
+    def IsActive(self) -> Any:
         """True if it takes part in collision and dynamics."""
         ...
-    def SetActive(self, *arguments: Any) -> Any:
+    def SetActive(self, value: Any) -> Any:
         """True if it takes part in collision and dynamics."""
         ...
-    def GetFixedRotation(self, *arguments: Any) -> Any:
+    def GetFixedRotation(self) -> Any:
         """True if it never rotates."""
         ...
-    def IsFixedRotation(self, *arguments: Any) -> Any:
+    def IsFixedRotation(self) -> Any:
         """True if it never rotates."""
         ...
-    def SetFixedRotation(self, *arguments: Any) -> Any:
+    def SetFixedRotation(self, value: Any) -> Any:
         """True if it never rotates."""
         ...
-    def GetMass(self, *arguments: Any) -> Any:
+    def GetMass(self) -> Any:
         """Mass [kg]; 0 for static and kinematic bodies."""
         ...
-    def SetMass(self, *arguments: Any) -> Any:
+    def SetMass(self, value: Any) -> Any:
         """Mass [kg]; 0 for static and kinematic bodies."""
         ...
-    def GetInertia(self, *arguments: Any) -> Any:
+    def GetInertia(self) -> Any:
         """Rotational inertia about the origin [kg m^2]."""
         ...
-    def SetInertia(self, *arguments: Any) -> Any:
+    def SetInertia(self, value: Any) -> Any:
         """Rotational inertia about the origin [kg m^2]."""
         ...
-    def GetLocalCenter(self, *arguments: Any) -> Any:
+    def GetLocalCenter(self) -> Any:
         """Centre of mass in the body's frame [m]."""
         ...
-    def SetLocalCenter(self, *arguments: Any) -> Any:
+    def SetLocalCenter(self, value: Any) -> Any:
         """Centre of mass in the body's frame [m]."""
         ...
-    def GetMassData(self, *arguments: Any) -> Any:
+    def GetMassData(self) -> Any:
         """Mass, centre and rotational inertia."""
         ...
-    def SetMassData(self, *arguments: Any) -> Any:
+    def SetMassData(self, value: Any) -> Any:
         """Mass, centre and rotational inertia."""
         ...
-    def GetFixtures(self, *arguments: Any) -> Any:
+    def GetFixtures(self) -> Any:
         """The fixtures, in the order of creation."""
         ...
-    def GetNext(self, *arguments: Any) -> Any:
+    def GetNext(self) -> Any:
         """The body created before this one, or None."""
         ...
-    def GetNumber(self, *arguments: Any) -> Any:
+    def GetNumber(self) -> Any:
         """Number in the order of creation, from 0."""
         ...
-    def GetWorld(self, *arguments: Any) -> Any:
+    def GetWorld(self) -> Any:
         """The world that the body is in."""
         ...
-    def GetJoints(self, *arguments: Any) -> Any:
+    def GetJoints(self) -> Any:
         """The joints, as a list of b2JointEdge."""
         ...
-    def GetContacts(self, *arguments: Any) -> Any:
+    def GetContacts(self) -> Any:
         """The contacts, as a list of b2ContactEdge."""
         ...
-    def GetJoints_gen(self, *arguments: Any) -> Any:
+    def GetJoints_gen(self) -> Any:
         """A generator of joints."""
         ...
-    def GetContacts_gen(self, *arguments: Any) -> Any:
+    def GetContacts_gen(self) -> Any:
         """A generator of contacts."""
         ...
-    def GetFixtures_gen(self, *arguments: Any) -> Any:
+    def GetFixtures_gen(self) -> Any:
         """A generator of fixtures."""
         ...
 
@@ -584,7 +584,7 @@ class b2BodyDef:
     fixtures: Any
     shapes: Any
     shapeFixture: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -727,58 +727,58 @@ class b2Contact:
         """Restores the mixed restitution."""
         ...
     def __eq__(self, other: object) -> bool: ...
-    def GetEnabled(self, *arguments: Any) -> Any:
+    def GetEnabled(self) -> Any:
         """False if disabled for this step. Set it in PreSolve."""
         ...
-    def IsEnabled(self, *arguments: Any) -> Any:
+    def IsEnabled(self) -> Any:
         """False if disabled for this step. Set it in PreSolve."""
         ...
-    def SetEnabled(self, *arguments: Any) -> Any:
+    def SetEnabled(self, value: Any) -> Any:
         """False if disabled for this step. Set it in PreSolve."""
         ...
-    def GetFriction(self, *arguments: Any) -> Any:
+    def GetFriction(self) -> Any:
         """Friction, 0 or more."""
         ...
-    def SetFriction(self, *arguments: Any) -> Any:
+    def SetFriction(self, value: Any) -> Any:
         """Friction, 0 or more."""
         ...
-    def GetRestitution(self, *arguments: Any) -> Any:
+    def GetRestitution(self) -> Any:
         """Restitution, 0 or more."""
         ...
-    def SetRestitution(self, *arguments: Any) -> Any:
+    def SetRestitution(self, value: Any) -> Any:
         """Restitution, 0 or more."""
         ...
-    def GetTangentSpeed(self, *arguments: Any) -> Any:
+    def GetTangentSpeed(self) -> Any:
         """Surface speed of a conveyor belt [m/s]."""
         ...
-    def SetTangentSpeed(self, *arguments: Any) -> Any:
+    def SetTangentSpeed(self, value: Any) -> Any:
         """Surface speed of a conveyor belt [m/s]."""
         ...
-    def GetTouching(self, *arguments: Any) -> Any:
+    def GetTouching(self) -> Any:
         """True if the shapes overlap."""
         ...
-    def IsTouching(self, *arguments: Any) -> Any:
+    def IsTouching(self) -> Any:
         """True if the shapes overlap."""
         ...
-    def GetChildIndexA(self, *arguments: Any) -> Any:
+    def GetChildIndexA(self) -> Any:
         """Child of the first shape, from 0."""
         ...
-    def GetChildIndexB(self, *arguments: Any) -> Any:
+    def GetChildIndexB(self) -> Any:
         """Child of the second shape, from 0."""
         ...
-    def GetWorldManifold(self, *arguments: Any) -> Any:
+    def GetWorldManifold(self) -> Any:
         """The manifold in the world."""
         ...
-    def GetFixtureA(self, *arguments: Any) -> Any:
+    def GetFixtureA(self) -> Any:
         """The first fixture."""
         ...
-    def GetFixtureB(self, *arguments: Any) -> Any:
+    def GetFixtureB(self) -> Any:
         """The second fixture."""
         ...
-    def GetManifold(self, *arguments: Any) -> Any:
+    def GetManifold(self) -> Any:
         """The manifold in the frames of the bodies."""
         ...
-    def GetNext(self, *arguments: Any) -> Any:
+    def GetNext(self) -> Any:
         """The contact created before this one, or None."""
         ...
 
@@ -918,6 +918,12 @@ class b2DebugDraw:
         ...
     def ClearFlags(self, flags: Any) -> Any:
         """Clears bits."""
+        ...
+    def StartDraw(self) -> Any:
+        """For programs that begin a picture here; nothing calls it."""
+        ...
+    def EndDraw(self) -> Any:
+        """For programs that end a picture here; nothing calls it."""
         ...
     def DrawPolygon(self, vertices: Any, color: Any) -> Any:
         """Draws a closed outline."""
@@ -1094,76 +1100,76 @@ class b2Fixture:
     def ClearUserData(self) -> Any:
         """Sets userData to None."""
         ...
-    def GetUserData(self, *arguments: Any) -> Any:
+    def GetUserData(self) -> Any:
         """Any object of the program."""
         ...
-    def SetUserData(self, *arguments: Any) -> Any:
+    def SetUserData(self, value: Any) -> Any:
         """Any object of the program."""
         ...
-    def GetDensity(self, *arguments: Any) -> Any:
+    def GetDensity(self) -> Any:
         """Mass per area [kg/m^2]. Call ResetMassData of the body after a change."""
         ...
-    def SetDensity(self, *arguments: Any) -> Any:
+    def SetDensity(self, value: Any) -> Any:
         """Mass per area [kg/m^2]. Call ResetMassData of the body after a change."""
         ...
-    def GetFriction(self, *arguments: Any) -> Any:
+    def GetFriction(self) -> Any:
         """Friction, 0 or more."""
         ...
-    def SetFriction(self, *arguments: Any) -> Any:
+    def SetFriction(self, value: Any) -> Any:
         """Friction, 0 or more."""
         ...
-    def GetRestitution(self, *arguments: Any) -> Any:
+    def GetRestitution(self) -> Any:
         """Restitution, 0 or more."""
         ...
-    def SetRestitution(self, *arguments: Any) -> Any:
+    def SetRestitution(self, value: Any) -> Any:
         """Restitution, 0 or more."""
         ...
-    def GetSensor(self, *arguments: Any) -> Any:
+    def GetSensor(self) -> Any:
         """True if it reports contacts without a collision response."""
         ...
-    def IsSensor(self, *arguments: Any) -> Any:
+    def IsSensor(self) -> Any:
         """True if it reports contacts without a collision response."""
         ...
-    def SetSensor(self, *arguments: Any) -> Any:
+    def SetSensor(self, value: Any) -> Any:
         """True if it reports contacts without a collision response."""
         ...
-    def GetFilterData(self, *arguments: Any) -> Any:
+    def GetFilterData(self) -> Any:
         """The collision filter. What is written to it reaches the fixture."""
         ...
-    def SetFilterData(self, *arguments: Any) -> Any:
+    def SetFilterData(self, value: Any) -> Any:
         """The collision filter. What is written to it reaches the fixture."""
         ...
-    def GetCategoryBits(self, *arguments: Any) -> Any:
+    def GetCategoryBits(self) -> Any:
         """Categories of the fixture, 0 to 65535."""
         ...
-    def SetCategoryBits(self, *arguments: Any) -> Any:
+    def SetCategoryBits(self, value: Any) -> Any:
         """Categories of the fixture, 0 to 65535."""
         ...
-    def GetMaskBits(self, *arguments: Any) -> Any:
+    def GetMaskBits(self) -> Any:
         """Categories that it collides with, 0 to 65535."""
         ...
-    def SetMaskBits(self, *arguments: Any) -> Any:
+    def SetMaskBits(self, value: Any) -> Any:
         """Categories that it collides with, 0 to 65535."""
         ...
-    def GetGroupIndex(self, *arguments: Any) -> Any:
+    def GetGroupIndex(self) -> Any:
         """Group that always or never collides; 0: none."""
         ...
-    def SetGroupIndex(self, *arguments: Any) -> Any:
+    def SetGroupIndex(self, value: Any) -> Any:
         """Group that always or never collides; 0: none."""
         ...
-    def GetType(self, *arguments: Any) -> Any:
+    def GetType(self) -> Any:
         """Type of the shape."""
         ...
-    def GetShape(self, *arguments: Any) -> Any:
+    def GetShape(self) -> Any:
         """A copy of the shape, in the frame of the body."""
         ...
-    def GetBody(self, *arguments: Any) -> Any:
+    def GetBody(self) -> Any:
         """The body that the fixture is on."""
         ...
-    def GetNext(self, *arguments: Any) -> Any:
+    def GetNext(self) -> Any:
         """The fixture created before this one, or None."""
         ...
-    def GetMassData(self, *arguments: Any) -> Any:
+    def GetMassData(self) -> Any:
         """Mass, centre and rotational inertia of the shape."""
         ...
 
@@ -1176,7 +1182,7 @@ class b2FixtureDef:
     isSensor: bool
     filter: Any
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -1273,43 +1279,43 @@ class b2Joint:
     def ClearUserData(self) -> Any:
         """Sets userData to None."""
         ...
-    def GetUserData(self, *arguments: Any) -> Any:
+    def GetUserData(self) -> Any:
         """Any object of the program."""
         ...
-    def SetUserData(self, *arguments: Any) -> Any:
+    def SetUserData(self, value: Any) -> Any:
         """Any object of the program."""
         ...
-    def GetType(self, *arguments: Any) -> Any:
+    def GetType(self) -> Any:
         """The kind of the joint, such as e_revoluteJoint."""
         ...
-    def GetAnchorA(self, *arguments: Any) -> Any:
+    def GetAnchorA(self) -> Any:
         """Anchor on body A, in the world [m]."""
         ...
-    def GetAnchorB(self, *arguments: Any) -> Any:
+    def GetAnchorB(self) -> Any:
         """Anchor on body B, in the world [m]."""
         ...
-    def GetActive(self, *arguments: Any) -> Any:
+    def GetActive(self) -> Any:
         """True if both bodies are active."""
         ...
-    def IsActive(self, *arguments: Any) -> Any:
+    def IsActive(self) -> Any:
         """True if both bodies are active."""
         ...
-    def GetCollideConnected(self, *arguments: Any) -> Any:
+    def GetCollideConnected(self) -> Any:
         """True if the two bodies collide."""
         ...
-    def IsCollideConnected(self, *arguments: Any) -> Any:
+    def IsCollideConnected(self) -> Any:
         """True if the two bodies collide."""
         ...
-    def GetBodyA(self, *arguments: Any) -> Any:
+    def GetBodyA(self) -> Any:
         """The first body."""
         ...
-    def GetBodyB(self, *arguments: Any) -> Any:
+    def GetBodyB(self) -> Any:
         """The second body."""
         ...
-    def GetNext(self, *arguments: Any) -> Any:
+    def GetNext(self) -> Any:
         """The joint created before this one, or None."""
         ...
-    def GetWorld(self, *arguments: Any) -> Any:
+    def GetWorld(self) -> Any:
         """The world that the joint is in."""
         ...
 
@@ -1319,7 +1325,7 @@ class b2JointDef:
     bodyB: Any
     collideConnected: bool
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -1529,6 +1535,12 @@ class b2Mat33:
     @col3.setter
     def col3(self, value: Any) -> None: ...
     def __mul__(self, arg0: Any, /) -> b2Vec3: ...
+    def GetInverse22(self) -> b2Mat33:
+        """Returns the inverse of the upper left 2x2 part; zero if singular."""
+        ...
+    def GetSymInverse33(self) -> b2Mat33:
+        """Returns the inverse of a symmetric matrix; zero if singular."""
+        ...
     def Solve33(self, b: Any) -> b2Vec3:
         """Returns x with A x = b."""
         ...
@@ -1674,6 +1686,9 @@ class b2Rot:
     @property
     def y_axis(self) -> b2Vec2:
         """The rotated y axis."""
+        ...
+    def GetAngle(self) -> float:
+        """Returns the angle [rad]."""
         ...
     def GetXAxis(self) -> b2Vec2:
         """Returns the rotated x axis."""
@@ -1936,6 +1951,9 @@ class b2Vec2Array:
     """A list of points."""
     def __getattr__(self, name: str) -> Any: ...
     def __setattr__(self, name: str, value: Any) -> None: ...
+    def __init__(self, points: Any = ...) -> None:
+        """Initialize self.  See help(type(self)) for accurate signature."""
+        ...
 
 class b2Vec3:
     """A vector with the components x, y and z."""
@@ -2202,197 +2220,197 @@ class b2World:
     def CreateBody(self, defn: Any = ..., **keywords: Any) -> Any:
         """Creates a body from a b2BodyDef or from keywords: its fields, fixtures, shapes, shapeFixture, and mass data."""
         ...
-    def CreateStaticBody(self, **keywords: Any) -> Any:
-        """Creates a static body from keywords; see CreateBody."""
+    def CreateStaticBody(self, defn: Any = ..., **keywords: Any) -> Any:
+        """Creates a static body from a b2BodyDef or from keywords; see CreateBody."""
         ...
-    def CreateKinematicBody(self, **keywords: Any) -> Any:
-        """Creates a kinematic body from keywords; see CreateBody."""
+    def CreateKinematicBody(self, defn: Any = ..., **keywords: Any) -> Any:
+        """Creates a kinematic body from a b2BodyDef or from keywords; see CreateBody."""
         ...
-    def CreateDynamicBody(self, **keywords: Any) -> Any:
-        """Creates a dynamic body from keywords; see CreateBody."""
+    def CreateDynamicBody(self, defn: Any = ..., **keywords: Any) -> Any:
+        """Creates a dynamic body from a b2BodyDef or from keywords; see CreateBody."""
         ...
     def CreateJoint(self, defn: Any = ..., type: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from a definition, or from its class `type` and keywords."""
         ...
-    def CreateRevoluteJoint(self, **keywords: Any) -> Any:
+    def CreateRevoluteJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from the keywords of b2RevoluteJointDef."""
         ...
-    def CreatePrismaticJoint(self, **keywords: Any) -> Any:
+    def CreatePrismaticJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from the keywords of b2PrismaticJointDef."""
         ...
-    def CreateDistanceJoint(self, **keywords: Any) -> Any:
+    def CreateDistanceJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from the keywords of b2DistanceJointDef."""
         ...
-    def CreatePulleyJoint(self, **keywords: Any) -> Any:
+    def CreatePulleyJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from the keywords of b2PulleyJointDef."""
         ...
-    def CreateMouseJoint(self, **keywords: Any) -> Any:
+    def CreateMouseJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from the keywords of b2MouseJointDef."""
         ...
-    def CreateGearJoint(self, **keywords: Any) -> Any:
+    def CreateGearJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from the keywords of b2GearJointDef."""
         ...
-    def CreateWheelJoint(self, **keywords: Any) -> Any:
+    def CreateWheelJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from the keywords of b2WheelJointDef."""
         ...
-    def CreateWeldJoint(self, **keywords: Any) -> Any:
+    def CreateWeldJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from the keywords of b2WeldJointDef."""
         ...
-    def CreateFrictionJoint(self, **keywords: Any) -> Any:
+    def CreateFrictionJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from the keywords of b2FrictionJointDef."""
         ...
-    def CreateRopeJoint(self, **keywords: Any) -> Any:
+    def CreateRopeJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from the keywords of b2RopeJointDef."""
         ...
-    def CreateMotorJoint(self, **keywords: Any) -> Any:
+    def CreateMotorJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
         """Creates a joint from the keywords of b2MotorJointDef."""
         ...
     @property
     def contactManager(self) -> Any:
         """A summary of the contacts."""
         ...
-    def GetGravity(self, *arguments: Any) -> Any:
+    def GetGravity(self) -> Any:
         """Acceleration of all dynamic bodies [m/s^2]."""
         ...
-    def SetGravity(self, *arguments: Any) -> Any:
+    def SetGravity(self, value: Any) -> Any:
         """Acceleration of all dynamic bodies [m/s^2]."""
         ...
-    def GetAllowSleeping(self, *arguments: Any) -> Any:
+    def GetAllowSleeping(self) -> Any:
         """True if bodies may fall asleep."""
         ...
-    def IsAllowSleeping(self, *arguments: Any) -> Any:
+    def IsAllowSleeping(self) -> Any:
         """True if bodies may fall asleep."""
         ...
-    def SetAllowSleeping(self, *arguments: Any) -> Any:
+    def SetAllowSleeping(self, value: Any) -> Any:
         """True if bodies may fall asleep."""
         ...
-    def GetWarmStarting(self, *arguments: Any) -> Any:
+    def GetWarmStarting(self) -> Any:
         """True if the impulses of a step initialize the next."""
         ...
-    def IsWarmStarting(self, *arguments: Any) -> Any:
+    def IsWarmStarting(self) -> Any:
         """True if the impulses of a step initialize the next."""
         ...
-    def SetWarmStarting(self, *arguments: Any) -> Any:
+    def SetWarmStarting(self, value: Any) -> Any:
         """True if the impulses of a step initialize the next."""
         ...
-    def GetContinuousPhysics(self, *arguments: Any) -> Any:
+    def GetContinuousPhysics(self) -> Any:
         """True if continuous collision is enabled."""
         ...
-    def IsContinuousPhysics(self, *arguments: Any) -> Any:
+    def IsContinuousPhysics(self) -> Any:
         """True if continuous collision is enabled."""
         ...
-    def SetContinuousPhysics(self, *arguments: Any) -> Any:
+    def SetContinuousPhysics(self, value: Any) -> Any:
         """True if continuous collision is enabled."""
         ...
-    def GetSubStepping(self, *arguments: Any) -> Any:
+    def GetSubStepping(self) -> Any:
         """True if a step ends at its first time of impact."""
         ...
-    def IsSubStepping(self, *arguments: Any) -> Any:
+    def IsSubStepping(self) -> Any:
         """True if a step ends at its first time of impact."""
         ...
-    def SetSubStepping(self, *arguments: Any) -> Any:
+    def SetSubStepping(self, value: Any) -> Any:
         """True if a step ends at its first time of impact."""
         ...
-    def GetAutoClearForces(self, *arguments: Any) -> Any:
+    def GetAutoClearForces(self) -> Any:
         """True if forces last for one step only."""
         ...
-    def IsAutoClearForces(self, *arguments: Any) -> Any:
+    def IsAutoClearForces(self) -> Any:
         """True if forces last for one step only."""
         ...
-    def SetAutoClearForces(self, *arguments: Any) -> Any:
+    def SetAutoClearForces(self, value: Any) -> Any:
         """True if forces last for one step only."""
         ...
-    def GetSubStepCount(self, *arguments: Any) -> Any:
+    def GetSubStepCount(self) -> Any:
         """Sub-steps per step, 1 to 64."""
         ...
-    def SetSubStepCount(self, *arguments: Any) -> Any:
+    def SetSubStepCount(self, value: Any) -> Any:
         """Sub-steps per step, 1 to 64."""
         ...
-    def GetThreadCount(self, *arguments: Any) -> Any:
+    def GetThreadCount(self) -> Any:
         """Threads of a step, 1 to 64. Results are the same for every number."""
         ...
-    def SetThreadCount(self, *arguments: Any) -> Any:
+    def SetThreadCount(self, value: Any) -> Any:
         """Threads of a step, 1 to 64. Results are the same for every number."""
         ...
-    def GetRestitutionThreshold(self, *arguments: Any) -> Any:
+    def GetRestitutionThreshold(self) -> Any:
         """Slower impacts do not bounce [m/s]."""
         ...
-    def SetRestitutionThreshold(self, *arguments: Any) -> Any:
+    def SetRestitutionThreshold(self, value: Any) -> Any:
         """Slower impacts do not bounce [m/s]."""
         ...
-    def GetLocked(self, *arguments: Any) -> Any:
+    def GetLocked(self) -> Any:
         """True inside a callback. Nothing can be created or destroyed then."""
         ...
-    def IsLocked(self, *arguments: Any) -> Any:
+    def IsLocked(self) -> Any:
         """True inside a callback. Nothing can be created or destroyed then."""
         ...
-    def GetBodyCount(self, *arguments: Any) -> Any:
+    def GetBodyCount(self) -> Any:
         """Number of bodies."""
         ...
-    def GetJointCount(self, *arguments: Any) -> Any:
+    def GetJointCount(self) -> Any:
         """Number of joints."""
         ...
-    def GetContactCount(self, *arguments: Any) -> Any:
+    def GetContactCount(self) -> Any:
         """Number of contacts, touching or not."""
         ...
-    def GetProxyCount(self, *arguments: Any) -> Any:
+    def GetProxyCount(self) -> Any:
         """Number of boxes in the broad phase."""
         ...
-    def GetTreeHeight(self, *arguments: Any) -> Any:
+    def GetTreeHeight(self) -> Any:
         """Height of the broad phase's highest tree."""
         ...
-    def GetTreeBalance(self, *arguments: Any) -> Any:
+    def GetTreeBalance(self) -> Any:
         """Maximum balance of the trees."""
         ...
-    def GetTreeQuality(self, *arguments: Any) -> Any:
+    def GetTreeQuality(self) -> Any:
         """Ratio of the areas of the trees."""
         ...
-    def GetContactListener(self, *arguments: Any) -> Any:
+    def GetContactListener(self) -> Any:
         """The b2ContactListener, or None."""
         ...
-    def SetContactListener(self, *arguments: Any) -> Any:
+    def SetContactListener(self, value: Any) -> Any:
         """The b2ContactListener, or None."""
         ...
-    def GetContactFilter(self, *arguments: Any) -> Any:
+    def GetContactFilter(self) -> Any:
         """The b2ContactFilter, or None for the default."""
         ...
-    def SetContactFilter(self, *arguments: Any) -> Any:
+    def SetContactFilter(self, value: Any) -> Any:
         """The b2ContactFilter, or None for the default."""
         ...
-    def GetDestructionListener(self, *arguments: Any) -> Any:
+    def GetDestructionListener(self) -> Any:
         """The b2DestructionListener, or None."""
         ...
-    def SetDestructionListener(self, *arguments: Any) -> Any:
+    def SetDestructionListener(self, value: Any) -> Any:
         """The b2DestructionListener, or None."""
         ...
-    def GetRenderer(self, *arguments: Any) -> Any:
+    def GetRenderer(self) -> Any:
         """The b2Draw that DrawDebugData calls, or None."""
         ...
-    def SetRenderer(self, *arguments: Any) -> Any:
+    def SetRenderer(self, value: Any) -> Any:
         """The b2Draw that DrawDebugData calls, or None."""
         ...
-    def GetBodies(self, *arguments: Any) -> Any:
+    def GetBodies(self) -> Any:
         """The bodies, in the order of creation."""
         ...
-    def GetJoints(self, *arguments: Any) -> Any:
+    def GetJoints(self) -> Any:
         """The joints, in the order of creation."""
         ...
-    def GetContacts(self, *arguments: Any) -> Any:
+    def GetContacts(self) -> Any:
         """The contacts, touching or not."""
         ...
-    def GetProfile(self, *arguments: Any) -> Any:
+    def GetProfile(self) -> Any:
         """Timing of the last step. The first use enables it."""
         ...
-    def GetBodies_gen(self, *arguments: Any) -> Any:
+    def GetBodies_gen(self) -> Any:
         """A generator of bodies."""
         ...
-    def GetJoints_gen(self, *arguments: Any) -> Any:
+    def GetJoints_gen(self) -> Any:
         """A generator of joints."""
         ...
-    def GetContacts_gen(self, *arguments: Any) -> Any:
+    def GetContacts_gen(self) -> Any:
         """A generator of contacts."""
         ...
-    def GetContactManager(self, *arguments: Any) -> Any:
+    def GetContactManager(self) -> Any:
         """A summary of the contacts."""
         ...
 
@@ -2586,43 +2604,43 @@ class b2DistanceJoint(b2Joint):
     def currentLength(self) -> float:
         """Distance of the anchors [m]."""
         ...
-    def GetLocalAnchorA(self, *arguments: Any) -> Any:
+    def GetLocalAnchorA(self) -> Any:
         """Anchor in body A's frame [m]."""
         ...
-    def GetLocalAnchorB(self, *arguments: Any) -> Any:
+    def GetLocalAnchorB(self) -> Any:
         """Anchor in body B's frame [m]."""
         ...
-    def GetFrequency(self, *arguments: Any) -> Any:
+    def GetFrequency(self) -> Any:
         """Frequency of the spring [Hz]; 0: rigid."""
         ...
-    def SetFrequency(self, *arguments: Any) -> Any:
+    def SetFrequency(self, value: Any) -> Any:
         """Frequency of the spring [Hz]; 0: rigid."""
         ...
-    def GetDampingRatio(self, *arguments: Any) -> Any:
+    def GetDampingRatio(self) -> Any:
         """Damping ratio of the spring; 1 is critical."""
         ...
-    def SetDampingRatio(self, *arguments: Any) -> Any:
+    def SetDampingRatio(self, value: Any) -> Any:
         """Damping ratio of the spring; 1 is critical."""
         ...
-    def GetLength(self, *arguments: Any) -> Any:
+    def GetLength(self) -> Any:
         """Rest length [m]."""
         ...
-    def SetLength(self, *arguments: Any) -> Any:
+    def SetLength(self, value: Any) -> Any:
         """Rest length [m]."""
         ...
-    def GetMinLength(self, *arguments: Any) -> Any:
+    def GetMinLength(self) -> Any:
         """Minimum length [m]; 0: none."""
         ...
-    def SetMinLength(self, *arguments: Any) -> Any:
+    def SetMinLength(self, value: Any) -> Any:
         """Minimum length [m]; 0: none."""
         ...
-    def GetMaxLength(self, *arguments: Any) -> Any:
+    def GetMaxLength(self) -> Any:
         """Maximum length [m]."""
         ...
-    def SetMaxLength(self, *arguments: Any) -> Any:
+    def SetMaxLength(self, value: Any) -> Any:
         """Maximum length [m]."""
         ...
-    def GetCurrentLength(self, *arguments: Any) -> Any:
+    def GetCurrentLength(self) -> Any:
         """Distance of the anchors [m]."""
         ...
 
@@ -2751,22 +2769,22 @@ class b2FrictionJoint(b2Joint):
         ...
     @maxTorque.setter
     def maxTorque(self, value: float) -> None: ...
-    def GetLocalAnchorA(self, *arguments: Any) -> Any:
+    def GetLocalAnchorA(self) -> Any:
         """Anchor in body A's frame [m]."""
         ...
-    def GetLocalAnchorB(self, *arguments: Any) -> Any:
+    def GetLocalAnchorB(self) -> Any:
         """Anchor in body B's frame [m]."""
         ...
-    def GetMaxForce(self, *arguments: Any) -> Any:
+    def GetMaxForce(self) -> Any:
         """Maximum force [N]."""
         ...
-    def SetMaxForce(self, *arguments: Any) -> Any:
+    def SetMaxForce(self, value: Any) -> Any:
         """Maximum force [N]."""
         ...
-    def GetMaxTorque(self, *arguments: Any) -> Any:
+    def GetMaxTorque(self) -> Any:
         """Maximum torque [N m]."""
         ...
-    def SetMaxTorque(self, *arguments: Any) -> Any:
+    def SetMaxTorque(self, value: Any) -> Any:
         """Maximum torque [N m]."""
         ...
 
@@ -2789,16 +2807,16 @@ class b2GearJoint(b2Joint):
     def joint2(self) -> Any:
         """The second joint."""
         ...
-    def GetRatio(self, *arguments: Any) -> Any:
+    def GetRatio(self) -> Any:
         """Factor of the second joint's coordinate."""
         ...
-    def SetRatio(self, *arguments: Any) -> Any:
+    def SetRatio(self, value: Any) -> Any:
         """Factor of the second joint's coordinate."""
         ...
-    def GetJoint1(self, *arguments: Any) -> Any:
+    def GetJoint1(self) -> Any:
         """The first joint."""
         ...
-    def GetJoint2(self, *arguments: Any) -> Any:
+    def GetJoint2(self) -> Any:
         """The second joint."""
         ...
 
@@ -2839,34 +2857,34 @@ class b2MotorJoint(b2Joint):
         ...
     @correctionFactor.setter
     def correctionFactor(self, value: float) -> None: ...
-    def GetMaxForce(self, *arguments: Any) -> Any:
+    def GetMaxForce(self) -> Any:
         """Maximum force [N]."""
         ...
-    def SetMaxForce(self, *arguments: Any) -> Any:
+    def SetMaxForce(self, value: Any) -> Any:
         """Maximum force [N]."""
         ...
-    def GetMaxTorque(self, *arguments: Any) -> Any:
+    def GetMaxTorque(self) -> Any:
         """Maximum torque [N m]."""
         ...
-    def SetMaxTorque(self, *arguments: Any) -> Any:
+    def SetMaxTorque(self, value: Any) -> Any:
         """Maximum torque [N m]."""
         ...
-    def GetLinearOffset(self, *arguments: Any) -> Any:
+    def GetLinearOffset(self) -> Any:
         """Target of body B's origin in body A's frame [m]."""
         ...
-    def SetLinearOffset(self, *arguments: Any) -> Any:
+    def SetLinearOffset(self, value: Any) -> Any:
         """Target of body B's origin in body A's frame [m]."""
         ...
-    def GetAngularOffset(self, *arguments: Any) -> Any:
+    def GetAngularOffset(self) -> Any:
         """Target of body B's angle minus body A's [rad]."""
         ...
-    def SetAngularOffset(self, *arguments: Any) -> Any:
+    def SetAngularOffset(self, value: Any) -> Any:
         """Target of body B's angle minus body A's [rad]."""
         ...
-    def GetCorrectionFactor(self, *arguments: Any) -> Any:
+    def GetCorrectionFactor(self) -> Any:
         """Fraction of the error that a step corrects, 0 to 1."""
         ...
-    def SetCorrectionFactor(self, *arguments: Any) -> Any:
+    def SetCorrectionFactor(self, value: Any) -> Any:
         """Fraction of the error that a step corrects, 0 to 1."""
         ...
 
@@ -2899,28 +2917,28 @@ class b2MouseJoint(b2Joint):
         ...
     @maxForce.setter
     def maxForce(self, value: float) -> None: ...
-    def GetFrequency(self, *arguments: Any) -> Any:
+    def GetFrequency(self) -> Any:
         """Frequency of the spring [Hz]; 0: rigid."""
         ...
-    def SetFrequency(self, *arguments: Any) -> Any:
+    def SetFrequency(self, value: Any) -> Any:
         """Frequency of the spring [Hz]; 0: rigid."""
         ...
-    def GetDampingRatio(self, *arguments: Any) -> Any:
+    def GetDampingRatio(self) -> Any:
         """Damping ratio of the spring; 1 is critical."""
         ...
-    def SetDampingRatio(self, *arguments: Any) -> Any:
+    def SetDampingRatio(self, value: Any) -> Any:
         """Damping ratio of the spring; 1 is critical."""
         ...
-    def GetTarget(self, *arguments: Any) -> Any:
+    def GetTarget(self) -> Any:
         """The point of the world [m]."""
         ...
-    def SetTarget(self, *arguments: Any) -> Any:
+    def SetTarget(self, value: Any) -> Any:
         """The point of the world [m]."""
         ...
-    def GetMaxForce(self, *arguments: Any) -> Any:
+    def GetMaxForce(self) -> Any:
         """Maximum force [N]."""
         ...
-    def SetMaxForce(self, *arguments: Any) -> Any:
+    def SetMaxForce(self, value: Any) -> Any:
         """Maximum force [N]."""
         ...
 
@@ -2934,7 +2952,7 @@ class b2MouseJointDef(b2JointDef):
     frequencyHz: float
     dampingRatio: float
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -2981,6 +2999,9 @@ class b2PolygonShape(b2Shape):
     def __bool__(self) -> bool: ...
     def copy(self) -> b2PolygonShape:
         """Returns a copy."""
+        ...
+    def Set(self, vertices: Any) -> Any:
+        """Sets the vertices [m]."""
         ...
     def __eq__(self, other: object) -> bool: ...
 
@@ -3065,76 +3086,76 @@ class b2PrismaticJoint(b2Joint):
     def axis(self) -> b2Vec2:
         """Axis in the world."""
         ...
-    def GetLocalAnchorA(self, *arguments: Any) -> Any:
+    def GetLocalAnchorA(self) -> Any:
         """Anchor in body A's frame [m]."""
         ...
-    def GetLocalAnchorB(self, *arguments: Any) -> Any:
+    def GetLocalAnchorB(self) -> Any:
         """Anchor in body B's frame [m]."""
         ...
-    def GetLimitEnabled(self, *arguments: Any) -> Any:
+    def GetLimitEnabled(self) -> Any:
         """True if the limits are enabled."""
         ...
-    def IsLimitEnabled(self, *arguments: Any) -> Any:
+    def IsLimitEnabled(self) -> Any:
         """True if the limits are enabled."""
         ...
-    def SetLimitEnabled(self, *arguments: Any) -> Any:
+    def SetLimitEnabled(self, value: Any) -> Any:
         """True if the limits are enabled."""
         ...
-    def EnableLimit(self, *arguments: Any) -> Any:
+    def EnableLimit(self, value: Any) -> Any:
         """True if the limits are enabled."""
         ...
-    def GetLowerLimit(self, *arguments: Any) -> Any:
+    def GetLowerLimit(self) -> Any:
         """Lower limit of the translation [m]."""
         ...
-    def SetLowerLimit(self, *arguments: Any) -> Any:
+    def SetLowerLimit(self, value: Any) -> Any:
         """Lower limit of the translation [m]."""
         ...
-    def GetUpperLimit(self, *arguments: Any) -> Any:
+    def GetUpperLimit(self) -> Any:
         """Upper limit of the translation [m]."""
         ...
-    def SetUpperLimit(self, *arguments: Any) -> Any:
+    def SetUpperLimit(self, value: Any) -> Any:
         """Upper limit of the translation [m]."""
         ...
-    def GetLimits(self, *arguments: Any) -> Any:
+    def GetLimits(self) -> Any:
         """Both limits, as (lower, upper)."""
         ...
-    def GetMotorEnabled(self, *arguments: Any) -> Any:
+    def GetMotorEnabled(self) -> Any:
         """True if the motor is enabled."""
         ...
-    def IsMotorEnabled(self, *arguments: Any) -> Any:
+    def IsMotorEnabled(self) -> Any:
         """True if the motor is enabled."""
         ...
-    def SetMotorEnabled(self, *arguments: Any) -> Any:
+    def SetMotorEnabled(self, value: Any) -> Any:
         """True if the motor is enabled."""
         ...
-    def EnableMotor(self, *arguments: Any) -> Any:
+    def EnableMotor(self, value: Any) -> Any:
         """True if the motor is enabled."""
         ...
-    def GetMotorSpeed(self, *arguments: Any) -> Any:
+    def GetMotorSpeed(self) -> Any:
         """Target speed of the motor [m/s]."""
         ...
-    def SetMotorSpeed(self, *arguments: Any) -> Any:
+    def SetMotorSpeed(self, value: Any) -> Any:
         """Target speed of the motor [m/s]."""
         ...
-    def GetMaxMotorForce(self, *arguments: Any) -> Any:
+    def GetMaxMotorForce(self) -> Any:
         """Maximum force of the motor [N]."""
         ...
-    def SetMaxMotorForce(self, *arguments: Any) -> Any:
+    def SetMaxMotorForce(self, value: Any) -> Any:
         """Maximum force of the motor [N]."""
         ...
-    def GetJointTranslation(self, *arguments: Any) -> Any:
+    def GetJointTranslation(self) -> Any:
         """Position along the axis [m]."""
         ...
-    def GetJointSpeed(self, *arguments: Any) -> Any:
+    def GetJointSpeed(self) -> Any:
         """Speed along the axis [m/s]."""
         ...
-    def GetLocalAxisA(self, *arguments: Any) -> Any:
+    def GetLocalAxisA(self) -> Any:
         """Axis in body A's frame."""
         ...
-    def GetReferenceAngle(self, *arguments: Any) -> Any:
+    def GetReferenceAngle(self) -> Any:
         """Angle between the bodies [rad]."""
         ...
-    def GetAxis(self, *arguments: Any) -> Any:
+    def GetAxis(self) -> Any:
         """Axis in the world."""
         ...
 
@@ -3187,37 +3208,37 @@ class b2PulleyJoint(b2Joint):
     def ratio(self) -> float:
         """Factor of the length to B."""
         ...
-    def GetLocalAnchorA(self, *arguments: Any) -> Any:
+    def GetLocalAnchorA(self) -> Any:
         """Anchor in body A's frame [m]."""
         ...
-    def GetLocalAnchorB(self, *arguments: Any) -> Any:
+    def GetLocalAnchorB(self) -> Any:
         """Anchor in body B's frame [m]."""
         ...
-    def GetGroundAnchorA(self, *arguments: Any) -> Any:
+    def GetGroundAnchorA(self) -> Any:
         """Fixed point of the rope to A [m]."""
         ...
-    def GetGroundAnchorB(self, *arguments: Any) -> Any:
+    def GetGroundAnchorB(self) -> Any:
         """Fixed point of the rope to B [m]."""
         ...
-    def GetLengthA(self, *arguments: Any) -> Any:
+    def GetLengthA(self) -> Any:
         """Length of the rope to A [m]."""
         ...
-    def GetLengthB(self, *arguments: Any) -> Any:
+    def GetLengthB(self) -> Any:
         """Length of the rope to B [m]."""
         ...
-    def GetLength1(self, *arguments: Any) -> Any:
+    def GetLength1(self) -> Any:
         """As lengthA [m]."""
         ...
-    def GetLength2(self, *arguments: Any) -> Any:
+    def GetLength2(self) -> Any:
         """As lengthB [m]."""
         ...
-    def GetCurrentLengthA(self, *arguments: Any) -> Any:
+    def GetCurrentLengthA(self) -> Any:
         """As lengthA [m]."""
         ...
-    def GetCurrentLengthB(self, *arguments: Any) -> Any:
+    def GetCurrentLengthB(self) -> Any:
         """As lengthB [m]."""
         ...
-    def GetRatio(self, *arguments: Any) -> Any:
+    def GetRatio(self) -> Any:
         """Factor of the length to B."""
         ...
 
@@ -3294,70 +3315,70 @@ class b2RevoluteJoint(b2Joint):
     def referenceAngle(self) -> float:
         """Angle between the bodies at angle 0 [rad]."""
         ...
-    def GetLocalAnchorA(self, *arguments: Any) -> Any:
+    def GetLocalAnchorA(self) -> Any:
         """Anchor in body A's frame [m]."""
         ...
-    def GetLocalAnchorB(self, *arguments: Any) -> Any:
+    def GetLocalAnchorB(self) -> Any:
         """Anchor in body B's frame [m]."""
         ...
-    def GetLimitEnabled(self, *arguments: Any) -> Any:
+    def GetLimitEnabled(self) -> Any:
         """True if the limits are enabled."""
         ...
-    def IsLimitEnabled(self, *arguments: Any) -> Any:
+    def IsLimitEnabled(self) -> Any:
         """True if the limits are enabled."""
         ...
-    def SetLimitEnabled(self, *arguments: Any) -> Any:
+    def SetLimitEnabled(self, value: Any) -> Any:
         """True if the limits are enabled."""
         ...
-    def EnableLimit(self, *arguments: Any) -> Any:
+    def EnableLimit(self, value: Any) -> Any:
         """True if the limits are enabled."""
         ...
-    def GetLowerLimit(self, *arguments: Any) -> Any:
+    def GetLowerLimit(self) -> Any:
         """Lower limit of the angle [rad]."""
         ...
-    def SetLowerLimit(self, *arguments: Any) -> Any:
+    def SetLowerLimit(self, value: Any) -> Any:
         """Lower limit of the angle [rad]."""
         ...
-    def GetUpperLimit(self, *arguments: Any) -> Any:
+    def GetUpperLimit(self) -> Any:
         """Upper limit of the angle [rad]."""
         ...
-    def SetUpperLimit(self, *arguments: Any) -> Any:
+    def SetUpperLimit(self, value: Any) -> Any:
         """Upper limit of the angle [rad]."""
         ...
-    def GetLimits(self, *arguments: Any) -> Any:
+    def GetLimits(self) -> Any:
         """Both limits, as (lower, upper)."""
         ...
-    def GetMotorEnabled(self, *arguments: Any) -> Any:
+    def GetMotorEnabled(self) -> Any:
         """True if the motor is enabled."""
         ...
-    def IsMotorEnabled(self, *arguments: Any) -> Any:
+    def IsMotorEnabled(self) -> Any:
         """True if the motor is enabled."""
         ...
-    def SetMotorEnabled(self, *arguments: Any) -> Any:
+    def SetMotorEnabled(self, value: Any) -> Any:
         """True if the motor is enabled."""
         ...
-    def EnableMotor(self, *arguments: Any) -> Any:
+    def EnableMotor(self, value: Any) -> Any:
         """True if the motor is enabled."""
         ...
-    def GetMotorSpeed(self, *arguments: Any) -> Any:
+    def GetMotorSpeed(self) -> Any:
         """Target speed of the motor [rad/s]."""
         ...
-    def SetMotorSpeed(self, *arguments: Any) -> Any:
+    def SetMotorSpeed(self, value: Any) -> Any:
         """Target speed of the motor [rad/s]."""
         ...
-    def GetMaxMotorTorque(self, *arguments: Any) -> Any:
+    def GetMaxMotorTorque(self) -> Any:
         """Maximum torque of the motor [N m]."""
         ...
-    def SetMaxMotorTorque(self, *arguments: Any) -> Any:
+    def SetMaxMotorTorque(self, value: Any) -> Any:
         """Maximum torque of the motor [N m]."""
         ...
-    def GetJointSpeed(self, *arguments: Any) -> Any:
+    def GetJointSpeed(self) -> Any:
         """Relative angular velocity [rad/s]."""
         ...
-    def GetJointAngle(self, *arguments: Any) -> Any:
+    def GetJointAngle(self) -> Any:
         """Angle of body B relative to body A [rad]."""
         ...
-    def GetReferenceAngle(self, *arguments: Any) -> Any:
+    def GetReferenceAngle(self) -> Any:
         """Angle between the bodies at angle 0 [rad]."""
         ...
 
@@ -3384,19 +3405,19 @@ class b2RopeJoint(b2Joint):
     def limitState(self) -> int:
         """e_atUpperLimit while the rope is taut."""
         ...
-    def GetLocalAnchorA(self, *arguments: Any) -> Any:
+    def GetLocalAnchorA(self) -> Any:
         """Anchor in body A's frame [m]."""
         ...
-    def GetLocalAnchorB(self, *arguments: Any) -> Any:
+    def GetLocalAnchorB(self) -> Any:
         """Anchor in body B's frame [m]."""
         ...
-    def GetMaxLength(self, *arguments: Any) -> Any:
+    def GetMaxLength(self) -> Any:
         """Maximum length [m]."""
         ...
-    def SetMaxLength(self, *arguments: Any) -> Any:
+    def SetMaxLength(self, value: Any) -> Any:
         """Maximum length [m]."""
         ...
-    def GetLimitState(self, *arguments: Any) -> Any:
+    def GetLimitState(self) -> Any:
         """e_atUpperLimit while the rope is taut."""
         ...
 
@@ -3429,25 +3450,25 @@ class b2WeldJoint(b2Joint):
     def referenceAngle(self) -> float:
         """Angle between the bodies [rad]."""
         ...
-    def GetLocalAnchorA(self, *arguments: Any) -> Any:
+    def GetLocalAnchorA(self) -> Any:
         """Anchor in body A's frame [m]."""
         ...
-    def GetLocalAnchorB(self, *arguments: Any) -> Any:
+    def GetLocalAnchorB(self) -> Any:
         """Anchor in body B's frame [m]."""
         ...
-    def GetFrequency(self, *arguments: Any) -> Any:
+    def GetFrequency(self) -> Any:
         """Frequency of the spring [Hz]; 0: rigid."""
         ...
-    def SetFrequency(self, *arguments: Any) -> Any:
+    def SetFrequency(self, value: Any) -> Any:
         """Frequency of the spring [Hz]; 0: rigid."""
         ...
-    def GetDampingRatio(self, *arguments: Any) -> Any:
+    def GetDampingRatio(self) -> Any:
         """Damping ratio of the spring; 1 is critical."""
         ...
-    def SetDampingRatio(self, *arguments: Any) -> Any:
+    def SetDampingRatio(self, value: Any) -> Any:
         """Damping ratio of the spring; 1 is critical."""
         ...
-    def GetReferenceAngle(self, *arguments: Any) -> Any:
+    def GetReferenceAngle(self) -> Any:
         """Angle between the bodies [rad]."""
         ...
 
@@ -3509,55 +3530,55 @@ class b2WheelJoint(b2Joint):
         ...
     @springDampingRatio.setter
     def springDampingRatio(self, value: float) -> None: ...
-    def GetLocalAnchorA(self, *arguments: Any) -> Any:
+    def GetLocalAnchorA(self) -> Any:
         """Anchor in body A's frame [m]."""
         ...
-    def GetLocalAnchorB(self, *arguments: Any) -> Any:
+    def GetLocalAnchorB(self) -> Any:
         """Anchor in body B's frame [m]."""
         ...
-    def GetMotorEnabled(self, *arguments: Any) -> Any:
+    def GetMotorEnabled(self) -> Any:
         """True if the motor is enabled."""
         ...
-    def IsMotorEnabled(self, *arguments: Any) -> Any:
+    def IsMotorEnabled(self) -> Any:
         """True if the motor is enabled."""
         ...
-    def SetMotorEnabled(self, *arguments: Any) -> Any:
+    def SetMotorEnabled(self, value: Any) -> Any:
         """True if the motor is enabled."""
         ...
-    def EnableMotor(self, *arguments: Any) -> Any:
+    def EnableMotor(self, value: Any) -> Any:
         """True if the motor is enabled."""
         ...
-    def GetMotorSpeed(self, *arguments: Any) -> Any:
+    def GetMotorSpeed(self) -> Any:
         """Target speed of the motor [rad/s]."""
         ...
-    def SetMotorSpeed(self, *arguments: Any) -> Any:
+    def SetMotorSpeed(self, value: Any) -> Any:
         """Target speed of the motor [rad/s]."""
         ...
-    def GetMaxMotorTorque(self, *arguments: Any) -> Any:
+    def GetMaxMotorTorque(self) -> Any:
         """Maximum torque of the motor [N m]."""
         ...
-    def SetMaxMotorTorque(self, *arguments: Any) -> Any:
+    def SetMaxMotorTorque(self, value: Any) -> Any:
         """Maximum torque of the motor [N m]."""
         ...
-    def GetJointSpeed(self, *arguments: Any) -> Any:
+    def GetJointSpeed(self) -> Any:
         """Relative angular velocity [rad/s]."""
         ...
-    def GetJointTranslation(self, *arguments: Any) -> Any:
+    def GetJointTranslation(self) -> Any:
         """Position along the axis [m]."""
         ...
-    def GetLocalAxisA(self, *arguments: Any) -> Any:
+    def GetLocalAxisA(self) -> Any:
         """Axis in body A's frame."""
         ...
-    def GetSpringFrequencyHz(self, *arguments: Any) -> Any:
+    def GetSpringFrequencyHz(self) -> Any:
         """Frequency of the suspension [Hz]; 0: none."""
         ...
-    def SetSpringFrequencyHz(self, *arguments: Any) -> Any:
+    def SetSpringFrequencyHz(self, value: Any) -> Any:
         """Frequency of the suspension [Hz]; 0: none."""
         ...
-    def GetSpringDampingRatio(self, *arguments: Any) -> Any:
+    def GetSpringDampingRatio(self) -> Any:
         """Damping ratio of the suspension; 1 is critical."""
         ...
-    def SetSpringDampingRatio(self, *arguments: Any) -> Any:
+    def SetSpringDampingRatio(self, value: Any) -> Any:
         """Damping ratio of the suspension; 1 is critical."""
         ...
 
@@ -3577,7 +3598,7 @@ class b2GearJointDef(b2JointDef):
     joint2: Any
     ratio: float
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -3596,7 +3617,7 @@ class b2MotorJointDef(b2JointDef):
     maxTorque: float
     correctionFactor: float
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -3616,7 +3637,7 @@ class b2RopeJointDef(b2JointDef):
     localAnchorB: Any
     maxLength: float
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -3649,7 +3670,7 @@ class b2DistanceJointDef(b2JointDef):
     minLength: float
     maxLength: float
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -3682,7 +3703,7 @@ class b2FrictionJointDef(b2JointDef):
     maxForce: float
     maxTorque: float
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -3724,7 +3745,7 @@ class b2PulleyJointDef(b2JointDef):
     lengthB: float
     ratio: float
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -3762,7 +3783,7 @@ class b2RevoluteJointDef(b2JointDef):
     motorSpeed: float
     maxMotorTorque: float
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -3805,7 +3826,7 @@ class b2WeldJointDef(b2JointDef):
     frequencyHz: float
     dampingRatio: float
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -3853,7 +3874,7 @@ class b2PrismaticJointDef(b2JointDef):
     maxMotorForce: float
     motorSpeed: float
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -3902,7 +3923,7 @@ class b2WheelJointDef(b2JointDef):
     frequencyHz: float
     dampingRatio: float
     userData: Any
-    def __init__(self, **keywords: Any) -> None:
+    def __init__(self, *values: Any, **keywords: Any) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def to_kwargs(self) -> Any:
@@ -4064,7 +4085,7 @@ b2_staticBody: int
 b2_timeToSleep: float
 b2_toiBaugarte: float
 b2_velocityThreshold: float
-b2_version: tuple
+b2_version: Any
 e_atLowerLimit: int
 e_atUpperLimit: int
 e_distanceJoint: int

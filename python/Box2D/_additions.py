@@ -114,6 +114,8 @@ def _create_fixtures_from_shapes(self, shapes=None, shapeFixture=None):
     """Attaches one or several shapes with the material of `shapeFixture`. Returns the fixture, or a list."""
     if shapes is None:
         raise TypeError("shapes: expected a shape or a list of shapes, not None")
+    if shapeFixture is not None and not isinstance(shapeFixture, b2FixtureDef):
+        raise TypeError(f"shapeFixture: expected a b2FixtureDef, not '{type(shapeFixture).__name__}'")
     keep = shapeFixture._values() if shapeFixture is not None else b2FixtureDef()._values()
     fixtures = [self._create_fixture({**keep, "shape": shape}) for shape in _as_list(shapes)]
     return fixtures if isinstance(shapes, (list, tuple)) else fixtures[0]
@@ -208,10 +210,14 @@ def _create_body(self, defn=None, **keywords):
 
 
 def _create_typed_body(number, word):
-    def create(self, **keywords):
-        return _create_body(self, type=number, **keywords)
+    def create(self, defn=None, **keywords):
+        if not isinstance(defn, b2BodyDef):
+            return _create_body(self, defn, type=number, **keywords)
+        defn = copy.copy(defn)
+        defn.type = number
+        return _create_body(self, defn, **keywords)
 
-    create.__doc__ = f"Creates a {word} body from keywords; see CreateBody."
+    create.__doc__ = f"Creates a {word} body from a b2BodyDef or from keywords; see CreateBody."
     return create
 
 
@@ -238,7 +244,12 @@ def _create_joint(self, defn=None, type=None, **keywords):
 
 
 def _create_named_joint(name, definition):
-    def create(self, **keywords):
+    def create(self, bodyA=None, bodyB=None, **keywords):
+        if isinstance(bodyA, definition) and bodyB is None and not keywords:
+            return _create_joint(self, bodyA)
+        for key, body in (("bodyA", bodyA), ("bodyB", bodyB)):
+            if body is not None:
+                keywords[key] = body
         return _create_joint(self, definition(**keywords))
 
     create.__doc__ = f"Creates a joint from the keywords of {name}."
@@ -362,13 +373,19 @@ def _copy_world(self):
     return copy.deepcopy(self)
 
 
+def _with_world(item, world):
+    """The item of a world that lives as long as it: a program may copy a body alone."""
+    item.__dict__["_copied_world"] = world
+    return item
+
+
 def _deepcopy_item(self, memo):
-    copy.deepcopy(self.world if not isinstance(self, b2Fixture) else self.body.world, memo)
-    return memo[id(self)]
+    world = copy.deepcopy(self.world if not isinstance(self, b2Fixture) else self.body.world, memo)
+    return _with_world(memo[id(self)], world)
 
 
 def _item_of(world, index):
-    return _objects(world)[index]
+    return _with_world(_objects(world)[index], world)
 
 
 def _reduce_item(self):
@@ -383,6 +400,14 @@ b2World.__setstate__ = _set_attributes
 for _class in (b2Body, b2Fixture, b2Joint):
     _class.__deepcopy__ = _deepcopy_item
     _class.__reduce_ex__ = lambda self, protocol: _reduce_item(self)
+
+
+def _set_polygon(self, vertices):
+    """Sets the vertices [m]."""
+    self.vertices = vertices
+
+
+b2PolygonShape.Set = _set_polygon
 
 
 def _clear_user_data(self):
@@ -453,24 +478,32 @@ def _add_accessors(cls):
         word = name[0].upper() + name[1:]
         if issubclass(cls, b2Joint):
             word = _CPP_NAMES.get(name, word)
-        accessors = {"Get" + word: member.fget}
+        accessors = {"Get" + word: _getter(member.fget, member.__doc__)}
         if (member.__doc__ or "").startswith("True if") or name in ("enabled", "locked", "awake", "active"):
-            accessors["Is" + word] = member.fget
+            accessors["Is" + word] = _getter(member.fget, member.__doc__)
         if member.fset is not None:
-            accessors["Set" + word] = member.fset
+            accessors["Set" + word] = _setter(member.fset, member.__doc__)
             if name.endswith("Enabled"):
-                accessors["Enable" + word[:-7]] = member.fset
+                accessors["Enable" + word[:-7]] = _setter(member.fset, member.__doc__)
         for accessor, function in accessors.items():
             if not hasattr(cls, accessor):
-                setattr(cls, accessor, _accessor(function, member.__doc__))
+                setattr(cls, accessor, function)
 
 
-def _accessor(function, doc):
-    def call(self, *arguments):
-        return function(self, *arguments)
+def _getter(function, doc):
+    def get(self):
+        return function(self)
 
-    call.__doc__ = doc
-    return call
+    get.__doc__ = doc
+    return get
+
+
+def _setter(function, doc):
+    def put(self, value):
+        function(self, value)
+
+    put.__doc__ = doc
+    return put
 
 
 for _class in (b2BroadPhase, b2World, b2Body, b2Fixture, b2Contact, b2Joint, *b2Joint.__subclasses__()):

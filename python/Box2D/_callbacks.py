@@ -31,6 +31,9 @@ class b2ContactFilter(_Callback):
 
     def ShouldCollide(self, fixtureA, fixtureB):
         """Returns True if the fixtures may collide. The default compares groups, then categories and masks."""
+        for name, fixture in (("fixtureA", fixtureA), ("fixtureB", fixtureB)):
+            if not isinstance(fixture, _boxreel.b2Fixture):
+                raise TypeError(f"{name}: expected a b2Fixture, not '{type(fixture).__name__}'")
         return _boxreel._should_collide(fixtureA, fixtureB)
 
 
@@ -60,6 +63,12 @@ class b2RayCastCallback(_Callback):
 _FLAGS = {"drawShapes": 0x01, "drawJoints": 0x02, "drawAABBs": 0x04, "drawPairs": 0x08, "drawCOMs": 0x10}
 
 
+def _bits_of(flags):
+    if not isinstance(flags, int):
+        raise TypeError(f"flags: expected bits, not '{type(flags).__name__}'")
+    return flags
+
+
 class b2Draw(_Callback):
     """Draws what b2World.DrawDebugData passes to it. Points are in the world [m]."""
 
@@ -83,6 +92,8 @@ class b2Draw(_Callback):
         if isinstance(value, int):
             self._bits = value
             return
+        if not isinstance(value, dict):
+            raise TypeError(f"flags: expected bits or a dictionary of names, not '{type(value).__name__}'")
         self._bits = sum(bit for name, bit in _FLAGS.items() if value.get(name, False))
         if "convertVertices" in value:
             self._converts = bool(value["convertVertices"])
@@ -97,11 +108,17 @@ class b2Draw(_Callback):
 
     def AppendFlags(self, flags):
         """Sets bits."""
-        self._bits |= flags
+        self._bits |= _bits_of(flags)
 
     def ClearFlags(self, flags):
         """Clears bits."""
-        self._bits &= ~flags
+        self._bits &= ~_bits_of(flags)
+
+    def StartDraw(self):
+        """For programs that begin a picture here; nothing calls it."""
+
+    def EndDraw(self):
+        """For programs that end a picture here; nothing calls it."""
 
     def DrawPolygon(self, vertices, color):
         """Draws a closed outline."""
@@ -147,6 +164,8 @@ class b2DrawExtended(b2Draw):
 
     def to_screen(self, point):
         """Converts a point of the world [m] to pixels."""
+        if not isinstance(point, (tuple, list, _boxreel.b2Vec2)) or len(point) != 2:
+            raise TypeError(f"point: expected a b2Vec2 or two numbers, not '{type(point).__name__}'")
         x = point[0] * self.zoom - self.offset[0]
         y = point[1] * self.zoom - self.offset[1]
         if self.flipX:

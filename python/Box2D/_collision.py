@@ -7,6 +7,8 @@ import random
 import _boxreel
 from _boxreel import b2Body, b2Fixture, b2Joint, b2Shape, b2Sweep, b2Transform, b2Vec2
 
+from ._calls import checked
+
 
 class _Record:
     """Has fields with defaults as attributes; every keyword sets one."""
@@ -59,6 +61,8 @@ class b2DistanceProxy:
 
     def GetVertex(self, index):
         """Returns a vertex [m]."""
+        if not isinstance(index, int) or not 0 <= index < len(self.vertices):
+            raise IndexError(f"index: the proxy has {len(self.vertices)} vertices, not one of {index!r}")
         return b2Vec2(self.vertices[index])
 
     def GetSupport(self, d):
@@ -143,6 +147,9 @@ def _shape_distance(shapeA=None, idxA=0, shapeB=None, idxB=0, transformA=None, t
         identity if transformB is None else transformB, bool(useRadii)))
 
 
+_shape_distance = checked(_shape_distance, "b2Distance", False)
+
+
 def b2TimeOfImpact(shapeA=None, idxA=0, shapeB=None, idxB=0, sweepA=None, sweepB=None, tMax=1.0):
     """Returns (state, t) of two moving shapes, or of a b2TOIInput. The states are those of b2TOIOutput."""
     if isinstance(shapeA, b2TOIInput):
@@ -184,6 +191,9 @@ RAND_LIMIT = 32767
 
 def b2Random(lo=-1.0, hi=1.0):
     """Returns a random number from `lo` to `hi`, by Python's module random: random.seed makes it repeat."""
+    for name, value in (("lo", lo), ("hi", hi)):
+        if not isinstance(value, (int, float)):
+            raise TypeError(f"b2Random: {name}: expected a number, not '{type(value).__name__}'")
     return random.uniform(lo, hi)
 
 

@@ -3,7 +3,7 @@
 
 import copy
 
-from _boxreel import _defaults, _hint, b2Body, b2Error, b2Filter, b2Joint, b2Vec2
+from _boxreel import _defaults, _hint, _refuse, b2Body, b2Error, b2Filter, b2Joint, b2Vec2
 
 
 class _Definition:
@@ -11,11 +11,19 @@ class _Definition:
 
     _fields = {}
     _extra = ()
+    _places = ()  # fields that are also taken without their name
 
-    def __init__(self, **keywords):
+    def __init__(self, *values, **keywords):
         for name, value in self._fields.items():
             self.__dict__[name] = copy.copy(value)
-        self._set_all(keywords)
+        self._set_all(self._named(values, keywords))
+
+    def _named(self, values, keywords):
+        """Returns all arguments by name."""
+        places = dict(zip(self._places, values))
+        if len(values) > len(self._places) or places.keys() & keywords.keys():
+            _refuse(type(self).__name__, list(self._places or self._fields), values, keywords)
+        return {**places, **keywords}
 
     @classmethod
     def _names(cls):
@@ -71,6 +79,7 @@ class b2FixtureDef(_Definition):
     """Definition of a fixture: a shape with friction, restitution, density [kg/m^2] and a collision filter."""
 
     _fields = {**_defaults["b2FixtureDef"], "filter": b2Filter(), "userData": None}
+    _places = ("shape",)
 
     categoryBits = _filter_part("categoryBits")
     maskBits = _filter_part("maskBits")
@@ -113,9 +122,11 @@ class b2JointDef(_Definition):
     """The base of the definitions of joints. The bodies are set before the other keywords."""
 
     _fields = {"bodyA": None, "bodyB": None, "collideConnected": False, "userData": None}
+    _places = ("bodyA", "bodyB")
     type = 0
 
-    def __init__(self, **keywords):
+    def __init__(self, *values, **keywords):
+        keywords = self._named(values, keywords)
         self.__dict__["_given"] = set(keywords)
         bodies = {name: keywords.pop(name) for name in ("bodyA", "bodyB") if name in keywords}
         super().__init__(**bodies)
@@ -123,14 +134,18 @@ class b2JointDef(_Definition):
         if self.bodyA is not None and self.bodyB is not None:
             self._complete(self._given)
 
+    def __setattr__(self, name, value):
+        if name in ("bodyA", "bodyB") and value is not None and not isinstance(value, b2Body):
+            raise TypeError(f"{type(self).__name__}: {name}: expected a b2Body, not '{type(value).__name__}'")
+        super().__setattr__(name, value)
+
     def _complete(self, given):
         """Sets what follows from the bodies and was not given."""
 
     def _set_bodies(self, bodyA, bodyB):
         for name, body in (("bodyA", bodyA), ("bodyB", bodyB)):
-            if not isinstance(body, b2Body):
-                kind = "None" if body is None else f"'{type(body).__name__}'"
-                raise TypeError(f"{type(self).__name__}.Initialize: {name}: expected a b2Body, not {kind}")
+            if body is None:
+                raise TypeError(f"{type(self).__name__}.Initialize: {name}: expected a b2Body, not None")
             setattr(self, name, body)
 
 
@@ -211,7 +226,8 @@ class _Pulley(_Anchors):
 
 
 class _Gear(b2JointDef):
-    def __init__(self, **keywords):
+    def __init__(self, *values, **keywords):
+        keywords = self._named(values, keywords)
         for joint, body in (("joint1", "bodyA"), ("joint2", "bodyB")):
             if keywords.get(joint) is not None and not isinstance(keywords[joint], b2Joint):
                 raise TypeError(f"b2GearJointDef: {joint}: expected a b2Joint, not '{type(keywords[joint]).__name__}'")

@@ -18,6 +18,7 @@ import _boxreel
 from _boxreel import Camera, Error
 from Box2D import b2World as _World
 from Box2D._additions import _from_snapshot
+from Box2D._calls import check_calls as _check_calls
 
 __version__ = "0.1.0"
 
@@ -269,6 +270,8 @@ class Comparison:
     """The result of compare. True if the pictures are equal within the limits."""
 
     def __init__(self, verdict):
+        if not isinstance(verdict, dict):
+            raise TypeError("Comparison: it has no constructor; boxreel.compare makes these")
         self.__dict__.update(verdict)
 
     def __bool__(self):
@@ -290,9 +293,12 @@ def _pixels(picture):
 def compare(expected, actual, preset="same-machine"):
     """Compares two pictures: arrays, PNG files or worlds. `preset` has the limits: exact, same-machine or
     cross-machine. The result has equal, text, differentPixels, overTolerance, largestDistance, difference."""
+    if not isinstance(preset, str):
+        raise TypeError(f"preset: expected a name, not '{type(preset).__name__}'")
     return Comparison(_boxreel._compare(_pixels(expected), _pixels(actual), preset))
 
 
+_check_calls(globals())
 _World._repr_png_ = lambda self: _boxreel._png(render(self, (640, 360)))
 
 __all__ = ["Camera", "Comparison", "Error", "Film", "compare", "dump", "film", "fit", "load", "render", "restore",

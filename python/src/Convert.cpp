@@ -274,6 +274,12 @@ b2AABB From<b2AABB>(py::handle value, const char* name)
 }
 
 template <>
+b2Rot From<b2Rot>(py::handle value, const char* name)
+{
+    return Registered<b2Rot>(value, name, "a b2Rot");
+}
+
+template <>
 b2MassData From<b2MassData>(py::handle value, const char* name)
 {
     return Registered<b2MassData>(value, name, "a b2MassData");

@@ -100,6 +100,8 @@ b2Vec2 From<b2Vec2>(py::handle value, const char* name);
 template <>
 b2Vec3 From<b2Vec3>(py::handle value, const char* name);
 template <>
+b2Rot From<b2Rot>(py::handle value, const char* name);
+template <>
 b2Transform From<b2Transform>(py::handle value, const char* name);
 template <>
 b2Color From<b2Color>(py::handle value, const char* name);

@@ -2,47 +2,42 @@
 #include "Bind.h"
 #include "Module.h"
 
-#include <regex>
-#include <sstream>
+#include <string_view>
 
 /// Sentences for wrong arguments. Without them pybind11 lists signatures of C++. Each function gets
-/// a last overload that takes everything and throws. Its text comes from the signatures that
-/// pybind11 wrote into the documentation, which the new overload also removes from there.
+/// a last overload that takes everything and throws, with the names of the arguments that the
+/// function was bound with. Signatures are left out of the documentation.
 namespace boxreel::python
 {
 namespace
 {
 
-/// Returns the parameters of the signature in a line, without those that pybind11 has no name for.
-py::list ParametersOf(const std::string& signature)
+/// Returns what pybind11 knows of a function: its overloads, a list by `next`.
+const py::detail::function_record* RecordOf(const py::object& function)
 {
-    static const std::regex kParameter(R"((?:\(|, )(\w+): )");
-    py::list names;
-    for (std::sregex_iterator found(signature.begin(), signature.end(), kParameter), end;
-         found != end; ++found)
-    {
-        const std::string name = (*found)[1];
-        if (name.rfind("arg", 0) != 0)
-        {
-            names.append(name);
-        }
-    }
-    return names;
+    const py::handle self = PyCFunction_GET_SELF(py::detail::get_function(function).ptr());
+#if PYBIND11_VERSION_HEX >= 0x03000000
+    return py::detail::function_record_ptr_from_PyObject(self.ptr());
+#else
+    return py::reinterpret_borrow<py::capsule>(self).get_pointer<py::detail::function_record>();
+#endif
 }
 
-/// Returns the longest parameter list of the overloads in a documentation.
-py::list ParametersIn(const std::string& doc, const std::string& name)
+/// Returns the arguments of the overload that has the most, but for self.
+py::list ArgumentsOf(const py::object& function)
 {
     py::list longest;
-    std::istringstream lines(doc);
-    for (std::string line; std::getline(lines, line);)
+    for (const auto* overload = RecordOf(function); overload != nullptr; overload = overload->next)
     {
-        const std::size_t start = line.find(name + "(");
-        if (start != std::string::npos && line.find(") -> ") != std::string::npos)
+        py::list names;
+        for (const py::detail::argument_record& argument : overload->args)
         {
-            const py::list names = ParametersOf(line.substr(start));
-            longest = names.size() > longest.size() ? names : longest;
+            if (argument.name != nullptr && std::string_view(argument.name) != "self")
+            {
+                names.append(argument.name);
+            }
         }
+        longest = names.size() > longest.size() ? names : longest;
     }
     return longest;
 }
@@ -83,12 +78,7 @@ void AddTo(const py::object& scope, const std::string& owner, const py::str& key
 {
     const std::string name = key;
     const py::object function = scope.attr(key);
-    const std::string doc = py::str(function.attr("__doc__"));
-    py::list names = ParametersIn(doc, name);
-    if (!owner.empty() && names.size() > 0)
-    {
-        names.attr("pop")(0); // self
-    }
+    const py::list names = ArgumentsOf(function);
     if (owner.empty())
     {
         scope.attr(key) = py::cpp_function(
@@ -121,7 +111,8 @@ void AddTo(const py::object& scope, const std::string& owner, const py::str& key
 bool IsPublicFunction(const py::handle key, py::handle value)
 {
     const std::string name = py::str(key);
-    return (name[0] != '_' || name == "__init__") &&
+    const bool isItem = name == "__getitem__" || name == "__setitem__";
+    return (name[0] != '_' || name == "__init__" || isItem) &&
            (PyCFunction_Check(value.ptr()) || PyInstanceMethod_Check(value.ptr()));
 }
 
@@ -189,6 +180,7 @@ std::string HintFor(py::handle name, const py::object& names)
 void BindHints(py::module_& module)
 {
     module.def("_hint", &HintFor);
+    module.def("_refuse", &Refuse); // of functions that are written in Python
 }
 
 void AddFallbacks(py::module_& module)

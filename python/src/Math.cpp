@@ -441,6 +441,22 @@ void BindMatrices(py::module_& module)
     m33.def("__mul__",
             [](const b2Mat33& m, py::handle v) { return b2Mul(m, From<b2Vec3>(v, "vector")); })
         .def(
+            "GetInverse22",
+            [](const b2Mat33& m) {
+                b2Mat33 inverse;
+                m.GetInverse22(&inverse);
+                return inverse;
+            },
+            "Returns the inverse of the upper left 2x2 part; zero if singular.")
+        .def(
+            "GetSymInverse33",
+            [](const b2Mat33& m) {
+                b2Mat33 inverse;
+                m.GetSymInverse33(&inverse);
+                return inverse;
+            },
+            "Returns the inverse of a symmetric matrix; zero if singular.")
+        .def(
             "Solve33",
             [](const b2Mat33& m, py::handle b) { return m.Solve33(From<b2Vec3>(b, "b")); },
             py::arg("b"), "Returns x with A x = b.")
@@ -489,6 +505,7 @@ void BindTransforms(py::module_& module)
            [](b2Rot& q, py::handle angle) { q.Set(From<float32>(angle, "angle")); }, "Angle [rad].")
         .def_property_readonly("x_axis", &b2Rot::GetXAxis, "The rotated x axis.")
         .def_property_readonly("y_axis", &b2Rot::GetYAxis, "The rotated y axis.")
+        .def("GetAngle", &b2Rot::GetAngle, "Returns the angle [rad].")
         .def("GetXAxis", &b2Rot::GetXAxis, "Returns the rotated x axis.")
         .def("GetYAxis", &b2Rot::GetYAxis, "Returns the rotated y axis.")
         .def(
@@ -515,8 +532,8 @@ void BindTransforms(py::module_& module)
     KeywordInit<b2Transform>(xf);
     Member<&b2Transform::p>(xf, "position", "Origin of the frame [m].");
     Member<&b2Transform::p>(xf, "p", "Origin of the frame [m].");
-    xf.def_readwrite("R", &b2Transform::q, "The rotation.");
-    xf.def_readwrite("q", &b2Transform::q, "The rotation.");
+    Member<&b2Transform::q>(xf, "R", "The rotation.");
+    Member<&b2Transform::q>(xf, "q", "The rotation.");
     xf.def_property(
           "angle", [](const b2Transform& t) { return t.q.GetAngle(); },
           [](b2Transform& t, py::handle angle) { t.q.Set(From<float32>(angle, "angle")); },

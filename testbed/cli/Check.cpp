@@ -46,12 +46,11 @@ Command& Declare(Command& program, CheckOptions& options)
     Command& command =
         AddCommand(program, "check", "List the parts of a scene file that cannot be built");
     AddPath(command, "FILE", "", options.file, "Check this R.U.B.E. .json file", {".json"});
-    command.notes =
-        "Lists each part that is left out, with the reason, and each default of the format that\n"
-        "differs from the engine's. Exit code 0: all parts can be built, 2: parts are left out,\n"
-        "1: not a scene file.\n\n"
-        "Examples:\n"
-        "  boxreel check machine.json";
+    command.notes = {
+        {"Lists each part that is left out, with the reason, and each default of the format that\n"
+         "differs from the engine's. Exit code 0: all parts can be built, 2: parts are left out,\n"
+         "1: not a scene file."}};
+    command.examples = {"boxreel check machine.json"};
     return command;
 }
 

@@ -21,15 +21,15 @@ Command DeclareProgram(Commands& commands, std::vector<const Command*>& declared
 {
     Command program("boxreel", "2D rigid bodies, drawn and recorded off-screen");
     AddOption(program, "--version", "", nullptr, "Print the version and exit");
-    program.notes =
-        "Examples:\n"
-        "  boxreel list\n"
-        "  boxreel record pyramid -o pyramid.mp4\n"
-        "  boxreel shot pyramid --at 3s -o pyramid.png\n\n"
-        "`boxreel COMMAND --help` shows the options of a command.\n"
-        "Exit codes: 0 success, 1 invalid input, 2 a check failed, 3 a library or device "
-        "is missing,\n"
-        "4 reading or writing failed, 75 stopped by a signal; --resume continues.";
+    std::vector<std::string> codes;
+    for (const ExitCode& code : ExitCodes())
+    {
+        codes.push_back(std::string(code.code) + " " + code.brief);
+    }
+    program.notes = {{"`boxreel COMMAND --help` shows the options of a command.\n" +
+                      Filled("Exit codes: ", codes, ", ") + "."}};
+    program.examples = {"boxreel list", "boxreel record pyramid -o pyramid.mp4",
+                        "boxreel shot pyramid --at 3s -o pyramid.png"};
     std::apply(
         [&](auto&... options) {
             const std::array all{&Declare(program, options)...};

@@ -45,11 +45,26 @@ struct OptionText
     Completion completion;
 };
 
+/// How lines of a note are shown: filled, or as they are, indented.
+enum class NoteKind
+{
+    Prose,
+    Table,
+};
+
+/// A paragraph of a command's help.
+struct Note
+{
+    std::string text; ///< lines of the help
+    NoteKind kind = NoteKind::Prose;
+};
+
 struct CommandText
 {
-    std::string path;    ///< "boxreel", "boxreel golden verify"
-    std::string summary; ///< half a sentence
-    std::string notes;   ///< end of its help, including examples
+    std::string path;                  ///< "boxreel", "boxreel golden verify"
+    std::string summary;               ///< half a sentence
+    std::vector<Note> notes;           ///< end of its help
+    std::vector<std::string> examples; ///< command lines
     std::vector<WordText> words;
     std::vector<OptionText> options;
     std::vector<CommandText> commands;

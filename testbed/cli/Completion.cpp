@@ -14,13 +14,13 @@ Command& Declare(Command& program, CompletionOptions& options)
     Command& command = AddCommand(program, "completion", "Print a completion script for a shell");
     AddValue(command, "SHELL", "", options.shell,
              OneOf<Shell>({{"bash", Shell::Bash}, {"zsh", Shell::Zsh}}), "Choose bash or zsh");
-    command.notes =
-        "Completes commands, options, values, scenes and files. Scene names come from\n"
-        "`boxreel list --names` and need no quotes, such as newtons-cradle.\n\n"
-        "Examples:\n"
-        "  source <(boxreel completion bash)   # in ~/.bashrc\n"
-        "  source <(boxreel completion zsh)    # in ~/.zshrc, after compinit\n"
-        "  boxreel completion bash > ~/.local/share/bash-completion/completions/boxreel";
+    command.notes = {
+        {"Completes commands, options, values, scenes and files. Scene names come from\n"
+         "`boxreel list --names` and need no quotes, such as newtons-cradle."}};
+    command.examples = {
+        "source <(boxreel completion bash)   # in ~/.bashrc",
+        "source <(boxreel completion zsh)    # in ~/.zshrc, after compinit",
+        "boxreel completion bash > ~/.local/share/bash-completion/completions/boxreel"};
     return command;
 }
 

@@ -54,6 +54,7 @@ CommandText Describe(const Command& command)
     text.path = command.path;
     text.summary = command.summary;
     text.notes = command.notes;
+    text.examples = command.examples;
     for (const Option& option : command.options)
     {
         if (option.IsArgument())

@@ -50,7 +50,8 @@ struct Command
 
     std::string path;                     ///< "boxreel golden verify"
     std::string summary;                  ///< half a sentence
-    std::string notes;                    ///< end of its help, including examples
+    std::vector<Note> notes;              ///< end of its help
+    std::vector<std::string> examples;    ///< command lines, below the notes
     std::list<Option> options;            ///< and arguments, in the order of the help
     std::list<Command> commands;          ///< below it, one of which must be given
     std::function<Result<void>()> finish; ///< called when all options are read; may be empty

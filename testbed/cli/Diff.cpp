@@ -68,11 +68,11 @@ Command& Declare(Command& program, DiffOptions& diff)
             {".png"});
     AddForce(command, diff.force);
     AddCompare(command, diff.compare, "same-machine");
-    command.notes = "Exit code 0: equal, 2: different, 1: a picture cannot be read.\n\n"
-                    "Examples:\n"
-                    "  boxreel diff before.png after.png\n"
-                    "  boxreel diff before.png after.png --preset exact -o diff.png\n"
-                    "  boxreel diff mine.png yours.png --preset cross-machine --ignore 0,0,200x30";
+    command.notes = {{"Exit code 0: equal, 2: different, 1: a picture cannot be read."}};
+    command.examples = {
+        "boxreel diff before.png after.png",
+        "boxreel diff before.png after.png --preset exact -o diff.png",
+        "boxreel diff mine.png yours.png --preset cross-machine --ignore 0,0,200x30"};
     return command;
 }
 

@@ -263,13 +263,12 @@ Result<int> Run(const DoctorOptions&)
 Command& Declare(Command& program, DoctorOptions&)
 {
     Command& command = AddCommand(program, "doctor", "Test what works on this machine");
-    command.notes =
-        "Tries every back end, format and library. A line that fails shows the remedy.\n"
-        "Exit code 0: all works (one of the back ends is enough), 1: an environment variable is\n"
-        "invalid, 2: the engine's self-test has another result, 3: something is not installed,\n"
-        "4: no space or no permission to write here.\n\n"
-        "Examples:\n"
-        "  boxreel doctor";
+    command.notes = {
+        {"Tries every back end, format and library. A line that fails shows the remedy.\n"
+         "Exit code 0: all works (one of the back ends is enough), 1: an environment variable is\n"
+         "invalid, 2: the engine's self-test has another result, 3: something is not installed,\n"
+         "4: no space or no permission to write here."}};
+    command.examples = {"boxreel doctor"};
     return command;
 }
 

@@ -51,17 +51,17 @@ Command& Declare(Command& program, ExportOptions& options)
              "Export after this simulated time: 3s, 500ms, 2.5 (0s)");
     AddValue(command, "--step", "N", options.step, WholeBetween(0, 1'000'000'000),
              "Export after N steps instead");
-    AddValue(command, "--hz", "RATE", options.look.stepsPerSecond, RatioBetween(1.0, 100000.0),
+    AddValue(command, "--hz", "RATE", options.look.simulation.stepsPerSecond,
+             RatioBetween(1.0, 100000.0),
              "Set simulation steps per second (60; a scene file has its own)");
-    AddValue(command, "--seed", "N", options.look.seed, WholeBetween(0, 0xffffffff),
+    AddValue(command, "--seed", "N", options.look.simulation.seed, WholeBetween(0, 0xffffffff),
              "Seed the scene's random numbers (1)");
-    command.notes =
-        "`boxreel record FILE` and the other commands restore bodies, shapes, joints and names\n"
-        "bit-exactly. A scene file does not contain contact impulses, or what the scene's code\n"
-        "does, such as steering and new bodies.\n\n"
-        "Examples:\n"
-        "  boxreel export pyramid -o pyramid.json\n"
-        "  boxreel export bridge --at 2s -o sagging.json";
+    command.notes = {
+        {"`boxreel record FILE` and the other commands restore bodies, shapes, joints and names\n"
+         "bit-exactly. A scene file does not contain contact impulses, or what the scene's code\n"
+         "does, such as steering and new bodies."}};
+    command.examples = {"boxreel export pyramid -o pyramid.json",
+                        "boxreel export bridge --at 2s -o sagging.json"};
     return command;
 }
 

@@ -314,10 +314,9 @@ void DeclareGoldenFilm(Command& action, GoldenOptions& golden)
 Command& Declare(Command& program, GoldenOptions& golden)
 {
     Command& command = AddCommand(program, "golden", "Compare scenes with approved references");
-    command.notes = "Examples:\n"
-                    "  boxreel golden verify\n"
-                    "  boxreel golden verify pyramid bridge --output /tmp/failures\n"
-                    "  boxreel golden accept pyramid";
+    command.examples = {"boxreel golden verify",
+                        "boxreel golden verify pyramid bridge --output /tmp/failures",
+                        "boxreel golden accept pyramid"};
     Command& verify =
         AddCommand(command, "verify", "Simulate, draw and compare; write what differs");
     Command& accept = AddCommand(command, "accept", "Accept the current pictures as references");
@@ -352,23 +351,20 @@ Command& Declare(Command& program, GoldenOptions& golden)
     AddCompare(verify, golden.compare,
                "cross-machine if another renderer drew the\nreference, otherwise same-machine");
     AddIgnoredBodies(verify, golden.compare);
-    verify.notes =
-        "Exit code 0: all match, 2: something differs or has no reference.\n"
-        "For --against, `git worktree add ../before HEAD~1` checks out an older version; its\n"
-        "script ../before/boxreel builds it when it is run.\n\n"
-        "Examples:\n"
-        "  boxreel golden verify\n"
-        "  boxreel golden verify pyramid --output /tmp/failures\n"
-        "  boxreel golden verify --report report.html\n"
-        "  boxreel golden verify pyramid --against ../before/boxreel\n"
-        "  boxreel golden verify menu --film menu.mp4 --preset cross-machine";
-    accept.notes =
-        "Look at the pictures before you commit them. Say in the commit why they changed.\n\n"
-        "Examples:\n"
-        "  boxreel golden accept\n"
-        "  boxreel golden accept pyramid bridge\n"
-        "  boxreel golden accept --only missing\n"
-        "  boxreel golden accept menu --film menu.mp4";
+    verify.notes = {
+        {"Exit code 0: all match, 2: something differs or has no reference.\n"
+         "For --against, `git worktree add ../before HEAD~1` checks out an older version; its\n"
+         "script ../before/boxreel builds it when it is run."}};
+    verify.examples = {"boxreel golden verify",
+                       "boxreel golden verify pyramid --output /tmp/failures",
+                       "boxreel golden verify --report report.html",
+                       "boxreel golden verify pyramid --against ../before/boxreel",
+                       "boxreel golden verify menu --film menu.mp4 --preset cross-machine"};
+    accept.notes = {
+        {"Look at the pictures before you commit them. Say in the commit why they changed."}};
+    accept.examples = {"boxreel golden accept", "boxreel golden accept pyramid bridge",
+                       "boxreel golden accept --only missing",
+                       "boxreel golden accept menu --film menu.mp4"};
     AddPath(verify, "--against", "FILE", golden.against,
             "Compare the state of each step with another build of\n"
             "boxreel instead of with the references");

@@ -109,16 +109,16 @@ Command& Declare(Command& program, GoldenReportOptions& options)
             "the first step that differs, and play both worlds");
     AddBackend(command, options.backend);
     AddForce(command, options.force);
-    command.notes =
-        "The report is one self-contained file: summary, filter, and for each moment that differs\n"
-        "expected, actual, difference, blink, slider, the outlines of both worlds and the first\n"
-        "step that differs. Exit code 0 when the report is written. For --against,\n"
-        "`git worktree add ../before HEAD~1` checks out an older version; its script\n"
-        "../before/boxreel builds it when it is run.\n\n"
-        "Examples:\n"
-        "  boxreel golden report\n"
-        "  boxreel golden report shard-0 shard-1 -o report.html\n"
-        "  boxreel golden report --against ../before/boxreel";
+    command.notes = {
+        {"The report is one self-contained file: summary, filter, and for each moment that "
+         "differs\n"
+         "expected, actual, difference, blink, slider, the outlines of both worlds and the first\n"
+         "step that differs. Exit code 0 when the report is written. For --against,\n"
+         "`git worktree add ../before HEAD~1` checks out an older version; its script\n"
+         "../before/boxreel builds it when it is run."}};
+    command.examples = {"boxreel golden report",
+                        "boxreel golden report shard-0 shard-1 -o report.html",
+                        "boxreel golden report --against ../before/boxreel"};
     return command;
 }
 

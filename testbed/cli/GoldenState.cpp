@@ -133,13 +133,12 @@ Command& Declare(Command& program, GoldenStateOptions& options)
     AddValue(command, "--step", "N", options.step, WholeBetween(0, 1'000'000),
              "Print the state after N steps (300)");
     AddFlag(command, "--trace", options.trace, "Print the hash of every step instead");
-    command.notes =
-        "Prints the hash, then one body per line: number, x, y, angle and, if it moves,\n"
-        "velocity x, y, angular. With --trace, prints one step per line: number, hash, one\n"
-        "digit per body.\n\n"
-        "Examples:\n"
-        "  boxreel golden state pyramid --step 120\n"
-        "  boxreel golden state car --trace --step 60";
+    command.notes = {
+        {"Prints the hash, then one body per line: number, x, y, angle and, if it moves,\n"
+         "velocity x, y, angular. With --trace, prints one step per line: number, hash, one\n"
+         "digit per body."}};
+    command.examples = {"boxreel golden state pyramid --step 120",
+                        "boxreel golden state car --trace --step 60"};
     return command;
 }
 

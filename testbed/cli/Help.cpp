@@ -70,7 +70,39 @@ std::string OptionRows(const std::vector<OptionText>& options)
     return rows;
 }
 
+constexpr ExitCode kExitCodes[] = {
+    {"0", "success", "Done."},
+    {"1", "invalid input",
+     "Invalid input: unknown, missing, malformed or contradictory, or a file exists and --force "
+     "was not given."},
+    {"2", "a check failed",
+     "A check failed: pictures or states differ, an expectation of a script is false, parts of a "
+     "scene file were left out, or the engine's self-test has another result."},
+    {"3", "a library or device is missing",
+     "A library, an encoder, a program or a display is absent."},
+    {"4", "reading or writing failed", "Reading or writing failed."},
+    {"75", "stopped by a signal", "Stopped by a signal; --resume continues a film."},
+};
+
+/// The lines of a note, tables indented.
+std::string NoteText(const Note& note)
+{
+    const std::string indent = note.kind == NoteKind::Table ? "  " : "";
+    std::string lines = indent;
+    for (const char c : note.text)
+    {
+        lines += c;
+        lines += c == '\n' ? indent : "";
+    }
+    return lines + "\n";
+}
+
 } // namespace
+
+std::span<const ExitCode> ExitCodes()
+{
+    return kExitCodes;
+}
 
 std::string HelpOf(const CommandText& command)
 {
@@ -86,7 +118,12 @@ std::string HelpOf(const CommandText& command)
     {
         help += HelpRow(next.path.substr(next.path.rfind(' ') + 1), next.summary);
     }
-    return help + "\n" + command.notes + "\n";
+    help += command.notes.empty() ? "" : "\n";
+    for (const Note& note : command.notes)
+    {
+        help += NoteText(note);
+    }
+    return help + "\nExamples:\n" + NoteText({JoinedBy("\n", command.examples), NoteKind::Table});
 }
 
 } // namespace boxreel

@@ -61,9 +61,7 @@ Command& Declare(Command& program, ListOptions& options)
 {
     Command& command = AddCommand(program, "list", "List the scenes");
     AddFlag(command, "--names", options.namesOnly, "Print names only, one per line");
-    command.notes = "Examples:\n"
-                    "  boxreel list\n"
-                    "  boxreel list --names | head -3";
+    command.examples = {"boxreel list", "boxreel list --names | head -3"};
     return command;
 }
 

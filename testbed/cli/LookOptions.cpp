@@ -94,32 +94,34 @@ void AddLook(Command& command, SceneLook& look, bool* bothThemes)
         "joints, at 1/3 for contacts)")
         .Group("Picture");
     AddFlag(command, "--labels", look.labels, "Show the number of each body").Group("Picture");
-    AddFlag(command, "--hud", look.hud, "Show a panel with time, step, bodies, contacts")
+    AddFlag(command, "--hud", look.panels.hud, "Show a panel with time, step, bodies, contacts")
         .Group("Picture");
-    AddFlag(command, "--hud-ms", look.hudMilliseconds,
+    AddFlag(command, "--hud-ms", look.panels.milliseconds,
             "Show this panel with the milliseconds per step")
         .Group("Picture");
-    AddFlag(command, "--ui", look.panels,
+    AddFlag(command, "--ui", look.panels.testbed,
             "Show the panels of `boxreel ui`; with --hud-ms\n"
             "also the time of each part of the solver")
         .Group("Picture");
-    AddValue(command, "--hz", "RATE", look.stepsPerSecond, parseHertz,
+    AddValue(command, "--hz", "RATE", look.simulation.stepsPerSecond, parseHertz,
              "Set simulation steps per second (60; a scene file has its own)")
         .Group("Simulation");
-    AddValue(command, "--seed", "N", look.seed, WholeBetween(0, kLargestSeed),
+    AddValue(command, "--seed", "N", look.simulation.seed, WholeBetween(0, kLargestSeed),
              "Seed the scene's random numbers (1)")
         .Group("Simulation");
-    AddValue(command, "--velocity-iterations", "N", look.velocityIterations, WholeBetween(1, 1000),
+    AddValue(command, "--velocity-iterations", "N", look.simulation.velocityIterations,
+             WholeBetween(1, 1000),
              "Set the solver's velocity iterations per step\n(8; a scene file has its own)")
         .Group("Simulation");
-    AddValue(command, "--position-iterations", "N", look.positionIterations, WholeBetween(1, 1000),
+    AddValue(command, "--position-iterations", "N", look.simulation.positionIterations,
+             WholeBetween(1, 1000),
              "Set the solver's position iterations per step\n(3; a scene file has its own)")
         .Group("Simulation");
 }
 
 Result<void> CheckHud(SceneLook& look)
 {
-    if (look.panels && look.hud)
+    if (look.panels.testbed && look.panels.hud)
     {
         return Conflict("--hud", "--ui");
     }
@@ -131,13 +133,14 @@ Result<void> CheckHud(SceneLook& look)
                                 std::to_string(height) + " pixels",
                             "give a larger --size"};
     };
-    if (look.panels)
+    if (look.panels.testbed)
     {
         return needs("--ui", kMinPanelWidth, kMinPanelHeight);
     }
-    look.hud = look.hud || look.hudMilliseconds;
-    return look.hud ? needs("--hud", kHudWidth, look.hudMilliseconds ? kHudMsHeight : kHudHeight)
-                    : Result<void>();
+    look.panels.hud = look.panels.hud || look.panels.milliseconds;
+    return look.panels.hud
+               ? needs("--hud", kHudWidth, look.panels.milliseconds ? kHudMsHeight : kHudHeight)
+               : Result<void>();
 }
 
 } // namespace boxreel

@@ -2,6 +2,7 @@
 #include "Man.h"
 #include "CommandTree.h"
 #include "Declare.h"
+#include "Help.h"
 
 #include <base/ErrorMacros.h>
 #include <base/Terminal.h>
@@ -19,17 +20,6 @@ struct Entry
 {
     const char* term;
     const char* meaning;
-};
-
-constexpr Entry kExitCodes[] = {
-    {"0", "Done."},
-    {"1", "Invalid input: unknown, missing, malformed or contradictory, or a file exists and "
-          "--force was not given."},
-    {"2", "A check failed: pictures or states differ, an expectation of a script is false, parts "
-          "of a scene file were left out, or the engine's self-test has another result."},
-    {"3", "A library, an encoder, a program or a display is absent."},
-    {"4", "Reading or writing failed."},
-    {"75", "Stopped by a signal; --resume continues a film."},
 };
 
 constexpr Entry kVariables[] = {
@@ -100,25 +90,15 @@ std::string Prose(const std::string& text)
     return prose;
 }
 
-/// Lines that break where the filling breaks them, but for those that begin with blanks: these are
-/// examples and tables.
-std::string Paragraphs(const std::string& text)
+/// Lines that stay as they are.
+std::string Table(const std::string& lines)
 {
-    std::string paragraphs;
-    bool isTable = false;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);)
-    {
-        if (line.starts_with("  ") != isTable)
-        {
-            paragraphs += isTable ? ".fi\n.RE\n.PP\n" : ".PP\n.RS 4\n.nf\n";
-            isTable = !isTable;
-        }
-        paragraphs += isTable        ? Plain(line.substr(2)) + "\n"
-                      : line.empty() ? ".PP\n"
-                                     : Prose(line) + "\n";
-    }
-    return paragraphs + (isTable ? ".fi\n.RE\n" : "");
+    return ".RS 4\n.nf\n" + Plain(lines) + "\n.fi\n.RE\n";
+}
+
+std::string NoteText(const Note& note)
+{
+    return ".PP\n" + (note.kind == NoteKind::Table ? Table(note.text) : Prose(note.text) + "\n");
 }
 
 std::string Term(const std::string& term, const std::string& meaning)
@@ -176,7 +156,11 @@ std::string Body(const CommandText& command)
         }
         body += Term(OptionTerm(option), option.help);
     }
-    return body + (command.notes.empty() ? "" : ".PP\n" + Paragraphs(command.notes));
+    for (const Note& note : command.notes)
+    {
+        body += NoteText(note);
+    }
+    return body + ".PP\nExamples:\n" + Table(JoinedBy("\n", command.examples));
 }
 
 std::string Synopsis(const std::vector<const CommandText*>& commands)
@@ -215,19 +199,19 @@ std::string ManualPage(const CommandText& program)
     {
         page += ".SS " + Usage(*command) + "\n" + Body(*command);
     }
-    page += Section("EXIT STATUS", kExitCodes) + Section("ENVIRONMENT", kVariables) +
-            Section("FILES", kFiles);
-    const std::size_t examples = program.notes.find("  ");
-    const std::size_t end = program.notes.find("\n\n"); // exit codes follow, which are above
-    return page + ".SH EXAMPLES\n" + Paragraphs(program.notes.substr(examples, end - examples));
+    page += ".SH EXIT STATUS\n";
+    for (const ExitCode& code : ExitCodes())
+    {
+        page += Term(Bold(code.code), code.meaning);
+    }
+    page += Section("ENVIRONMENT", kVariables) + Section("FILES", kFiles);
+    return page + ".SH EXAMPLES\n" + Table(JoinedBy("\n", program.examples));
 }
 
 Command& Declare(Command& program, ManOptions&)
 {
     Command& command = AddCommand(program, "man", "Print the manual page");
-    command.notes = "Examples:\n"
-                    "  man <(boxreel man)\n"
-                    "  boxreel man > boxreel.1";
+    command.examples = {"man <(boxreel man)", "boxreel man > boxreel.1"};
     return command;
 }
 

@@ -191,14 +191,13 @@ Command& Declare(Command& program, MergeOptions& merge)
             "Write the film here, with the extension of the parts", FilmExtensions());
     AddForce(command, merge.force);
     AddFlag(command, "--partial", merge.partial, "Accept missing frames at the start or end");
-    command.notes =
-        "The parts must come from the same command and be unmodified. Together they must cover\n"
-        "the film without gaps. Where two parts meet, the world must have the same state. If a\n"
-        "signal stops it, it leaves no file and exits with code 75.\n\n"
-        "Examples:\n"
-        "  boxreel record pyramid -o a.mkv --frames 400 --frame-range 0-199\n"
-        "  boxreel record pyramid -o b.mkv --frames 400 --frame-range 200-399\n"
-        "  boxreel merge a.mkv b.mkv -o pyramid.mkv";
+    command.notes = {
+        {"The parts must come from the same command and be unmodified. Together they must cover\n"
+         "the film without gaps. Where two parts meet, the world must have the same state. If a\n"
+         "signal stops it, it leaves no file and exits with code 75."}};
+    command.examples = {"boxreel record pyramid -o a.mkv --frames 400 --frame-range 0-199",
+                        "boxreel record pyramid -o b.mkv --frames 400 --frame-range 200-399",
+                        "boxreel merge a.mkv b.mkv -o pyramid.mkv"};
     return command;
 }
 

@@ -83,10 +83,10 @@ Result<void> CheckMotion(const ShotOptions& options)
     {
         return Requires("--columns", "several moments, such as --at 0s,1s,2s,3s");
     }
-    const bool hasPanel = options.look.hud || options.look.panels;
+    const bool hasPanel = options.look.panels.hud || options.look.panels.testbed;
     if (hasPanel && (several || look.axes || look.scaleBar || !look.caption.empty()))
     {
-        return Conflict(options.look.hud ? "--hud" : "--ui",
+        return Conflict(options.look.panels.hud ? "--hud" : "--ui",
                         "--axes, --scale-bar, --caption or several moments");
     }
     return {};

@@ -137,7 +137,7 @@ Result<void> Planner::Plan()
         return script.At(script.sceneLine, any.GetError());
     }
     m_play.look = any->look;
-    m_play.look.script = m_actions;
+    m_play.look.simulation.script = m_actions;
     for (const ScriptProduct& product : script.products)
     {
         if (const Result<void> added = Add(product); !added)
@@ -195,7 +195,7 @@ Result<void> Planner::AddGolden(const ScriptProduct& product)
     options.insert(options.end(), moment.begin(), moment.end());
     ASSIGN_OR_RETURN(ShotOptions shot,
                      Understood<ShotOptions>(m_play.script, "shot", options, "any.png"));
-    shot.look.script = m_actions;
+    shot.look.simulation.script = m_actions;
     shot.look.collectEverything = true;
     m_play.goldens.push_back({product.line, product.name, std::move(shot)});
     return {};
@@ -249,7 +249,7 @@ Result<void> Planner::AddStill(const ScriptProduct& product)
     ASSIGN_OR_RETURN(const fs::path output, OutputOf(product));
     ASSIGN_OR_RETURN(ShotOptions shot,
                      Understood<ShotOptions>(m_play.script, "shot", product.options, output));
-    shot.look.script = m_actions;
+    shot.look.simulation.script = m_actions;
     shot.force = shot.force || m_options.force;
     shot.backend = m_options.backend;
     RETURN_IF_ERROR(Claim(product, shot, shot.force));
@@ -266,7 +266,7 @@ Result<void> Planner::AddFilm(const ScriptProduct& product)
     {
         return Conflict("--snapshots", "actions on panels");
     }
-    record.look.script = m_actions;
+    record.look.simulation.script = m_actions;
     record.film.overwrite = record.film.overwrite || m_options.force;
     // A page has no parts: it exists as a whole or not at all, so it cannot be continued.
     record.film.resume = record.film.resume || (m_options.resume && !IsPage(record.output));
@@ -389,7 +389,8 @@ Result<GoldenCandidate> CandidateOf(const Play& play, const GoldenPicture& golde
     candidate.renderer = renderer.Description();
     ASSIGN_OR_RETURN(const std::string fingerprint, renderer.Fingerprint());
     candidate.fingerprint = fingerprint;
-    const Overlay* const panel = look.hud || look.panels ? &content.overlay : nullptr;
+    const Overlay* const panel =
+        look.panels.hud || look.panels.testbed ? &content.overlay : nullptr;
     RETURN_IF_ERROR(renderer.Draw(content.list, content.camera, candidate.frame, panel));
     candidate.list = std::move(content.list);
     return candidate;
@@ -542,28 +543,28 @@ Command& Declare(Command& program, PlayOptions& play)
     AddForce(command, play.force);
     AddFlag(command, "--resume", play.resume, "Continue stopped films");
     AddBackend(command, play.backend);
-    command.notes =
-        "A script:\n"
-        "  scene car --seed 3 --hz 120          open a scene or file, as `boxreel shot` does\n"
-        "  at 1s press d                        press a key; also release, tap\n"
-        "  at 2s grab 3.5,4                     press the mouse button at a point [m]\n"
-        "  at 2s to 3s drag 8,4                 move straight to a point; at once: move 8,4\n"
-        "  at 3s drop                           release the mouse button\n"
-        "  at step 240 bomb 0,30 5,-40          throw a bomb from a point at a velocity; or: bomb\n"
-        "  at 4s shift 100,0                    shift the origin\n"
-        "  at 4s set sub-steps 4                set up the solver; sleep and others: on or off\n"
-        "  at 4s click Solver/Sleep             click in the panels of `boxreel ui`; or type, hit\n"
-        "  at 0s camera 0,5,20                  set centre and height; moves on to the next one\n"
-        "  at 5s expect chassis.x > 10          check a condition, as --until; or: state HASH\n"
-        "  at 5s golden car/5s                  compare with the reference beside the script\n"
-        "  at 5s shot car.png --draw shapes     make a picture, with options of `boxreel shot`\n"
-        "  record car.mp4 --seconds 8           make a film, with options of `boxreel record`\n"
-        "An action takes effect in the step that begins at its time. # begins a comment. Words\n"
-        "with blanks need quotes (\"). Exit code 2: an expectation is false, or a picture\n"
-        "differs from its reference.\n\n"
-        "Examples:\n"
-        "  boxreel play testbed/scripts/car.play\n"
-        "  boxreel play walk.play --into films --force";
+    command.notes = {
+        {"A script:"},
+        {"scene car --seed 3 --hz 120          open a scene or file, as `boxreel shot` does\n"
+         "at 1s press d                        press a key; also release, tap\n"
+         "at 2s grab 3.5,4                     press the mouse button at a point [m]\n"
+         "at 2s to 3s drag 8,4                 move straight to a point; at once: move 8,4\n"
+         "at 3s drop                           release the mouse button\n"
+         "at step 240 bomb 0,30 5,-40          throw a bomb from a point at a velocity; or: bomb\n"
+         "at 4s shift 100,0                    shift the origin\n"
+         "at 4s set sub-steps 4                set up the solver; sleep and others: on or off\n"
+         "at 4s click Solver/Sleep             click in the panels of `boxreel ui`; or type, hit\n"
+         "at 0s camera 0,5,20                  set centre and height; moves on to the next one\n"
+         "at 5s expect chassis.x > 10          check a condition, as --until; or: state HASH\n"
+         "at 5s golden car/5s                  compare with the reference beside the script\n"
+         "at 5s shot car.png --draw shapes     make a picture, with options of `boxreel shot`\n"
+         "record car.mp4 --seconds 8           make a film, with options of `boxreel record`",
+         NoteKind::Table},
+        {"An action takes effect in the step that begins at its time. # begins a comment. Words\n"
+         "with blanks need quotes (\"). Exit code 2: an expectation is false, or a picture\n"
+         "differs from its reference."}};
+    command.examples = {"boxreel play testbed/scripts/car.play",
+                        "boxreel play walk.play --into films --force"};
     return command;
 }
 

@@ -286,21 +286,21 @@ Command& Declare(Command& program, RecordOptions& record)
     AddFormat(command, record);
     AddLook(command, record.look, nullptr);
     AddBackend(command, record.backend).Group("Picture");
-    command.notes =
-        "Ctrl-C ends with exit code 75 and leaves NAME.part.EXT, which is playable. The same\n"
-        "command with --resume continues it. Of a page (.html) nothing is left.\n\n"
-        "Examples:\n"
-        "  boxreel record pyramid -o pyramid.mp4\n"
-        "  boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270\n"
-        "  boxreel record dominos -o frames-####.png --frames 120 --hud\n"
-        "  boxreel record tumbler -o exact.mkv --quality lossless --speed 0.25\n"
-        "  boxreel record dominos -o dominos.html --draw shapes,joints,contacts\n"
-        "  boxreel record dominos -o ball.mp4 --camera follow:13:8\n"
-        "  boxreel record machine.json -o machine.webm --camera 0,5,20\n"
-        "  boxreel record bridge -o bridge.mp4 --theme okabe-ito\n"
-        "  boxreel record double-domino -o d.webp --from 1s --until-sleep --thumbnail d.png\n"
-        "  boxreel record tumbler -o part-2.mkv --frame-range 200-399 --snapshots states\n"
-        "  boxreel record bridge -o - --format y4m | ffplay -";
+    command.notes = {
+        {"Ctrl-C ends with exit code 75 and leaves NAME.part.EXT, which is playable. The same\n"
+         "command with --resume continues it. Of a page (.html) nothing is left."}};
+    command.examples = {
+        "boxreel record pyramid -o pyramid.mp4",
+        "boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270",
+        "boxreel record dominos -o frames-####.png --frames 120 --hud",
+        "boxreel record tumbler -o exact.mkv --quality lossless --speed 0.25",
+        "boxreel record dominos -o dominos.html --draw shapes,joints,contacts",
+        "boxreel record dominos -o ball.mp4 --camera follow:13:8",
+        "boxreel record machine.json -o machine.webm --camera 0,5,20",
+        "boxreel record bridge -o bridge.mp4 --theme okabe-ito",
+        "boxreel record double-domino -o d.webp --from 1s --until-sleep --thumbnail d.png",
+        "boxreel record tumbler -o part-2.mkv --frame-range 200-399 --snapshots states",
+        "boxreel record bridge -o - --format y4m | ffplay -"};
     return command;
 }
 
@@ -347,7 +347,7 @@ Result<void> Check(RecordOptions& options)
     {
         return Conflict("--progress openjd", "-o -");
     }
-    if (options.look.panels && !options.snapshots.folder.empty())
+    if (options.look.panels.testbed && !options.snapshots.folder.empty())
     {
         return Conflict("--snapshots", "--ui");
     }

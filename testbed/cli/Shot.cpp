@@ -208,7 +208,7 @@ Result<void> TakePictures(const ShotOptions& options, const std::vector<Picture>
     for (const Picture& picture : pictures)
     {
         const Result<void> written =
-            options.look.hud || options.look.panels
+            options.look.panels.hud || options.look.panels.testbed
                 ? WriteWithPanel(options, picture, parts.front().list, content.camera,
                                  content.overlay, totals)
                 : WriteFigure(options, picture,
@@ -298,21 +298,21 @@ Command& Declare(Command& program, ShotOptions& shot)
         .Group("Picture");
     AddLook(command, shot.look, &shot.bothThemes);
     AddBackend(command, shot.backend).Group("Picture");
-    command.notes =
-        "A .png has the pixels of a film's frame at the same time. In .svg and .pdf, text stays\n"
-        "text and each body is a named group. --theme both writes NAME-light.EXT (print) and\n"
-        "NAME-dark.EXT. --size is the size of the picture without annotations; of several\n"
-        "moments, of each (640x360).\n\n"
-        "Examples:\n"
-        "  boxreel shot pyramid --at 3s -o pyramid.png\n"
-        "  boxreel shot bridge --step 180 -o bridge.png --size 1920x1080 --hud\n"
-        "  boxreel shot chain --at 500ms -o chain.png --draw shapes,joints,aabbs --labels\n"
-        "  boxreel shot tumbler --at 4s -o tumbler.svg --theme okabe-ito\n"
-        "  boxreel shot pyramid --at 3s -o pyramid.pdf --theme print --labels\n"
-        "  boxreel shot bridge --at 2s -o bridge.svg --theme both\n"
-        "  boxreel shot newtons-cradle --at 1s -o cradle.png --trail moving --onion 6:50ms\n"
-        "  boxreel shot dominos --at 0s,1s,2s,3s -o dominos.pdf --theme print --scale-bar\n"
-        "  boxreel shot bridge --at 2s -o b.svg --axes --dimension 3,17 --caption \"A bridge.\"";
+    command.notes = {
+        {"A .png has the pixels of a film's frame at the same time. In .svg and .pdf, text stays\n"
+         "text and each body is a named group. --theme both writes NAME-light.EXT (print) and\n"
+         "NAME-dark.EXT. --size is the size of the picture without annotations; of several\n"
+         "moments, of each (640x360)."}};
+    command.examples = {
+        "boxreel shot pyramid --at 3s -o pyramid.png",
+        "boxreel shot bridge --step 180 -o bridge.png --size 1920x1080 --hud",
+        "boxreel shot chain --at 500ms -o chain.png --draw shapes,joints,aabbs --labels",
+        "boxreel shot tumbler --at 4s -o tumbler.svg --theme okabe-ito",
+        "boxreel shot pyramid --at 3s -o pyramid.pdf --theme print --labels",
+        "boxreel shot bridge --at 2s -o bridge.svg --theme both",
+        "boxreel shot newtons-cradle --at 1s -o cradle.png --trail moving --onion 6:50ms",
+        "boxreel shot dominos --at 0s,1s,2s,3s -o dominos.pdf --theme print --scale-bar",
+        "boxreel shot bridge --at 2s -o b.svg --axes --dimension 3,17 --caption \"A bridge.\""};
     return command;
 }
 
@@ -324,9 +324,9 @@ Result<void> CheckPixels(const ShotOptions& options)
 {
     const bool isVector =
         PictureFormatOf(options.output).value_or(PictureFormat::Png) != PictureFormat::Png;
-    if (isVector && (options.look.hud || options.look.panels))
+    if (isVector && (options.look.panels.hud || options.look.panels.testbed))
     {
-        return Error{ErrorKind::Unusable, options.look.hud ? "--hud" : "--ui",
+        return Error{ErrorKind::Unusable, options.look.panels.hud ? "--hud" : "--ui",
                      "requires a .png picture, not " + options.output.string(), "use -o NAME.png"};
     }
     if (isVector && options.stats)

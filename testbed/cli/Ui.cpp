@@ -95,8 +95,8 @@ Result<void> Desk::Open(const UiSettings& settings)
     look.width = std::max(1, int(m_window.Width() / look.scale));
     look.height = std::max(1, int(m_window.Height() / look.scale));
     look.theme = FindTheme(bench.choices.theme).value_or(Theme::Classic());
-    look.seed = m_options.seed;
-    look.stepsPerSecond = m_options.stepsPerSecond;
+    look.simulation.seed = m_options.seed;
+    look.simulation.stepsPerSecond = m_options.stepsPerSecond;
     ASSIGN_OR_RETURN(Workbench opened, Workbench::Open(std::move(source), bench));
     m_bench.emplace(std::move(opened));
     m_bench->Controls().Controls().SetOpenSections(settings.openSections);
@@ -266,20 +266,21 @@ Command& Declare(Command& program, UiOptions& ui)
     AddFlag(command, "--paused", ui.isPaused, "Start paused; O makes one step, P continues");
     AddFlag(command, "--fresh", ui.fresh, "Ignore saved settings and save none");
     AddBackend(command, ui.backend);
-    command.notes =
-        "Keys:\n"
-        "  P pause, continue    O single step        R restart           [ ] other scenes\n"
-        "  Ctrl+O find a scene  Tab hide panels      Home reset view     Esc quit\n"
-        "  Z X, wheel zoom      arrows, right drag pan                   Ctrl+arrows shift origin\n"
-        "  left drag pull a body                     Space, Shift+drag bombs\n"
-        "Size, scene, theme and layers are saved for the next start, in\n"
-        "$XDG_CONFIG_HOME/boxreel/ui.json (~/.config). Closing the window prints the step and the\n"
-        "state hash. The button Record writes a film from now on, SVG and PNG write a figure, and\n"
-        "Script writes the actions since the scene's start for `boxreel play`.\n\n"
-        "Examples:\n"
-        "  boxreel ui\n"
-        "  boxreel ui car --paused\n"
-        "  boxreel ui scene.json --size 1600x900 --into films";
+    command.notes = {
+        {"Keys:"},
+        {"P pause, continue    O single step        R restart           [ ] other scenes\n"
+         "Ctrl+O find a scene  Tab hide panels      Home reset view     Esc quit\n"
+         "Z X, wheel zoom      arrows, right drag pan                   Ctrl+arrows shift origin\n"
+         "left drag pull a body                     Space, Shift+drag bombs",
+         NoteKind::Table},
+        {"Size, scene, theme and layers are saved for the next start, in\n"
+         "$XDG_CONFIG_HOME/boxreel/ui.json (~/.config). Closing the window prints the step and "
+         "the\n"
+         "state hash. The button Record writes a film from now on, SVG and PNG write a figure, "
+         "and\n"
+         "Script writes the actions since the scene's start for `boxreel play`."}};
+    command.examples = {"boxreel ui", "boxreel ui car --paused",
+                        "boxreel ui scene.json --size 1600x900 --into films"};
     return command;
 }
 

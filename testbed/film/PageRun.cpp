@@ -120,10 +120,10 @@ Result<void> CheckPage(const RecordOptions& options)
         {"--constant-rate", film.timing == FrameTiming::Constant},
         {"--variable-rate", film.timing == FrameTiming::Variable},
         {"--threads", film.threads != usual.threads},
-        {"--hud-ms", options.look.hudMilliseconds},
-        {"--hud", options.look.hud},
+        {"--hud-ms", options.look.panels.milliseconds},
+        {"--hud", options.look.panels.hud},
         {"--backend", options.backend != Backend::Auto},
-        {"--ui", options.look.panels},
+        {"--ui", options.look.panels.testbed},
     };
     for (const auto& [option, isGiven] : ofFilms)
     {

@@ -86,13 +86,14 @@ BodyNames ShownNames(const SceneLook& look, const BodyNames& names)
 /// scene.
 int WidthBesidePanels(const SceneLook& look)
 {
-    return std::max(look.width - look.covered, (2 * look.width + 4) / 5);
+    return std::max(look.width - look.panels.covered, (2 * look.width + 4) / 5);
 }
 
 /// Bodies come by the scene or by bombs.
 bool MakesBodies(const Scene& scene, const SceneLook& look)
 {
-    return scene.MakesBodiesLater() || (look.script != nullptr && look.script->ThrowsBombs());
+    return scene.MakesBodiesLater() ||
+           (look.simulation.script != nullptr && look.simulation.script->ThrowsBombs());
 }
 
 } // namespace
@@ -100,23 +101,24 @@ bool MakesBodies(const Scene& scene, const SceneLook& look)
 SceneSession::SceneSession(SceneSource source, const SceneLook& look, const SceneCamera& camera)
     : m_scene(std::move(source.scene)), m_title(std::move(source.title)),
       m_asked(std::move(source.asked)), m_look(look),
-      m_stepsPerSecond(look.stepsPerSecond.value_or(RateOf(m_scene->PreferredSteps().timeStep))),
+      m_stepsPerSecond(
+          look.simulation.stepsPerSecond.value_or(RateOf(m_scene->PreferredSteps().timeStep))),
       m_stepSettings(m_scene->PreferredSteps()), m_camera(camera),
       m_layers(LayersOf(look), look.arrows, m_stepsPerSecond.ToDouble(), m_scene->World()),
       m_shownNames(ShownNames(look, m_scene->Names()))
 {
     m_stepSettings.timeStep = static_cast<float32>(StepSeconds(m_stepsPerSecond));
     m_stepSettings.velocityIterations =
-        look.velocityIterations.value_or(m_stepSettings.velocityIterations);
+        look.simulation.velocityIterations.value_or(m_stepSettings.velocityIterations);
     m_stepSettings.positionIterations =
-        look.positionIterations.value_or(m_stepSettings.positionIterations);
+        look.simulation.positionIterations.value_or(m_stepSettings.positionIterations);
 }
 
 Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& look)
 {
     if (source.entry != nullptr)
     {
-        source.scene = source.entry->create(SceneSettings{look.seed});
+        source.scene = source.entry->create(SceneSettings{look.simulation.seed});
     }
     ViewChoice view = look.view;
     if (std::holds_alternative<SceneView>(view))
@@ -129,14 +131,14 @@ Result<SceneSession> SceneSession::Open(SceneSource source, const SceneLook& loo
                                          look.height, MakesBodies(*source.scene, look),
                                          source.scene->Framed()));
     SceneSession session(std::move(source), look, camera);
-    if (look.script != nullptr)
+    if (look.simulation.script != nullptr)
     {
-        ASSIGN_OR_RETURN(
-            const ScriptInput input,
-            ScriptInput::Create(*look.script, session.m_stepsPerSecond, *session.m_scene));
+        ASSIGN_OR_RETURN(const ScriptInput input,
+                         ScriptInput::Create(*look.simulation.script, session.m_stepsPerSecond,
+                                             *session.m_scene));
         session.m_input = input;
     }
-    if (look.hud)
+    if (look.panels.hud)
     {
         const Camera size = Scaled(Camera{.width = look.width, .height = look.height}, look.scale);
         ASSIGN_OR_RETURN(Hud hud, Hud::Create(size.width, size.height, look.scale));
@@ -205,7 +207,7 @@ void SceneSession::Simulate()
     const Clock::time_point start = Clock::now();
     m_scene->Step(m_stepSettings);
     ++m_sceneStep;
-    if (m_look.hudMilliseconds)
+    if (m_look.panels.milliseconds)
     {
         const double taken =
             std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -265,15 +267,15 @@ void SceneSession::Resize(int width, int height, int covered)
     }
     m_look.width = width;
     m_look.height = height;
-    m_look.covered = covered;
+    m_look.panels.covered = covered;
 }
 
 Result<void> SceneSession::Replace(SceneSource source, const SceneLook& look)
 {
     SceneLook begun = look;
-    begun.script = nullptr; // whose actions were understood for the first scene
+    begun.simulation.script = nullptr; // whose actions were understood for the first scene
     ASSIGN_OR_RETURN(SceneSession other, Open(std::move(source), begun));
-    other.m_look.script = look.script;
+    other.m_look.simulation.script = look.simulation.script;
     other.m_input = std::move(m_input);
     other.m_step = m_step;
     other.m_isPaused = m_isPaused;
@@ -285,7 +287,7 @@ Result<void> SceneSession::Replace(SceneSource source, const SceneLook& look)
 /// Returns the view fitted to the part that no panel covers.
 Camera SceneSession::Placed(const Camera& view) const
 {
-    if (m_look.covered == 0 && view.width == m_look.width && view.height == m_look.height)
+    if (m_look.panels.covered == 0 && view.width == m_look.width && view.height == m_look.height)
     {
         return view;
     }
@@ -393,7 +395,7 @@ HudContent SceneSession::DescribeState() const
     {
         content.rows.push_back(std::move(row));
     }
-    if (m_look.hudMilliseconds)
+    if (m_look.panels.milliseconds)
     {
         content.rows.emplace_back("ms per step", Decimals(m_stepMilliseconds, 2));
     }

@@ -26,6 +26,25 @@
 namespace boxreel
 {
 
+/// How a scene is simulated.
+struct SimulationChoices
+{
+    std::optional<Rational> stepsPerSecond; ///< none of these three: as the scene prefers,
+    std::optional<int> velocityIterations;  ///< which is 60, 8 and 3 unless it says otherwise
+    std::optional<int> positionIterations;
+    std::uint32_t seed = 1;
+    std::shared_ptr<const Script> script; ///< whose actions are done to it; null: none
+};
+
+/// What stands over the picture.
+struct PanelLook
+{
+    bool hud = false;          ///< time, step and counts
+    bool testbed = false;      ///< the panels of the testbed's window
+    bool milliseconds = false; ///< also the time a step took, which no two runs share
+    int covered = 0;           ///< of the picture's right side: views keep clear of it [px]
+};
+
 /// The settings of a scene's simulation and picture.
 struct SceneLook
 {
@@ -33,21 +52,14 @@ struct SceneLook
     int height = 720;   ///< [px]
     double scale = 1.0; ///< of all lengths in pixels, width and height too
     Theme theme = Theme::Classic();
-    std::optional<Rational> stepsPerSecond; ///< none of these three: as the scene prefers,
-    std::optional<int> velocityIterations;  ///< which is 60, 8 and 3 unless it says otherwise
-    std::optional<int> positionIterations;
-    std::uint32_t seed = 1;
-    std::shared_ptr<const Script> script; ///< whose actions are done to it; null: none
+    SimulationChoices simulation;
     ViewChoice view;
     LayerSet layers;
     ArrowScales arrows;
     /// Also collects items outside of the picture, for lists that are stored and compared.
     bool collectEverything = false;
-    bool labels = false;          ///< the number of each body at its centre of mass
-    bool hud = false;             ///< a panel with time, step and counts
-    bool panels = false;          ///< those of the testbed's window
-    bool hudMilliseconds = false; ///< and the time a step took, which no two runs share
-    int covered = 0; ///< of the picture's right side, by panels: views keep clear of it [px]
+    bool labels = false; ///< the number of each body at its centre of mass
+    PanelLook panels;
 };
 
 class SceneSession;

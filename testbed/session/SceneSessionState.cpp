@@ -15,12 +15,14 @@ namespace boxreel
 std::string SceneSession::DescribeOrigin()
 {
     const std::string start = HexText(ChecksumOf(SaveScene(*m_scene)));
-    return "scene " + m_title + "\nstart " + start + "\nseed " + std::to_string(m_look.seed) +
-           "\nsteps a second " + std::to_string(m_stepsPerSecond.num) + "/" +
-           std::to_string(m_stepsPerSecond.den) + "\niterations " +
-           std::to_string(m_stepSettings.velocityIterations) + " " +
+    return "scene " + m_title + "\nstart " + start + "\nseed " +
+           std::to_string(m_look.simulation.seed) + "\nsteps a second " +
+           std::to_string(m_stepsPerSecond.num) + "/" + std::to_string(m_stepsPerSecond.den) +
+           "\niterations " + std::to_string(m_stepSettings.velocityIterations) + " " +
            std::to_string(m_stepSettings.positionIterations) + "\ncamera " + TextOf(m_look.view) +
-           "\nactions " + HexText(ChecksumOf(m_look.script ? m_look.script->actionText : "")) +
+           "\nactions " +
+           HexText(
+               ChecksumOf(m_look.simulation.script ? m_look.simulation.script->actionText : "")) +
            "\nsize " + std::to_string(m_look.width) + "x" + std::to_string(m_look.height) + "\n";
 }
 

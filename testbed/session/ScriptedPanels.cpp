@@ -53,9 +53,9 @@ class ScriptedPanels final : public SessionCompanion
 public:
     ScriptedPanels(Panels panels, const SceneLook& look) : m_panels(std::move(panels))
     {
-        m_isDrawn = look.panels;
-        m_isTimed = look.hudMilliseconds;
-        m_scriptFile = look.script ? look.script->file.string() : "";
+        m_isDrawn = look.panels.testbed;
+        m_isTimed = look.panels.milliseconds;
+        m_scriptFile = look.simulation.script ? look.simulation.script->file.string() : "";
     }
 
     void Begin(const SceneSession& session);

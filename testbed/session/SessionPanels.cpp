@@ -100,14 +100,15 @@ std::vector<std::pair<std::string, std::string>> Differences(const SolverChoices
 
 Result<SceneSession> OpenSession(SceneSource source, SceneLook look)
 {
-    const bool isClicked = look.script != nullptr && look.script->UsesPanels();
-    if (!look.panels && !isClicked)
+    const bool isClicked =
+        look.simulation.script != nullptr && look.simulation.script->UsesPanels();
+    if (!look.panels.testbed && !isClicked)
     {
         return SceneSession::Open(std::move(source), look);
     }
-    if (look.panels)
+    if (look.panels.testbed)
     {
-        look.covered = Panels::kColumnWidth;
+        look.panels.covered = Panels::kColumnWidth;
     }
     Result<SceneSession> session = SceneSession::Open(std::move(source), look);
     if (!session)

@@ -24,11 +24,11 @@ void SceneWork::Begin(const SolverChoices& wanted)
     std::vector<std::string> options{"--size", std::to_string(view.width) + "x" +
                                                    std::to_string(view.height)};
     const SceneLook& look = m_session.Look();
-    if (look.seed != 1)
+    if (look.simulation.seed != 1)
     {
-        options.insert(options.end(), {"--seed", std::to_string(look.seed)});
+        options.insert(options.end(), {"--seed", std::to_string(look.simulation.seed)});
     }
-    if (const std::optional<Rational>& rate = look.stepsPerSecond)
+    if (const std::optional<Rational>& rate = look.simulation.stepsPerSecond)
     {
         options.insert(options.end(),
                        {"--hz", std::to_string(rate->num) +

@@ -28,15 +28,15 @@ Result<Workbench> Workbench::Open(SceneSource source, const WorkbenchSettings& s
 {
     WorkbenchSettings own = settings;
     SceneLook& look = own.look;
-    look.panels = true;
+    look.panels.testbed = true;
     look.layers = settings.choices.layers;
     look.labels = settings.choices.labels;
-    look.covered = settings.choices.showsPanels ? Panels::kColumnWidth : 0;
+    look.panels.covered = settings.choices.showsPanels ? Panels::kColumnWidth : 0;
     const bool keeps = settings.choices.keepsSolver && settings.keepsChoices;
     SceneLook first = look;
-    if (keeps && !first.stepsPerSecond)
+    if (keeps && !first.simulation.stepsPerSecond)
     {
-        first.stepsPerSecond = Rational{settings.choices.solver.hertz, 1};
+        first.simulation.stepsPerSecond = Rational{settings.choices.solver.hertz, 1};
     }
     ASSIGN_OR_RETURN(SceneSession session, SceneSession::Open(std::move(source), first));
     const Camera size = Scaled(Camera{.width = look.width, .height = look.height}, look.scale);
@@ -74,11 +74,11 @@ void Workbench::Change(const std::string& scene, bool isOther)
     const bool keeps = !isOther || m_choices.keepsSolver;
     if (keeps && m_choices.solver.hertz != m_work.Preferred().hertz)
     {
-        look.stepsPerSecond = Rational{m_choices.solver.hertz, 1};
+        look.simulation.stepsPerSecond = Rational{m_choices.solver.hertz, 1};
     }
     else if (keeps)
     {
-        look.stepsPerSecond = Session().Look().stepsPerSecond;
+        look.simulation.stepsPerSecond = Session().Look().simulation.stepsPerSecond;
     }
     const bool keepsView = !isOther && Session().HasOwnView();
     const Camera view = m_work.Uncovered();
@@ -194,8 +194,8 @@ void Workbench::ApplyChoices(const PanelChoices& before)
 /// Fits the view to the part that no shown panel covers.
 void Workbench::Cover()
 {
-    m_settings.look.covered = m_choices.showsPanels ? Panels::kColumnWidth : 0;
-    Session().Resize(m_settings.look.width, m_settings.look.height, m_settings.look.covered);
+    m_settings.look.panels.covered = m_choices.showsPanels ? Panels::kColumnWidth : 0;
+    Session().Resize(m_settings.look.width, m_settings.look.height, m_settings.look.panels.covered);
 }
 
 void Workbench::Resize(int width, int height)

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Wrong arguments, callbacks, lifetimes, copies: what must raise and never crash."""
 
+import contextlib
 import copy
 import gc
 import math
 import os
 import pickle
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -15,6 +17,7 @@ import unittest
 import weakref
 
 import Box2D
+import boxreel
 from Box2D import (b2CircleShape, b2ContactFilter, b2ContactListener, b2DestructionListener, b2EdgeShape, b2Error,
                    b2FixtureDef, b2PolygonShape, b2World)
 
@@ -92,6 +95,58 @@ class Arguments(unittest.TestCase):
                            (lambda: world.CreateJoint(type=3), "^type: expected a class of joint definitions, not 3$"),
                            (lambda: Box2D.b2Body(), "^b2Body: ")):
             with self.assertRaisesRegex(TypeError, text):
+                call()
+
+    def test_no_wrong_call_gets_a_sentence_of_python(self):
+        """Calls of everything public with wrong arguments, which fail with our words, work, or do nothing."""
+        foreign = re.compile("positional argument|unexpected keyword|incompatible function|object is not|has no setter"
+                             "|unsupported operand|has no attribute '(?!nonsense)|indices must|not supported between|_boxreel")
+        joint = self.world.CreateRevoluteJoint(bodyA=ground(self.world), bodyB=self.body, anchor=(0, 0))
+        for _ in range(60):
+            self.world.Step(1 / 60, 8, 3)
+        objects = [self.world, self.body, self.body.fixtures[0], joint, *self.world.contacts, self.world.contactManager,
+                   Box2D.b2Globals]
+        for one in (getattr(Box2D, name) for name in Box2D.__all__):
+            if isinstance(one, type) and not issubclass(one, (Exception, list, tuple)):
+                with contextlib.suppress(TypeError, ValueError, b2Error):  # of those that the engine makes
+                    objects.append(one())
+        calls = [(name, getattr(module, name)) for module in (Box2D, boxreel) for name in module.__all__
+                 if callable(getattr(module, name))]
+        for item in objects:
+            names = [name for name in dir(type(item)) if not name.startswith("_") or name in ("__getitem__", "__setitem__")]
+            for name in names:
+                full = f"{type(item).__name__}.{name}"
+                if isinstance(getattr(type(item), name), property):
+                    calls.append((full, lambda *values, item=item, name=name, **keywords: setattr(item, name, values)))
+                elif callable(getattr(type(item), name)) and name not in (
+                        "Step", "Dump", "DestroyBody", "DestroyFixture", "DestroyJoint"):
+                    calls.append((full, lambda *values, item=item, name=name, **keywords:
+                                  getattr(item, name)(*values, **keywords)))
+        count = 0
+        for name, call in calls:
+            for values in ((), (1,), (None,), ("x",), (1, 2), (None, None, None), (object(),), (slice(None),), (1,) * 10):
+                for keywords in ({}, {"nonsense": 1}):
+                    with self.subTest(call=name, values=values, keywords=keywords):
+                        try:
+                            call(*values, **keywords)
+                        except (TypeError, ValueError, AttributeError, LookupError, b2Error, OSError, NotImplementedError,
+                                boxreel.Error) as error:
+                            count += 1
+                            self.assertNotRegex(str(error), foreign)
+        self.assertGreater(count, 5000)
+
+    def test_definitions_and_places_are_taken_as_well(self):
+        world = self.world
+        body = world.CreateStaticBody(Box2D.b2BodyDef(position=(3, 4)))
+        self.assertEqual((body.type, tuple(body.position)), (Box2D.b2_staticBody, (3, 4)))
+        definition = b2FixtureDef(b2CircleShape(radius=2), density=1)
+        self.assertEqual(self.body.CreateFixture(definition).shape.radius, 2)
+        joint = world.CreateWeldJoint(body, self.body, anchor=(1, 1))
+        self.assertIs(joint.bodyB, self.body)
+        self.assertIs(world.CreateWeldJoint(Box2D.b2WeldJointDef(body, self.body)).bodyA, body)
+        for call in (lambda: b2FixtureDef(1, 2), lambda: b2FixtureDef(b2CircleShape(), shape=b2CircleShape()),
+                     lambda: Box2D.b2WeldJointDef(1, 2), lambda: Box2D.b2BodyDef(1)):
+            with self.assertRaises(TypeError):
                 call()
 
     def test_unknown_keywords_name_the_nearest(self):
@@ -591,6 +646,13 @@ class Copies(unittest.TestCase):
             self.assertIs(world.bodies[1].friend, world.bodies[2])
             self.assertEqual(self.world.bodies[1].__reduce__(), self.body.__reduce_ex__(protocol))
         self.assertEqual(len(self.world.__reduce__()), 3)
+
+    def test_a_body_alone_is_copied_with_its_world(self):
+        for copied in (copy.deepcopy(self.body), pickle.loads(pickle.dumps(self.body))):
+            self.assertEqual(copied.position, self.body.position)
+            copied.position = (7, 7)
+            self.assertNotEqual(copied.position, self.body.position)
+            self.assertIsNot(copied.world, self.body.world)
 
     def test_what_cannot_be_copied_says_so(self):
         self.body.position = 0, 0.4

@@ -54,13 +54,14 @@ TEST(CommandLine, RecordHasTheDefaultsOfTheManual)
     EXPECT_FALSE(options.film.overwrite);
     EXPECT_EQ(options.look.width, 1280);
     EXPECT_EQ(options.look.height, 720);
-    EXPECT_FALSE(options.look.stepsPerSecond || options.look.velocityIterations ||
-                 options.look.positionIterations)
+    EXPECT_FALSE(options.look.simulation.stepsPerSecond ||
+                 options.look.simulation.velocityIterations ||
+                 options.look.simulation.positionIterations)
         << "as the scene prefers";
-    EXPECT_EQ(options.look.seed, 1u);
+    EXPECT_EQ(options.look.simulation.seed, 1u);
     EXPECT_EQ(options.look.view, ViewChoice(SceneView{}))
         << "the camera looks as the scene prefers";
-    EXPECT_FALSE(options.look.hud);
+    EXPECT_FALSE(options.look.panels.hud);
 }
 
 TEST(CommandLine, RecordReadsEveryOption)
@@ -80,17 +81,17 @@ TEST(CommandLine, RecordReadsEveryOption)
     EXPECT_TRUE(options.film.overwrite);
     EXPECT_EQ(options.look.width, 640);
     EXPECT_EQ(options.look.height, 480);
-    EXPECT_EQ(options.look.stepsPerSecond, (Rational{240, 1}));
-    EXPECT_EQ(options.look.seed, 7u);
-    EXPECT_EQ(options.look.velocityIterations, 10);
-    EXPECT_EQ(options.look.positionIterations, 4);
+    EXPECT_EQ(options.look.simulation.stepsPerSecond, (Rational{240, 1}));
+    EXPECT_EQ(options.look.simulation.seed, 7u);
+    EXPECT_EQ(options.look.simulation.velocityIterations, 10);
+    EXPECT_EQ(options.look.simulation.positionIterations, 4);
     EXPECT_EQ(options.look.view, ViewChoice(FixedView{-5.0, 2.5, 20.0}));
     LayerSet layers;
     layers[DrawLayer::Joints] = false;
     layers[DrawLayer::Aabbs] = true;
     EXPECT_EQ(options.look.layers, layers);
     EXPECT_TRUE(options.look.labels);
-    EXPECT_TRUE(options.look.hud);
+    EXPECT_TRUE(options.look.panels.hud);
 }
 
 TEST(CommandLine, ArrowsHaveScales)
@@ -109,7 +110,7 @@ TEST(CommandLine, ArrowsHaveScales)
 
 TEST(CommandLine, HudMillisecondsShowThePanel)
 {
-    EXPECT_TRUE(Parsed<ShotOptions>("shot bridge --at 1s -o a.png --hud-ms").look.hud);
+    EXPECT_TRUE(Parsed<ShotOptions>("shot bridge --at 1s -o a.png --hud-ms").look.panels.hud);
 }
 
 TEST(CommandLine, ShotTakesATimeOrAStep)
@@ -357,7 +358,8 @@ INSTANTIATE_TEST_SUITE_P(Mistyped, RefusedLine,
 
 TEST(CommandLine, AcceptsThePanelInTheSmallestPicture)
 {
-    EXPECT_TRUE(Parsed<ShotOptions>("shot pyramid --at 1s -o a.png --hud --size 200x130").look.hud);
+    EXPECT_TRUE(
+        Parsed<ShotOptions>("shot pyramid --at 1s -o a.png --hud --size 200x130").look.panels.hud);
 }
 
 TEST(CommandLine, ShowsHelpWithoutArguments)

@@ -5,6 +5,7 @@
 #include <base/Quoting.h>
 #include <cli/CommandLine.h>
 #include <cli/CommandTree.h>
+#include <cli/Help.h>
 
 #include <gmock/gmock.h>
 
@@ -32,7 +33,7 @@ std::vector<std::string> Words(const std::string& line)
     return all;
 }
 
-std::string HelpOf(const CommandText& command)
+std::string PrintedHelp(const CommandText& command)
 {
     std::vector<std::string> words = Words(command.path);
     words.emplace_back("--help");
@@ -61,7 +62,7 @@ TEST(CommandTree, ContainsEveryCommandAndOptionOfHelp)
     const std::regex optionLine("(^|\n)  (?:-[a-z],)?(--[a-z-]+)( [A-Z][^ \n]*)?");
     for (const CommandText* command : AllCommands(program))
     {
-        const std::string help = HelpOf(*command);
+        const std::string help = PrintedHelp(*command);
         const std::string head = help.substr(0, help.find("\n  boxreel ")); // the examples
         std::vector<std::pair<std::string, bool>> shown;
         for (std::sregex_iterator at(head.begin(), head.end(), optionLine), end; at != end; ++at)
@@ -86,18 +87,19 @@ TEST(CommandTree, ParsesExamplesOfEveryCommand)
     const CommandText program = DescribeProgram();
     for (const CommandText* command : AllCommands(program))
     {
-        EXPECT_THAT(command->notes, HasSubstr(command->path)) << "an example of its own";
-        std::istringstream lines(command->notes);
-        for (std::string line; std::getline(lines, line);)
+        bool hasOwn = false;
+        for (const std::string& example : command->examples)
         {
-            if (line.starts_with("  boxreel "))
+            hasOwn = hasOwn || example.find(command->path) != std::string::npos;
+            std::vector<std::string> words = ShellWords(example);
+            if (words.front() == "boxreel")
             {
-                std::vector<std::string> words = ShellWords(line);
                 words.erase(words.begin());
                 const Result<Request> request = ParseCommandLine(words);
-                EXPECT_TRUE(request) << line << "\n" << request.GetError().Text();
+                EXPECT_TRUE(request) << example << "\n" << request.GetError().Text();
             }
         }
+        EXPECT_TRUE(hasOwn) << command->path;
     }
 }
 
@@ -213,15 +215,10 @@ TEST(CommandTree, ManualPageContainsEveryOption)
     {
         EXPECT_THAT(page, HasSubstr(std::string("\n.SH ") + section + "\n"));
     }
-    // Each code that the help of the program speaks of.
-    const std::regex code("(?:, |: |,\n)([0-9]+) ");
-    const std::string codes = program.notes.substr(program.notes.find("Exit codes"));
-    int count = 0;
-    for (std::sregex_iterator at(codes.begin(), codes.end(), code), end; at != end; ++at, ++count)
+    for (const ExitCode& code : ExitCodes())
     {
-        EXPECT_THAT(page, HasSubstr(".TP\n\\fB" + (*at)[1].str() + "\\fR\n"));
+        EXPECT_THAT(page, HasSubstr(std::string(".TP\n\\fB") + code.code + "\\fR\n"));
     }
-    EXPECT_EQ(count, 6);
 }
 
 } // namespace

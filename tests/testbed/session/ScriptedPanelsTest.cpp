@@ -23,8 +23,8 @@ SceneSession Played(const std::string& lines, std::int64_t steps, bool isDrawn =
     const Result<Script> script = ParseScript("scene " + scene + "\n" + lines, "a.play");
     EXPECT_TRUE(script) << script.GetError().Text();
     SceneLook look;
-    look.panels = isDrawn;
-    look.script = std::make_shared<const Script>(*script);
+    look.panels.testbed = isDrawn;
+    look.simulation.script = std::make_shared<const Script>(*script);
     Result<SceneSession> session = OpenSession(*OpenScene(scene), look);
     EXPECT_TRUE(session) << session.GetError().Text();
     session->AdvanceTo(steps);
@@ -128,8 +128,8 @@ TEST(ScriptedPanels, OpenSectionsAndScrollToWhatIsOutOfSight)
 {
     SceneLook look;
     look.height = 300;
-    look.panels = true;
-    look.script = std::make_shared<const Script>(
+    look.panels.testbed = true;
+    look.simulation.script = std::make_shared<const Script>(
         *ParseScript("scene pyramid\nat step 0 click Panels/Solver\n"
                      "at step 0 click Draw/Profile\nat step 1 click Solver/Sleep\n",
                      "a.play"));

@@ -117,10 +117,11 @@ protected:
         {
             if (script->options[i] == "--hz")
             {
-                look.stepsPerSecond = *ParseRatio("--hz", script->options[i + 1], 1.0, 1000.0);
+                look.simulation.stepsPerSecond =
+                    *ParseRatio("--hz", script->options[i + 1], 1.0, 1000.0);
             }
         }
-        look.script = std::make_shared<const Script>(*script);
+        look.simulation.script = std::make_shared<const Script>(*script);
         Result<SceneSession> session = SceneSession::Open(*OpenScene(script->scene), look);
         EXPECT_TRUE(session) << session.GetError().Text();
         session->AdvanceTo(step);
