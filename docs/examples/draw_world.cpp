@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ball is thrown over a box: ball.png and ball.svg show where it is after a second, and its way.
+// A ball is thrown over a box: ball.png and ball.svg show where it is after a second, and its path.
 #include <Box2D/Box2D.h>
 #include <debugdraw/DrawCollector.h>
 #include <debugdraw/Trail.h>
@@ -21,15 +21,15 @@ int main()
     round.m_radius = 0.5f;
     ball->CreateFixture(&round, 1.0f);
 
-    std::vector<boxreel::Vec2> way;
+    std::vector<boxreel::Vec2> path;
     for (int step = 0; step < 60; ++step)
     {
         world.Step(1.0f / 60.0f, 8, 3);
-        way.push_back({ball->GetPosition().x, ball->GetPosition().y});
+        path.push_back({ball->GetPosition().x, ball->GetPosition().y});
     }
     const boxreel::Camera camera{640, 360, 4.0, 2.5, 45.0}; // pixels, centre, pixels a metre
     boxreel::DrawList list;
-    boxreel::AddTrail(list, camera, way);
+    boxreel::AddTrail(list, camera, path);
     boxreel::DrawCollector collector(list);
     collector.SetFlags(b2Draw::e_shapeBit);
     world.SetDebugDraw(&collector);

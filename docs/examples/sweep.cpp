@@ -12,7 +12,7 @@
 namespace
 {
 
-/// The ball and the way it has gone after four seconds.
+/// The ball and its path after four seconds.
 boxreel::SheetPicture Throw(float restitution, const boxreel::Camera& camera)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
@@ -34,14 +34,14 @@ boxreel::SheetPicture Throw(float restitution, const boxreel::Camera& camera)
     fixture.restitution = restitution;
     ball->CreateFixture(&fixture);
 
-    std::vector<boxreel::Vec2> way;
+    std::vector<boxreel::Vec2> path;
     for (int step = 0; step < 240; ++step)
     {
-        way.push_back({ball->GetPosition().x, ball->GetPosition().y});
+        path.push_back({ball->GetPosition().x, ball->GetPosition().y});
         world.Step(1.0f / 60.0f, 8, 3);
     }
     boxreel::SheetPicture picture{.list = {}, .camera = camera};
-    boxreel::AddTrail(picture.list, camera, way);
+    boxreel::AddTrail(picture.list, camera, path);
     boxreel::DrawCollector collector(picture.list);
     collector.SetFlags(b2Draw::e_shapeBit);
     world.SetDebugDraw(&collector);

@@ -25,8 +25,9 @@ THEMES = {"light": "print", "dark": "dark"}
 LOOK = ["--size", "216x120", "--scale", "2"]  # 432x240, with lines that are seen at this size
 COLUMNS = 3
 COLORS = 48
-README_PICTURES = ["window.png", *(f"{name}-{page}.{end}" for name, end in (("film", "webp"), ("report", "png")) for page in THEMES)]
-REPORT_SHOWS = "<style>header, nav, .message, h3, .tabs { display: none }</style>"  # one moment and its name
+README_PICTURES = [f"{name}-{page}.{end}" for name, end in (("film", "webp"), ("report", "png"), ("window", "png")) for page in THEMES]
+# One moment and its name. The badge says at which depth it differs, which needs the text that is left out.
+REPORT_SHOWS = "<style>header, nav, .message, h3, .tabs, .badge { display: none } h2 { margin-bottom: .6rem }</style>"
 
 # Scenes that the site lets one play, as pages of `boxreel record NAME -o NAME.html`.
 INTERACTIVE = ["Pyramid", "Dominos", "Theo Jansen's Walker", "Newton's Cradle", "Ragdoll", "Wrecking Ball"]
@@ -93,11 +94,12 @@ MOMENTS = {
     "MobileBalanced": ("1s", None),
 }
 
-# What else is drawn, where bodies alone say too little.
+# What else is drawn, where bodies and joints say too little or too much.
 MARKS = {
     "Heavy 1": ["--draw", "shapes,joints,impulses"],
     "Skinny Box": ["--onion", "14:2steps"],
     "Continuous Test": ["--strobe", "3steps"],
+    "Car": ["--draw", "shapes"],  # lines of joints would start at the origin of the ground, far from their wheels
 }
 
 
@@ -151,16 +153,16 @@ def draw(program, scene):
 
 
 def draw_readme(program):
-    """A film, the report of a golden test that fails, and the window, whose panels are dark on every page."""
+    """A film, the report of a golden test that fails, and the window."""
     for page, theme in THEMES.items():
         run(program, "record", "theo-jansens-walker", "-o", FOLDER / f"film-{page}.webp", "--force", "--theme", theme, "--size", "400x225",
             "--fps", "10", "--seconds", "2.4", "--camera", "path:0s=-8,3.8,11;2.4s=-1.5,3.8,11")
         draw_report(program, page, theme)
-    with tempfile.TemporaryDirectory() as name:
-        full = pathlib.Path(name) / "window.png"
-        run(program, "shot", "wrecking-ball", "-o", full, "--at", "2.15s", "--ui", "--theme", "dark", "--size", "800x556",
-            "--camera", "5,6,13")
-        reduce(full, FOLDER / "window.png", 128)
+        with tempfile.TemporaryDirectory() as name:
+            full = pathlib.Path(name) / "window.png"
+            run(program, "shot", "wrecking-ball", "-o", full, "--at", "2.15s", "--ui", "--theme", theme, "--size", "800x556",
+                "--camera", "5,6,13")
+            reduce(full, FOLDER / f"window-{page}.png", 128)
 
 
 def draw_report(program, page, theme):

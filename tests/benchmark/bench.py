@@ -22,6 +22,15 @@ BENCHMARKS: dict[str, Benchmark] = {one.name: one for one in (
     engine.Engine(), engine.Curve(), accuracy.Accuracy(), toolkit.Drawing(), toolkit.Recording(), toolkit.Comparing())}
 KINDS = BENCHMARKS | {"against": against.Against()}  # what a file of figures may hold
 
+EXAMPLES = """Examples:
+  ./boxreel bench engine --list
+  ./boxreel bench engine large-pyramid rain --threads 1,2
+  ./boxreel bench accuracy --json accuracy.json
+  ./boxreel bench show accuracy.json J-stack-30 --chart stack.svg
+  ./boxreel bench engine --against ../before/build/release
+
+`./boxreel bench NAME --help` shows the options of a benchmark."""
+
 
 class Parser(argparse.ArgumentParser):
     """Reports a wrong command line in one sentence, with exit code 1."""
@@ -43,7 +52,8 @@ def numbers(pattern: str, example: str, most: int):
 
 def parse(words: list[str]) -> argparse.Namespace:
     """The options of texts.json, of which none contradicts another."""
-    parser = Parser(prog="./boxreel bench", description="Run benchmarks beside peers; `NAME --help` tells more.")
+    parser = Parser(prog="./boxreel bench", description="Run benchmarks beside other engines, renderers and encoders.",
+                    epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="benchmark", metavar="NAME", required=True)
     for name in (*BENCHMARKS, "show"):
         what = TEXTS[name]["what"]

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 
@@ -62,6 +63,25 @@ TEST(Examples, AreShownOnTheirPagesAsTheyAre)
     EXPECT_TRUE(HasBlock("scene-file.md", "json", TextOf(kExamples / "short.json")));
     EXPECT_TRUE(HasBlock("golden-ci.md", "yaml",
                          TextOf(kExamples / "golden-ci/.github/workflows/golden.yml")));
+}
+
+/// Returns the lines of the README's first block of that language.
+std::ptrdiff_t ReadmeLines(const std::string& language)
+{
+    const std::string page = TextOf(BOXREEL_DOCS "/../README.md");
+    const std::string fence = "```" + language + "\n";
+    const std::size_t at = page.find(fence);
+    EXPECT_NE(at, std::string::npos) << language;
+    const auto begin = page.begin() + std::ptrdiff_t(std::min(page.size(), at + fence.size()));
+    const auto end = page.begin() + std::ptrdiff_t(std::min(page.size(), page.find("```", at + 3)));
+    return std::count(begin, end, '\n');
+}
+
+TEST(Examples, OfTheReadmeAreShort)
+{
+    EXPECT_LE(ReadmeLines("cpp"), 15);
+    EXPECT_LE(ReadmeLines("python"), 4);
+    EXPECT_LE(ReadmeLines("cmake"), 10);
 }
 
 TEST(Examples, HelloWorldPrintsWhatItsPageSays)

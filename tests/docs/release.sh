@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 #
-# release.sh CHECKOUT VERSION: the changelog has a dated section of this version, of at most 40 lines, below an
-# "Unreleased" one, and CITATION.cff names the same version and date.
+# release.sh CHECKOUT VERSION: the changelog has a dated section of this version, of at most 40 lines, and CITATION.cff
+# names the same version and date.
 set -eu
 cd "$1"
 version=$2
@@ -12,9 +12,8 @@ fail() {
 }
 date=$(sed -n "s/^## \[$version\] - \([0-9]\{4\}-[0-9][0-9]-[0-9][0-9]\)$/\1/p" CHANGELOG.md)
 [ -n "$date" ] || fail "CHANGELOG.md has no dated section of $version"
-grep -q '^## \[Unreleased\]$' CHANGELOG.md || fail 'CHANGELOG.md has no section Unreleased'
 lines=$(sed -n "/^## \[$version\]/,/^## \[/p" CHANGELOG.md | grep -vc '^## \[' || true)
-[ "$lines" -le 40 ] || fail "the section of $version in CHANGELOG.md has $lines lines; users read 40"
+[ "$lines" -le 40 ] || fail "the section of $version in CHANGELOG.md has $lines lines, more than 40"
 grep -qx "version: $version" CITATION.cff || fail "CITATION.cff is not of version $version"
 grep -qx "date-released: $date" CITATION.cff || fail "CITATION.cff is not of $date, as CHANGELOG.md is"
 minor=${version%.*}

@@ -100,7 +100,8 @@ TEST(LimitationsListing, MeasuresWhatThePageShows)
     table += Line("heavy ball, 1000:1       ", HeavyBall, 1000.0f);
     table += Line(
         "thrown                   ", [](int32 n, float32) { return Thrown(n); }, 0.0f);
-    const std::string shown = manual::SectionText("12-limitations.md", "## Measured by this page");
+    const std::string shown =
+        manual::SectionText("12-limitations.md", "## Three of them, measured");
     EXPECT_THAT(shown, testing::HasSubstr("```text\n" + table + "```"));
 }
 
