@@ -207,7 +207,8 @@ class Pile(Framework):
     def __init__(self):
         super(Pile, self).__init__()
         self.groundbody = self.world.CreateBody(shapes=b2LoopShape(vertices=[(-20, 0), (20, 0), (20, 40), (-20, 40)]))
-        shapes = [b2PolygonShape(box=(0.5, 0.5)), b2CircleShape(radius=0.5), b2PolygonShape(vertices=[(-0.5, 0), (0.5, 0), (0, 1.5)])]
+        shapes = [b2PolygonShape(box=(0.5, 0.5)), b2CircleShape(radius=0.5),
+                  b2PolygonShape(vertices=[(-0.5, 0), (0.5, 0), (0, 1.5)])]
         for i in range(12):
             self.world.CreateDynamicBody(position=(-6 + i, 2 + i), angle=i, userData=i,
                                          fixtures=b2FixtureDef(shape=shapes[i % 3], density=1, friction=0.3))
@@ -639,8 +640,8 @@ class Environments(unittest.TestCase):
         ground.CreateFixture(b2FixtureDef(shape=b2PolygonShape(box=(9, 7, (0, 15), 20 * b2_pi / 180)), isSensor=True,
                                           userData={"friction": 0.9}))
         car.body = car.world.CreateDynamicBody(position=(0, 0))
-        car.body.CreatePolygonFixture(vertices=[(1.5, 0), (3, 2.5), (2.8, 5.5), (1, 10), (-1, 10), (-2.8, 5.5), (-3, 2.5), (-1.5, 0)],
-                                      density=0.1)
+        half = [(1.5, 0), (3, 2.5), (2.8, 5.5), (1, 10)]
+        car.body.CreatePolygonFixture(vertices=half + [(-x, y) for x, y in reversed(half)], density=0.1)
         car.tires, car.joints = [], []
         for anchor in ((-3, 0.75), (3, 0.75), (-3, 8.5), (3, 8.5)):
             tire = Tire(car, anchor, 500)
@@ -672,7 +673,7 @@ class Environments(unittest.TestCase):
                     self.env.game_over = True
                 for i in range(2):
                     if self.env.legs[i] in [contact.fixtureA.body, contact.fixtureB.body]:
-                        self.env.legs[i].ground_contact = True
+                        self.env.legs[i].ground_contact = self.env.legs[i].has_touched = True
 
             def EndContact(self, contact):
                 for i in range(2):
@@ -702,7 +703,7 @@ class Environments(unittest.TestCase):
                 leg = world.CreateDynamicBody(position=(10 - i * 20 / SCALE, 9), angle=i * 0.05, fixtures=fixtureDef(
                     shape=polygonShape(box=(2 / SCALE, 8 / SCALE)), density=1.0, restitution=0.0, categoryBits=0x0020,
                     maskBits=0x001))
-                leg.ground_contact = False
+                leg.ground_contact = leg.has_touched = False
                 rjd = revoluteJointDef(bodyA=env.lander, bodyB=leg, localAnchorA=(0, 0), localAnchorB=(i * 20 / SCALE, 18 / SCALE),
                                        enableMotor=True, enableLimit=True, maxMotorTorque=40, motorSpeed=+0.3 * i)
                 if i == -1:
@@ -734,7 +735,7 @@ class Environments(unittest.TestCase):
                         else:
                             path = [trans * v * SCALE for v in f.shape.vertices]
                 world.Step(1.0 / 50, 6 * 30, 2 * 30)
-            self.assertTrue(any(leg.ground_contact for leg in env.legs))
+            self.assertTrue(all(leg.has_touched for leg in env.legs))
             self.assertLess(abs(env.lander.linearVelocity.y), 0.1)
             world.contactListener = None
             for body in [moon, env.lander, *env.legs, *env.particles]:
