@@ -97,7 +97,7 @@ def b2Clamp(a, low, high):
 __all__ = [name for name in globals() if name.startswith(("b2", "e_", "RAND_"))]
 for _item in [globals()[name] for name in __all__]:
     if getattr(_item, "__module__", None) in ("_boxreel", "Box2D._definitions", "Box2D._callbacks", "Box2D._additions",
-                                               "Box2D._collision"):
+                                               "Box2D._collision", "Box2D._bound"):
         try:
             _item.__module__ = "Box2D"
         except (AttributeError, TypeError):

@@ -212,7 +212,7 @@ class b2Body:
         """Centre of mass in the world [m]."""
         ...
     @property
-    def linearVelocity(self) -> b2BodyVelocity:
+    def linearVelocity(self) -> b2BoundVec2:
         """Velocity of the centre of mass [m/s]."""
         ...
     @linearVelocity.setter
@@ -290,7 +290,7 @@ class b2Body:
     @inertia.setter
     def inertia(self, value: float) -> None: ...
     @property
-    def localCenter(self) -> b2Vec2:
+    def localCenter(self) -> b2BoundVec2:
         """Centre of mass in the body's frame [m]."""
         ...
     @localCenter.setter
@@ -1068,7 +1068,7 @@ class b2Fixture:
         ...
     @property
     def shape(self) -> Any:
-        """A copy of the shape, in the frame of the body."""
+        """The shape, in the frame of the body. What is written to it reaches the fixture; call ResetMassData of the body for its mass."""
         ...
     @property
     def body(self) -> Any:
@@ -1161,7 +1161,7 @@ class b2Fixture:
         """Type of the shape."""
         ...
     def GetShape(self) -> Any:
-        """A copy of the shape, in the frame of the body."""
+        """The shape, in the frame of the body. What is written to it reaches the fixture; call ResetMassData of the body for its mass."""
         ...
     def GetBody(self) -> Any:
         """The body that the fixture is on."""
@@ -2045,7 +2045,7 @@ class b2World:
         """Creates an empty world. Gravity [m/s^2]; every other keyword is a property."""
         ...
     @property
-    def gravity(self) -> b2Vec2:
+    def gravity(self) -> b2BoundVec2:
         """Acceleration of all dynamic bodies [m/s^2]."""
         ...
     @gravity.setter
@@ -2436,8 +2436,8 @@ class b2WorldManifold:
         """Returns a copy."""
         ...
 
-class b2BodyVelocity(b2Vec2):
-    """The velocity of a body. What is written reaches the body [m/s]."""
+class b2BoundVec2(b2Vec2):
+    """A vector of an object, such as the velocity of a body. What is written reaches the object."""
     def __setitem__(self, arg0: int, arg1: Any, /) -> None: ...
     @property
     def x(self) -> float:
@@ -2510,13 +2510,13 @@ class b2ChainShape(b2Shape):
         """The edges, as a list of b2EdgeShape."""
         ...
     @property
-    def prevVertex(self) -> b2Vec2:
+    def prevVertex(self) -> b2BoundVec2:
         """The vertex before the first [m]."""
         ...
     @prevVertex.setter
     def prevVertex(self, value: Any) -> None: ...
     @property
-    def nextVertex(self) -> b2Vec2:
+    def nextVertex(self) -> b2BoundVec2:
         """The vertex after the last [m]."""
         ...
     @nextVertex.setter
@@ -2539,7 +2539,7 @@ class b2CircleShape(b2Shape):
     """A solid circle: radius=, pos=."""
     def __init__(self, **kwargs: Any) -> None: ...
     @property
-    def pos(self) -> b2Vec2:
+    def pos(self) -> b2BoundVec2:
         """Centre [m]."""
         ...
     @pos.setter
@@ -2663,25 +2663,25 @@ class b2EdgeShape(b2Shape):
     """A line segment: vertices=[a, b]."""
     def __init__(self, **kwargs: Any) -> None: ...
     @property
-    def vertex0(self) -> b2Vec2:
+    def vertex0(self) -> b2BoundVec2:
         """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
         ...
     @vertex0.setter
     def vertex0(self, value: Any) -> None: ...
     @property
-    def vertex1(self) -> b2Vec2:
+    def vertex1(self) -> b2BoundVec2:
         """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
         ...
     @vertex1.setter
     def vertex1(self, value: Any) -> None: ...
     @property
-    def vertex2(self) -> b2Vec2:
+    def vertex2(self) -> b2BoundVec2:
         """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
         ...
     @vertex2.setter
     def vertex2(self, value: Any) -> None: ...
     @property
-    def vertex3(self) -> b2Vec2:
+    def vertex3(self) -> b2BoundVec2:
         """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
         ...
     @vertex3.setter
@@ -2840,7 +2840,7 @@ class b2MotorJoint(b2Joint):
     @maxTorque.setter
     def maxTorque(self, value: float) -> None: ...
     @property
-    def linearOffset(self) -> b2Vec2:
+    def linearOffset(self) -> b2BoundVec2:
         """Target of body B's origin in body A's frame [m]."""
         ...
     @linearOffset.setter
@@ -2906,7 +2906,7 @@ class b2MouseJoint(b2Joint):
     @dampingRatio.setter
     def dampingRatio(self, value: float) -> None: ...
     @property
-    def target(self) -> b2Vec2:
+    def target(self) -> b2BoundVec2:
         """The point of the world [m]."""
         ...
     @target.setter

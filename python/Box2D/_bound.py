@@ -1,30 +1,41 @@
 # SPDX-License-Identifier: MIT
-"""Values that reach their object when a program changes them: `body.linearVelocity.x = 4` and
-`fixture.filterData.maskBits = 0`. A velocity is a copy otherwise, and stays as it is when the body accelerates. A filter
-shows what the fixture has."""
+"""Values that reach their object when a program changes them: `body.linearVelocity.x = 4`, `world.gravity.y = -5` and
+`fixture.filterData.maskBits = 0`. A vector is a copy otherwise: a velocity stays as it is when the body accelerates. A
+filter shows what the fixture has."""
 
 import weakref
 
-from _boxreel import b2Body, b2Error, b2Filter, b2Fixture, b2Vec2
+import _boxreel
+from _boxreel import b2Error, b2Filter, b2Fixture, b2Shape, b2Vec2
 
-__all__ = ["b2BodyVelocity", "b2FixtureFilter"]
+__all__ = ["b2BoundVec2", "b2FixtureFilter"]
 
-_velocity = b2Body.linearVelocity
 _filter = b2Fixture.filterData
 
+# Not body.position: programs compute with it in place, which moves no body in pybox2d either.
+_VECTORS = {
+    "b2Body": ("linearVelocity", "localCenter"),
+    "b2World": ("gravity",),
+    "b2MouseJoint": ("target",),
+    "b2MotorJoint": ("linearOffset",),
+    "b2CircleShape": ("pos",),
+    "b2EdgeShape": ("vertex0", "vertex1", "vertex2", "vertex3"),
+    "b2ChainShape": ("prevVertex", "nextVertex"),
+}
 
-class b2BodyVelocity(b2Vec2):
-    """The velocity of a body. What is written reaches the body [m/s]."""
 
-    __slots__ = ("_owner",)
+class b2BoundVec2(b2Vec2):
+    """A vector of an object, such as the velocity of a body. What is written reaches the object."""
+
+    __slots__ = ("_owner", "_property")
 
     def __setitem__(self, index, value):
         b2Vec2.__setitem__(self, index, value)
-        owner = _body_of(self)
+        owner = _owner_of(self)
         if owner is not None:
-            velocity = _velocity.fget(owner)  # the other component may have changed meanwhile
-            velocity[index] = value
-            _velocity.fset(owner, velocity)
+            vector = self._property.fget(owner)  # the other component may have changed meanwhile
+            vector[index] = value
+            self._property.fset(owner, vector)
 
     def __reduce_ex__(self, protocol):
         return b2Vec2, tuple(self)
@@ -49,21 +60,21 @@ def _filter_of(*values):
     return b2Filter(**dict(zip(_FILTER, values)))
 
 
-def _body_of(value):
-    """The body behind a velocity, or None if it is destroyed or a program made the vector itself."""
+def _owner_of(value):
+    """The object behind a vector, or None if it is destroyed or a program made the vector itself."""
     owner = getattr(value, "_owner", None)
     owner = owner() if owner is not None else None
-    return owner if owner is not None and owner._exists else None
+    return owner if getattr(owner, "_exists", owner is not None) else None
 
 
 def _writing(change):
-    """Returns the function of b2Vec2 with a write to the body after it."""
+    """Returns the function of b2Vec2 with a write to the object after it."""
 
     def changed(self, *arguments):
         result = change(self, *arguments)
-        owner = _body_of(self)
+        owner = _owner_of(self)
         if owner is not None:
-            _velocity.fset(owner, self)
+            self._property.fset(owner, self)
         return result
 
     changed.__doc__ = change.__doc__
@@ -96,10 +107,10 @@ def _filter_part(name):
 
 
 for _name in ("__iadd__", "__isub__", "__imul__", "__itruediv__", "Normalize", "Set", "SetZero"):
-    setattr(b2BodyVelocity, _name, _writing(getattr(b2Vec2, _name)))
+    setattr(b2BoundVec2, _name, _writing(getattr(b2Vec2, _name)))
 for _name in ("tuple", "length"):
     _whole = getattr(b2Vec2, _name)
-    setattr(b2BodyVelocity, _name, property(_whole.fget, _writing(_whole.fset), doc=_whole.__doc__))
+    setattr(b2BoundVec2, _name, property(_whole.fget, _writing(_whole.fset), doc=_whole.__doc__))
 for _name in _FILTER:
     setattr(b2FixtureFilter, _name, _filter_part(_name))
 
@@ -110,14 +121,27 @@ def _copy(self, memo=None):
     return function(*values)
 
 
-for _class in (b2BodyVelocity, b2FixtureFilter):
+for _class in (b2BoundVec2, b2FixtureFilter):
     _class.copy = _class.__copy__ = _class.__deepcopy__ = _copy
 
 
-def _get_velocity(self) -> b2BodyVelocity:
-    velocity = b2BodyVelocity(_velocity.fget(self))
-    velocity._owner = weakref.ref(self)
-    return velocity
+def _bound(whole, keeps_owner):
+    """Returns the property with vectors that write to it. A shape is kept, because a program may hold only its vector."""
+    read = whole.fget
+
+    def get(self) -> b2BoundVec2:
+        vector = b2BoundVec2(read(self))
+        vector._owner = (lambda: self) if keeps_owner else weakref.ref(self)
+        vector._property = whole
+        return vector
+
+    return property(get, whole.fset, doc=whole.__doc__)
+
+
+for _name, _vectors in _VECTORS.items():
+    _class = getattr(_boxreel, _name)
+    for _vector in _vectors:
+        setattr(_class, _vector, _bound(getattr(_class, _vector), issubclass(_class, b2Shape)))
 
 
 def _get_filter(self) -> b2FixtureFilter:
@@ -131,5 +155,4 @@ def _set_filter(self, value):
     _filter.fset(self, value.copy() if isinstance(value, b2FixtureFilter) else value)
 
 
-b2Body.linearVelocity = property(_get_velocity, _velocity.fset, doc=_velocity.__doc__)
 b2Fixture.filterData = property(_get_filter, _set_filter, doc=_filter.__doc__)

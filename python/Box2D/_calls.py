@@ -3,13 +3,11 @@
 
 import functools
 import inspect
-import os
 import types
 
 from _boxreel import _refuse
 
 _SPECIAL = ("__init__", "__new__", "__getitem__", "__setitem__")
-_READS_SIGNATURES = "BOXREEL_SIGNATURES" in os.environ  # stubs.py writes down which properties can be set
 
 
 def checked(function, name, is_method):
@@ -36,11 +34,14 @@ def checked(function, name, is_method):
     return call
 
 
-def _read_only(name, member):
-    def refuse(self, value):
-        raise AttributeError(f"{type(self).__name__}.{name} cannot be set")
+class _ReadOnly(property):
+    def __init__(self, name, member):
+        super().__init__(member.fget)
+        self.__doc__ = member.__doc__  # of a subclass, property keeps it by itself in some versions only
+        self.name = name
 
-    return property(member.fget, refuse, doc=member.__doc__)
+    def __set__(self, item, value):
+        raise AttributeError(f"{type(item).__name__}.{self.name} cannot be set")
 
 
 def _check_class(one):
@@ -50,8 +51,8 @@ def _check_class(one):
         function = member.__func__ if isinstance(member, staticmethod) and name == "__new__" else member
         if isinstance(function, types.FunctionType) and not hasattr(function, "__wrapped__"):
             setattr(one, name, checked(function, name, True))
-        elif isinstance(member, property) and member.fset is None and not _READS_SIGNATURES:
-            setattr(one, name, _read_only(name, member))
+        elif isinstance(member, property) and member.fset is None and not isinstance(member, _ReadOnly):
+            setattr(one, name, _ReadOnly(name, member))
 
 
 def check_calls(names):

@@ -161,7 +161,7 @@ from . import b2JointCompare as jointCompare
 from . import b2ShapeCompare as shapeCompare
 from . import b2Random as random
 from . import RAND_LIMIT as RAND_LIMIT
-from . import b2BodyVelocity as bodyVelocity
+from . import b2BoundVec2 as boundVec2
 from . import b2FixtureFilter as fixtureFilter
 from . import b2_version as version
 from . import b2LoopShape as loopShape

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A ball and a box fall on the ground; ten seconds as a film: hello.py [FILM]"""
+"""A ball and a box fall on the ground; five seconds as a film: hello.py [FILM]"""
 
 import sys
 

@@ -261,7 +261,6 @@ void BindBody(py::module_& module)
                 return EdgesOf(h, BodyOf(h).GetContactList(),
                                [&](b2ContactEdge* e) { return WrapContact(*h.world, e->contact); });
             })
-        .def_property_readonly("_exists", [](const BodyHandle& h) { return h.world != nullptr; })
         .def_property_readonly(
             "next", [](const BodyHandle& h) { return Wrap(*h.world, BodyOf(h).GetNext()); },
             "The body created before this one, or None.")
@@ -354,8 +353,13 @@ void BindFixture(py::module_& module)
                                       "Group that always or never collides; 0: none.");
     ReadOnly(type, "type", &b2Fixture::GetType, "Type of the shape.");
     type.def_property_readonly(
-            "shape", [](const FixtureHandle& h) { return CopyOfShape(*FixtureOf(h).GetShape()); },
-            "A copy of the shape, in the frame of the body.")
+            "shape",
+            [](const py::object& self) {
+                const b2Shape& shape = *FixtureOf(self.cast<FixtureHandle&>()).GetShape();
+                return ShapeOfFixture(self, shape);
+            },
+            "The shape, in the frame of the body. What is written to it reaches the fixture; call "
+            "ResetMassData of the body for its mass.")
         .def_property_readonly(
             "body", [](const FixtureHandle& h) { return Wrap(*h.world, FixtureOf(h).GetBody()); },
             "The body that the fixture is on.")
@@ -415,7 +419,36 @@ void BindFixture(py::module_& module)
             py::arg("bodyIndex") = 0, "Writes the fixture as code of C++ to standard output.");
 }
 
+/// Returns the fixture behind a weak reference, or null if it was destroyed.
+FixtureHandle* FixtureBehind(const py::object& reference)
+{
+    const py::handle object = PyWeakref_GetObject(reference.ptr());
+    if (object.is_none())
+    {
+        return nullptr;
+    }
+    auto& handle = object.cast<FixtureHandle&>();
+    return handle.world != nullptr ? &handle : nullptr;
+}
+
 } // namespace
+
+const b2Shape* LiveShape(const py::object& fixture)
+{
+    const FixtureHandle* handle = FixtureBehind(fixture);
+    return handle != nullptr ? handle->object->GetShape() : nullptr;
+}
+
+void SetLiveShape(const py::object& fixture, const b2Shape& shape)
+{
+    FixtureHandle* handle = FixtureBehind(fixture);
+    if (handle == nullptr)
+    {
+        ThrowMisuse("the fixture of this shape was destroyed, or its world was; it cannot be "
+                    "changed");
+    }
+    handle->world->SetShape(*handle, shape);
+}
 
 template <>
 b2Filter From<b2Filter>(py::handle value, const char* name)

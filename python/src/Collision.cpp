@@ -291,20 +291,20 @@ void Collide(py::module_& module, const char* name,
         const b2Transform transformB = From<b2Transform>(xfB, "xfB");
         if constexpr (std::is_same_v<A, b2PolygonShape>)
         {
-            if (a.shape.m_count < 3)
+            if (a.Get().m_count < 3)
             {
                 ThrowMisuse("the polygon has no vertices");
             }
         }
         if constexpr (std::is_same_v<B, b2PolygonShape>)
         {
-            if (b.shape.m_count < 3)
+            if (b.Get().m_count < 3)
             {
                 ThrowMisuse("the polygon has no vertices");
             }
         }
         b2Manifold manifold;
-        collide(&manifold, &a.shape, transformA, &b.shape, transformB);
+        collide(&manifold, &a.Get(), transformA, &b.Get(), transformB);
         return Checked(manifold);
     };
     module.def(name, compute, py::arg("shapeA"), py::arg("xfA"), py::arg("shapeB"), py::arg("xfB"),

@@ -220,7 +220,9 @@ private:
         }
         if (!m_follower)
         {
-            m_follower.emplace(m_video.width, m_video.height, BoundsAtStart(world.world));
+            world.RequireUnlocked("drawing");
+            const Rect ground = GroundBelow(world.world);
+            m_follower.emplace(m_video.width, m_video.height, BoundsAtStart(world.world, ground));
         }
         else
         {

@@ -166,10 +166,13 @@ void UserData(Class& type)
         "Any object of the program.");
 }
 
-/// Adds comparison by identity and a hash, which pybind11 keeps from classes with neither.
+/// Adds comparison by identity and a hash, which pybind11 keeps from classes with neither; and
+/// `_exists`, which is False once the object is destroyed.
 template <class Class>
 void Identity(Class& type)
 {
+    using H = typename Class::type;
+    type.def_property_readonly("_exists", [](const H& h) { return h.world != nullptr; });
     type.def("__eq__", [](py::handle a, py::handle b) { return a.is(b); })
         .def("__ne__", [](py::handle a, py::handle b) { return !a.is(b); })
         .def("__hash__", [](py::handle a) { return std::hash<void*>()(a.ptr()); });

@@ -197,6 +197,20 @@ void BindCamera(py::module_& module)
     });
 }
 
+bool IsIterable(py::handle value)
+{
+    return py::isinstance<py::iterable>(value) && !py::isinstance<py::str>(value);
+}
+
+py::iterable Iterate(py::handle value, const char* name, const char* expected)
+{
+    if (!IsIterable(value))
+    {
+        ThrowType(name, expected, value);
+    }
+    return py::reinterpret_borrow<py::iterable>(value);
+}
+
 void WriteFigure(py::handle world, const std::string& path, const Camera& camera,
                  const std::string& theme, double scale, const Look& look, bool overwrite)
 {
@@ -252,13 +266,58 @@ Theme ThemeFrom(const std::string& name)
     ThrowNotOneOf("theme", name, {ThemeNames().begin(), ThemeNames().end()});
 }
 
+Rect GroundBelow(const b2World& world)
+{
+    struct FirstStatic final : b2RayCastCallback
+    {
+        float32 ReportFixture(b2Fixture* fixture, const b2Vec2& point, const b2Vec2&,
+                              float32 fraction) override
+        {
+            if (fixture->IsSensor() || fixture->GetBody()->GetType() != b2_staticBody)
+            {
+                return -1.0f;
+            }
+            place = point;
+            return fraction;
+        }
+
+        std::optional<b2Vec2> place;
+    };
+
+    b2Vec2 down = world.GetGravity();
+    Rect bounds;
+    if (down.Normalize() == 0.0f)
+    {
+        return bounds;
+    }
+    const Rect scene = BoundsAtStart(world);
+    const float32 reach =
+        10.0f * std::max(scene.upper.x - scene.lower.x, scene.upper.y - scene.lower.y);
+    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        const b2Vec2 from = body->GetWorldCenter();
+        const b2Vec2 to = from + reach * down;
+        if (body->GetType() == b2_dynamicBody && body->IsActive() && from.IsValid() &&
+            to.IsValid() && from != to)
+        {
+            FirstStatic ray;
+            world.RayCast(&ray, from, to);
+            if (ray.place)
+            {
+                bounds.Include(Vec2{ray.place->x, ray.place->y});
+            }
+        }
+    }
+    return bounds;
+}
+
 Look LookFrom(py::handle layers, py::handle trails)
 {
     Look look;
     if (!layers.is_none())
     {
         look.layers = LayerSet::None();
-        for (const py::handle each : py::reinterpret_borrow<py::iterable>(layers))
+        for (const py::handle each : Iterate(layers, "layers", "a list of names"))
         {
             const std::string name = py::str(each);
             const std::optional<DrawLayer> layer = FindLayer(name);
@@ -271,8 +330,14 @@ Look LookFrom(py::handle layers, py::handle trails)
     }
     if (!trails.is_none())
     {
-        for (const py::handle trail : py::reinterpret_borrow<py::iterable>(trails))
+        for (const py::handle trail : Iterate(trails, "trails", "a list of paths"))
         {
+            if (IsVec2(trail) || !IsIterable(trail))
+            {
+                const std::string name = "trails[" + std::to_string(look.trails.size()) + "]";
+                ThrowType(name.c_str(),
+                          "a path, which is a list of points (for one path: trails=[path])", trail);
+            }
             std::vector<Vec2>& points = look.trails.emplace_back();
             for (const b2Vec2& point : From<std::vector<b2Vec2>>(trail, "trails"))
             {

@@ -14,16 +14,6 @@ using Edge = ShapeOf<b2EdgeShape>;
 using Polygon = ShapeOf<b2PolygonShape>;
 using Chain = ShapeOf<b2ChainShape>;
 
-/// Call before a change.
-void RequireOwn(const ShapeObject& shape)
-{
-    if (shape.isOfFixture)
-    {
-        ThrowMisuse(
-            "a shape of a fixture cannot be changed; destroy the fixture and create another");
-    }
-}
-
 int32 Child(const b2Shape& shape, py::handle index)
 {
     const int32 child = From<int32>(index, "childIndex");
@@ -37,37 +27,40 @@ int32 Child(const b2Shape& shape, py::handle index)
 
 void SetVertices(Polygon& self, py::handle value)
 {
-    RequireOwn(self);
     if (IsVec2(value)) // the kind of error that programs catch
     {
         ThrowMisuse("vertices: expected a list of at least 3 points, not one point");
     }
     const std::vector<b2Vec2> points = From<std::vector<b2Vec2>>(value, "vertices");
-    if (points.empty())
-    {
-        const float32 radius = self.shape.m_radius;
-        self.shape = b2PolygonShape();
-        self.shape.m_radius = radius;
-        return;
-    }
+    const int32 count = static_cast<int32>(points.size());
     if (const char* reason =
-            b2PolygonShape::WhyNotConvex(points.data(), static_cast<int32>(points.size())))
+            count > 0 ? b2PolygonShape::WhyNotConvex(points.data(), count) : nullptr)
     {
         ThrowMisuse(reason);
     }
-    self.shape.Set(points.data(), static_cast<int32>(points.size()));
-    CheckMisuse();
+    self.Change([&](b2PolygonShape& shape) {
+        if (count > 0)
+        {
+            shape.Set(points.data(), count);
+            return;
+        }
+        const float32 radius = shape.m_radius;
+        shape = b2PolygonShape();
+        shape.m_radius = radius;
+    });
 }
 
 void SetBox(Polygon& self, py::handle width, py::handle height, py::handle center, py::handle angle)
 {
-    RequireOwn(self);
-    b2PolygonShape box;
-    box.SetAsBox(From<float32>(width, "box"), From<float32>(height, "box"),
-                 From<b2Vec2>(center, "box"), From<float32>(angle, "box"));
-    CheckMisuse();
-    box.m_radius = self.shape.m_radius;
-    self.shape = box;
+    const float32 hx = From<float32>(width, "box");
+    const float32 hy = From<float32>(height, "box");
+    const b2Vec2 middle = From<b2Vec2>(center, "box");
+    const float32 turn = From<float32>(angle, "box");
+    self.Change([&](b2PolygonShape& shape) {
+        const float32 radius = shape.m_radius;
+        shape.SetAsBox(hx, hy, middle, turn);
+        shape.m_radius = radius;
+    });
 }
 
 void SetBoxTuple(Polygon& self, py::handle value)
@@ -87,7 +80,6 @@ void SetBoxTuple(Polygon& self, py::handle value)
 /// Sets an edge by 2 points, or by 3 or 4 with its neighbours', which may be None.
 void SetVertices(Edge& self, py::handle value)
 {
-    RequireOwn(self);
     const py::list points = ItemsOf(value, "vertices");
     const std::size_t count = points.size();
     if (count < 2 || count > 4)
@@ -102,36 +94,37 @@ void SetVertices(Edge& self, py::handle value)
     const b2Vec2 end = From<b2Vec2>(py::object(points[first + 1]), "vertices");
     const b2Vec2 vertex0 = before.is_none() ? b2Vec2() : From<b2Vec2>(before, "vertices");
     const b2Vec2 vertex3 = after.is_none() ? b2Vec2() : From<b2Vec2>(after, "vertices");
-    b2EdgeShape& edge = self.shape;
-    edge.Set(start, end);
-    edge.m_hasVertex0 = !before.is_none();
-    edge.m_vertex0 = vertex0;
-    edge.m_hasVertex3 = !after.is_none();
-    edge.m_vertex3 = vertex3;
-    CheckMisuse();
+    self.Change([&](b2EdgeShape& edge) {
+        edge.Set(start, end);
+        edge.m_hasVertex0 = !before.is_none();
+        edge.m_vertex0 = vertex0;
+        edge.m_hasVertex3 = !after.is_none();
+        edge.m_vertex3 = vertex3;
+    });
 }
 
 void SetVertices(Chain& self, py::handle value, bool isLoop)
 {
-    RequireOwn(self);
     const std::vector<b2Vec2> points = From<std::vector<b2Vec2>>(value, "vertices");
     const int32 count = static_cast<int32>(points.size());
-    self.shape.Clear();
-    if (isLoop && count > 2)
-    {
-        self.shape.CreateLoop(points.data(), count);
-    }
-    else
-    {
-        self.shape.CreateChain(points.data(), count);
-    }
-    CheckMisuse();
+    self.Change([&](b2ChainShape& chain) {
+        chain.Clear();
+        if (isLoop && count > 2)
+        {
+            chain.CreateLoop(points.data(), count);
+        }
+        else
+        {
+            chain.CreateChain(points.data(), count);
+        }
+    });
 }
 
 py::object ChildEdge(const Chain& self, py::handle index)
 {
     b2EdgeShape edge;
-    self.shape.GetChildEdge(&edge, Child(self.shape, index));
+    const int32 child = From<int32>(index, "childIndex");
+    self.Get().GetChildEdge(&edge, Child(self.Get(), py::int_(child)));
     CheckMisuse();
     auto object = std::make_unique<Edge>();
     object->shape = edge;
@@ -173,7 +166,7 @@ void CopiesOf(Class& type)
     using T = typename Class::type;
     const auto copy = [](const T& self) {
         auto other = std::make_unique<T>();
-        other->shape = self.shape;
+        other->shape = self.Get();
         return other;
     };
     type.def("copy", copy, "Returns a copy.")
@@ -199,13 +192,12 @@ void BindBase(py::module_& module)
         .def_property(
             "radius", [](const ShapeObject& s) { return s.Get().m_radius; },
             [](ShapeObject& s, py::handle value) {
-                RequireOwn(s);
                 const float32 radius = From<float32>(value, "radius");
                 if (!b2IsValid(radius) || radius < 0.0f)
                 {
                     ThrowMisuse("radius: expected a finite number that is not negative");
                 }
-                s.Get().m_radius = radius;
+                s.SetRadius(radius);
             },
             "Radius of a circle, or of the skin of another shape [m].")
         .def(
@@ -269,25 +261,25 @@ void BindCircle(py::module_& module)
     py::class_<Circle, ShapeObject> type(module, "b2CircleShape", "A solid circle: radius=, pos=.");
     KeywordInit<Circle>(type);
     type.def_property(
-            "pos", [](Circle& s) { return s.shape.m_p; },
+            "pos", [](const Circle& s) { return s.Get().m_p; },
             [](Circle& s, py::handle value) {
-                RequireOwn(s);
-                s.shape.m_p = From<b2Vec2>(value, "pos");
+                const b2Vec2 pos = From<b2Vec2>(value, "pos");
+                s.Change([&](b2CircleShape& circle) { circle.m_p = pos; });
             },
             "Centre [m].")
         .def_property_readonly(
-            "vertices", [](const Circle& s) { return TuplesOf(&s.shape.m_p, 1); },
+            "vertices", [](const Circle& s) { return TuplesOf(&s.Get().m_p, 1); },
             "The centre, in a list [m].")
         .def_property_readonly(
             "vertexCount", [](const Circle&) { return 1; }, "Always 1.")
         .def("__repr__",
              [](const Circle& s) {
                  return "b2CircleShape(radius=" +
-                        std::string(py::str(py::float_(double(s.shape.m_radius)))) +
-                        ", pos=" + std::string(py::repr(py::cast(s.shape.m_p))) + ")";
+                        std::string(py::str(py::float_(double(s.Get().m_radius)))) +
+                        ", pos=" + std::string(py::repr(py::cast(s.Get().m_p))) + ")";
              })
         .def(py::pickle(
-            [](const Circle& s) { return py::make_tuple(s.shape.m_radius, s.shape.m_p); },
+            [](const Circle& s) { return py::make_tuple(s.Get().m_radius, s.Get().m_p); },
             [](const py::tuple& state) {
                 auto circle = std::make_unique<Circle>();
                 circle->shape.m_radius = From<float32>(state[0], "radius");
@@ -301,10 +293,11 @@ template <auto member, class Class>
 void GhostVertex(Class& type, const char* name)
 {
     type.def_property(
-        name, [](const Edge& s) { return s.shape.*member; },
+        name, [](const Edge& s) { return s.Get().*member; },
         [name](Edge& s, py::handle value) {
-            RequireOwn(s);
-            s.shape.*member = From<std::remove_reference_t<decltype(s.shape.*member)>>(value, name);
+            using Part = std::remove_reference_t<decltype(s.shape.*member)>;
+            const Part part = From<Part>(value, name);
+            s.Change([&](b2EdgeShape& edge) { edge.*member = part; });
         },
         "A vertex [m]; vertex0 and vertex3 are those of the neighbours.");
 }
@@ -320,14 +313,14 @@ void BindEdge(py::module_& module)
     GhostVertex<&b2EdgeShape::m_hasVertex0>(type, "hasVertex0");
     GhostVertex<&b2EdgeShape::m_hasVertex3>(type, "hasVertex3");
     const auto all = [](const Edge& s) {
-        const b2Vec2 points[4] = {s.shape.m_vertex0, s.shape.m_vertex1, s.shape.m_vertex2,
-                                  s.shape.m_vertex3};
+        const b2Vec2 points[4] = {s.Get().m_vertex0, s.Get().m_vertex1, s.Get().m_vertex2,
+                                  s.Get().m_vertex3};
         return TuplesOf(points, 4);
     };
     type.def_property(
             "vertices",
             [](const Edge& s) {
-                const b2Vec2 points[2] = {s.shape.m_vertex1, s.shape.m_vertex2};
+                const b2Vec2 points[2] = {s.Get().m_vertex1, s.Get().m_vertex2};
                 return TuplesOf(points, 2);
             },
             [](Edge& s, py::handle value) { SetVertices(s, value); },
@@ -344,7 +337,7 @@ void BindEdge(py::module_& module)
              })
         .def(py::pickle(
             [](const Edge& s) {
-                const b2EdgeShape& e = s.shape;
+                const b2EdgeShape& e = s.Get();
                 return py::make_tuple(e.m_vertex0, e.m_vertex1, e.m_vertex2, e.m_vertex3,
                                       e.m_hasVertex0, e.m_hasVertex3, e.m_oneSided, e.m_radius);
             },
@@ -372,7 +365,7 @@ void BindPolygon(py::module_& module)
     KeywordInit<Polygon>(type);
     type.def_property(
             "vertices",
-            [](const Polygon& s) { return TuplesOf(s.shape.m_vertices, s.shape.m_count); },
+            [](const Polygon& s) { return TuplesOf(s.Get().m_vertices, s.Get().m_count); },
             [](Polygon& s, py::handle value) { SetVertices(s, value); },
             "The vertices, counter-clockwise [m]. Setting them takes their convex hull.")
         .def_property(
@@ -381,15 +374,15 @@ void BindPolygon(py::module_& module)
             "Half-width and half-height [m], and optionally a centre [m] and an angle [rad].")
         .def_property_readonly(
             "normals",
-            [](const Polygon& s) { return TuplesOf(s.shape.m_normals, s.shape.m_count); },
+            [](const Polygon& s) { return TuplesOf(s.Get().m_normals, s.Get().m_count); },
             "Outward unit normals of the edges.")
         .def_property_readonly(
-            "centroid", [](const Polygon& s) { return s.shape.m_centroid; },
+            "centroid", [](const Polygon& s) { return s.Get().m_centroid; },
             "Centroid of the area [m].")
         .def_property_readonly(
-            "vertexCount", [](const Polygon& s) { return s.shape.m_count; }, "Number of vertices.")
+            "vertexCount", [](const Polygon& s) { return s.Get().m_count; }, "Number of vertices.")
         .def_property_readonly(
-            "valid", [](const Polygon& s) { return s.shape.m_count >= 3 && s.shape.Validate(); },
+            "valid", [](const Polygon& s) { return s.Get().m_count >= 3 && s.Get().Validate(); },
             "True if the polygon is convex and has a size.")
         .def(
             "SetAsBox",
@@ -399,7 +392,7 @@ void BindPolygon(py::module_& module)
             py::arg("hx"), py::arg("hy"), py::arg("center") = py::make_tuple(0.0, 0.0),
             py::arg("angle") = 0.0, "Sets a box of half-width hx and half-height hy [m].")
         .def("__iter__", [](py::handle s) { return py::iter(s.attr("vertices")); })
-        .def("__len__", [](const Polygon& s) { return s.shape.m_count; })
+        .def("__len__", [](const Polygon& s) { return s.Get().m_count; })
         .def("__repr__",
              [](py::handle s) {
                  return "b2PolygonShape(vertices=" + std::string(py::repr(s.attr("vertices"))) +
@@ -407,9 +400,9 @@ void BindPolygon(py::module_& module)
              })
         .def(py::pickle(
             [](const Polygon& s) {
-                return py::make_tuple(TuplesOf(s.shape.m_vertices, s.shape.m_count),
-                                      TuplesOf(s.shape.m_normals, s.shape.m_count),
-                                      s.shape.m_centroid, s.shape.m_radius);
+                return py::make_tuple(TuplesOf(s.Get().m_vertices, s.Get().m_count),
+                                      TuplesOf(s.Get().m_normals, s.Get().m_count),
+                                      s.Get().m_centroid, s.Get().m_radius);
             },
             [](const py::tuple& state) {
                 auto polygon = std::make_unique<Polygon>();
@@ -436,7 +429,7 @@ void BindChain(py::module_& module)
         "Connected edges: vertices_chain=[…] is open; vertices=[…] or vertices_loop=[…] closed.");
     KeywordInit<Chain>(type);
     const auto vertices = [](const Chain& s) {
-        return TuplesOf(s.shape.m_vertices, s.shape.m_count);
+        return TuplesOf(s.Get().m_vertices, s.Get().m_count);
     };
     const auto loop = [](Chain& s, py::handle value) { SetVertices(s, value, true); };
     type.def_property("vertices", vertices, loop,
@@ -448,13 +441,13 @@ void BindChain(py::module_& module)
             [](Chain& s, py::handle value) { SetVertices(s, value, false); },
             "The vertices [m]. Setting them makes an open chain.")
         .def_property_readonly(
-            "vertexCount", [](const Chain& s) { return s.shape.m_count; },
+            "vertexCount", [](const Chain& s) { return s.Get().m_count; },
             "Number of vertices; a loop stores its first one twice.")
         .def_property_readonly(
             "edges",
             [](const Chain& s) {
                 py::list edges;
-                for (int32 i = 0; i < s.shape.GetChildCount(); ++i)
+                for (int32 i = 0; i < s.Get().GetChildCount(); ++i)
                 {
                     edges.append(ChildEdge(s, py::int_(i)));
                 }
@@ -462,32 +455,30 @@ void BindChain(py::module_& module)
             },
             "The edges, as a list of b2EdgeShape.")
         .def_property(
-            "prevVertex", [](const Chain& s) { return s.shape.m_prevVertex; },
+            "prevVertex", [](const Chain& s) { return s.Get().m_prevVertex; },
             [](Chain& s, py::handle value) {
-                RequireOwn(s);
-                s.shape.SetPrevVertex(From<b2Vec2>(value, "prevVertex"));
-                CheckMisuse();
+                const b2Vec2 vertex = From<b2Vec2>(value, "prevVertex");
+                s.Change([&](b2ChainShape& chain) { chain.SetPrevVertex(vertex); });
             },
             "The vertex before the first [m].")
         .def_property(
-            "nextVertex", [](const Chain& s) { return s.shape.m_nextVertex; },
+            "nextVertex", [](const Chain& s) { return s.Get().m_nextVertex; },
             [](Chain& s, py::handle value) {
-                RequireOwn(s);
-                s.shape.SetNextVertex(From<b2Vec2>(value, "nextVertex"));
-                CheckMisuse();
+                const b2Vec2 vertex = From<b2Vec2>(value, "nextVertex");
+                s.Change([&](b2ChainShape& chain) { chain.SetNextVertex(vertex); });
             },
             "The vertex after the last [m].")
         .def("getChildEdge", ChildEdge, py::arg("index"),
              "Returns an edge with the vertices of its neighbours.")
         .def("__iter__", [](py::handle s) { return py::iter(s.attr("vertices")); })
-        .def("__len__", [](const Chain& s) { return s.shape.m_count; })
+        .def("__len__", [](const Chain& s) { return s.Get().m_count; })
         .def("__repr__",
              [](py::handle s) {
                  return "b2ChainShape(vertices=" + std::string(py::repr(s.attr("vertices"))) + ")";
              })
         .def(py::pickle(
             [](const Chain& s) {
-                const b2ChainShape& c = s.shape;
+                const b2ChainShape& c = s.Get();
                 return py::make_tuple(TuplesOf(c.m_vertices, c.m_count), c.m_prevVertex,
                                       c.m_nextVertex, c.m_hasPrevVertex, c.m_hasNextVertex,
                                       c.m_oneSided, c.m_radius);
@@ -521,12 +512,12 @@ ShapeObject& ShapeFrom(py::handle value, const char* name)
     return value.cast<ShapeObject&>();
 }
 
-py::object CopyOfShape(const b2Shape& shape)
+py::object ShapeOfFixture(const py::object& fixture, const b2Shape& shape)
 {
-    const auto copy = [](const auto& original) {
+    const auto copy = [&fixture](const auto& original) {
         auto object = std::make_unique<ShapeOf<std::remove_cvref_t<decltype(original)>>>();
         object->shape = original;
-        object->isOfFixture = true;
+        object->fixture = py::weakref(fixture);
         return py::cast(std::move(object));
     };
     switch (shape.GetType())

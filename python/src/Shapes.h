@@ -8,28 +8,61 @@
 namespace boxreel::python
 {
 
-/// A shape of a Python program. Shapes of fixtures are copies that cannot be changed, because the
-/// engine does not support it.
+/// Returns the shape of the fixture, or null if that was destroyed. `fixture` is a weak reference.
+const b2Shape* LiveShape(const py::object& fixture);
+/// Replaces the shape of the fixture, or throws b2Error.
+void SetLiveShape(const py::object& fixture, const b2Shape& shape);
+
+/// A shape of the program, which has its numbers here, or of a fixture, whose numbers it reads and
+/// writes. After the fixture's end it has the last ones.
 struct ShapeObject
 {
     virtual ~ShapeObject() = default;
-    virtual b2Shape& Get() = 0;
-    const b2Shape& Get() const { return const_cast<ShapeObject*>(this)->Get(); }
+    /// Returns the numbers. Code of Python may invalidate the reference.
+    virtual const b2Shape& Get() const = 0;
+    virtual void SetRadius(float32 radius) = 0;
 
-    bool isOfFixture = false;
+    py::object fixture; ///< weak, because its attributes may hold the shape; null: none
 };
 
 template <class Shape>
 struct ShapeOf final : ShapeObject
 {
-    b2Shape& Get() override { return shape; }
+    const Shape& Get() const override
+    {
+        const b2Shape* live = fixture ? LiveShape(fixture) : nullptr;
+        // A fixture that a snapshot restored may have a shape of another type.
+        return live != nullptr && live->GetType() == shape.GetType()
+                   ? static_cast<const Shape&>(*live)
+                   : shape;
+    }
+
+    void SetRadius(float32 radius) override
+    {
+        Change([radius](Shape& changed) { changed.m_radius = radius; });
+    }
+
+    /// Calls `function` with a copy of the numbers, and then takes that.
+    template <class Function>
+    void Change(Function function)
+    {
+        Shape changed = Get();
+        function(changed);
+        CheckMisuse();
+        if (fixture)
+        {
+            SetLiveShape(fixture, changed);
+        }
+        shape = changed;
+    }
+
     Shape shape;
 };
 
 /// Returns the argument as a shape.
 ShapeObject& ShapeFrom(py::handle value, const char* name);
 
-/// Returns a copy of a fixture's shape as an object of its class.
-py::object CopyOfShape(const b2Shape& shape);
+/// Returns the shape of a fixture as an object of its class.
+py::object ShapeOfFixture(const py::object& fixture, const b2Shape& shape);
 
 } // namespace boxreel::python

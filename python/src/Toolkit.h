@@ -71,6 +71,9 @@ struct Look
     std::vector<std::vector<Vec2>> trails; ///< paths [m], oldest point first
 };
 
+/// Returns what the first frame of a film shows beside the dynamic bodies: where each meets a
+/// static body if it falls. Empty without gravity or ground.
+Rect GroundBelow(const b2World& world);
 /// Reads layers (names) and trails (sequences of points).
 Look LookFrom(py::handle layers, py::handle trails);
 

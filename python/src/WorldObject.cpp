@@ -352,6 +352,17 @@ void WorldObject::DestroyFixture(b2Body& body, FixtureHandle& handle)
     });
 }
 
+void WorldObject::SetShape(FixtureHandle& handle, const b2Shape& shape)
+{
+    b2Fixture& fixture = handle.Get();
+    RequireUnlocked("changing the shape of a fixture");
+    Run([&] {
+        isDestroying = true; // contacts of a chain, whose listener may be called
+        fixture.SetShape(shape);
+        isDestroying = false;
+    });
+}
+
 void WorldObject::DestroyJoint(JointHandle& handle)
 {
     b2Joint& joint = handle.Get();

@@ -76,6 +76,7 @@ struct WorldObject final : b2ContactListener,
     void DestroyBody(BodyHandle& handle);
     void DestroyFixture(b2Body& body, FixtureHandle& handle);
     void DestroyJoint(JointHandle& handle);
+    void SetShape(FixtureHandle& handle, const b2Shape& shape);
     py::bytes Save();
     void Restore(const std::string& bytes);
 

@@ -54,6 +54,50 @@ TEST(Fixtures, HoldWhatTheDefinitionSays)
     EXPECT_EQ(scene.world.GetProxyCount(), 1);
 }
 
+TEST(FixtureShape, IsReplacedWithEffectFromTheNextStep)
+{
+    Scene scene(b2Vec2_zero);
+    b2CircleShape shape;
+    shape.m_radius = 1.4f;
+    b2Body* left = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+    b2Fixture* fixture = left->CreateFixture(&shape, 1.0f);
+    scene.Body(b2_dynamicBody, 3.0f, 0.0f)->CreateFixture(&shape, 1.0f);
+    scene.Step();
+    const float32 mass = left->GetMass();
+    shape.m_radius = 1.7f;
+    EXPECT_TRUE(fixture->SetShape(shape));
+    EXPECT_EQ(fixture->GetShape()->m_radius, 1.7f);
+    EXPECT_EQ(left->GetMass(), mass);
+    scene.Step();
+    ASSERT_EQ(scene.world.GetContactCount(), 1);
+    EXPECT_TRUE(scene.world.GetContactList()->IsTouching());
+    left->ResetMassData();
+    EXPECT_GT(left->GetMass(), mass);
+}
+
+TEST(FixtureShape, ChainsTakeAnotherNumberOfEdges)
+{
+    Scene scene;
+    const b2Vec2 points[] = {{-9.0f, 0.0f}, {-1.0f, 0.0f}, {1.0f, 0.0f}, {9.0f, 0.0f}};
+    b2ChainShape chain;
+    chain.CreateChain(points, 3);
+    b2Fixture* ground = scene.Body(b2_staticBody, 0.0f, 0.0f)->CreateFixture(&chain, 0.0f);
+    b2CircleShape circle;
+    circle.m_radius = 0.5f;
+    b2Body* ball = scene.Body(b2_dynamicBody, 0.0f, 0.5f);
+    ball->CreateFixture(&circle, 1.0f);
+    scene.Step();
+    b2ChainShape longer;
+    longer.CreateChain(points, 4);
+    EXPECT_TRUE(ground->SetShape(longer));
+    EXPECT_EQ(scene.world.GetProxyCount(), 4);
+    for (int i = 0; i < 60; ++i)
+    {
+        scene.Step();
+    }
+    EXPECT_NEAR(ball->GetPosition().y, 0.5f, 0.02f);
+}
+
 TEST(FixtureCreation, TheListingsCreateAndDestroyOne)
 {
     Scene scene;

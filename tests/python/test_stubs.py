@@ -56,7 +56,7 @@ class Stubs(unittest.TestCase):
     def test_have_types_and_units(self):
         world = next(one for one in stub_of(Box2D) if isinstance(one, ast.ClassDef) and one.name == "b2World")
         gravity = next(one for one in world.body if isinstance(one, ast.FunctionDef) and one.name == "gravity")
-        self.assertEqual(gravity.returns.id, "b2Vec2")
+        self.assertEqual(gravity.returns.id, "b2BoundVec2")
         self.assertIn("[m/s^2]", ast.get_docstring(gravity))
 
 

@@ -106,6 +106,17 @@ class Pictures(InFolder):
         with self.assertRaises(boxreel.Error):
             boxreel.shot(world, self.path("a.svg"), overwrite=False)
 
+    def test_wrong_trails_and_layers_are_named(self):
+        world, path = drop(), [(0, 0), (1, 2)]
+        for trails, culprit in ((5, "trails:"), ("abc", "trails:"), (path, r"trails\[0\]:"), ([path, None], r"trails\[1\]:"),
+                                ([path, [5]], "trails:")):
+            with self.assertRaisesRegex(TypeError, culprit):
+                boxreel.shot(world, self.path("a.svg"), (320, 180), trails=trails)
+        for layers in (5, "shapes"):
+            with self.assertRaisesRegex(TypeError, "layers:"):
+                boxreel.shot(world, self.path("a.svg"), (320, 180), layers=layers)
+        boxreel.shot(world, self.path("a.svg"), (320, 180), trails=(numpy.array(path), iter(path)), layers=("shapes",))
+
     def test_jupyter_shows_a_world(self):
         self.assertTrue(drop()._repr_png_().startswith(b"\x89PNG"))
 
@@ -136,6 +147,19 @@ class Films(InFolder):
         self.assertEqual(film.frames, 30)
         self.assertEqual(self.frames_of(film.path), [320, 30])
         self.assertIn("<video", film._repr_html_())
+
+    def test_the_first_frame_shows_the_ground_below(self):
+        world = b2World(gravity=(0, -10))
+        world.CreateStaticBody(shapes=b2EdgeShape(vertices=[(-12, 0), (12, 0)]))
+        world.CreateDynamicBody(position=(0, 9), fixtures=b2FixtureDef(shape=b2CircleShape(radius=1), density=1))
+        path = self.path("fall.mkv")
+        with boxreel.film(path, size=(160, 90), fps=60) as film:
+            film.add(world)
+        pixels = subprocess.run(["ffmpeg", "-v", "error", "-i", path, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+                                capture_output=True, check=True).stdout
+        rows = numpy.frombuffer(pixels, numpy.uint8).reshape(90, 160, 3).astype(int)
+        is_green = rows[:, :, 1] > rows[:, :, 0] + 20
+        self.assertGreater(is_green.any(axis=0).mean(), 0.9)
 
     def test_film_of_arrays_has_their_size(self):
         pixels = numpy.zeros((90, 160, 3), numpy.uint8)

@@ -51,9 +51,14 @@ class b2Fixture
 {
 public:
     b2Shape::Type GetType() const { return m_shape->GetType(); } ///< the type of the shape
-    /// Returns the shape. Changing a shape that is in use is not supported.
+    /// Returns the shape. Changing it in place is not supported; see SetShape.
     b2Shape* GetShape() { return m_shape; }
     const b2Shape* GetShape() const { return m_shape; } ///< as above, read-only
+    /// Replaces the shape by a copy of another of the same type. Contacts change in the next step;
+    /// those of a chain end if its number of edges changes. The mass does not change: call
+    /// b2Body::ResetMassData. Wakes no body. An unsound shape and a locked world assert and change
+    /// nothing; the result is then false.
+    bool SetShape(const b2Shape& shape);
 
     void SetSensor(bool sensor); ///< true: reports contacts without a collision
                                  ///< response

@@ -237,6 +237,11 @@ void MeasureExtents(BodyData& body)
 
 } // namespace
 
+void MeasureShapes(BodyData& body)
+{
+    MeasureExtents(body);
+}
+
 void MeasureNewest(BodyData& body)
 {
     if (body.fixtureCount == 1)

@@ -25,6 +25,8 @@ void ResetMassData(BodyData& body);
 /// centre of mass, and how thin they are. Only the newest is looked at: a body of thousands is not
 /// measured thousands of times.
 void MeasureNewest(BodyData& body);
+/// After a shape has changed. Measures all of them.
+void MeasureShapes(BodyData& body);
 void SetMobility(World& world, b2Body& body, Mobility mobility);
 void SetActive(World& world, b2Body& body, bool active);
 

@@ -68,6 +68,30 @@ int32 ProxyBytes(b2Fixture& fixture)
     return fixture.GetShape()->GetChildCount() * int32(sizeof(b2FixtureProxy));
 }
 
+/// Gives each child of the shape a proxy that is in no tree.
+void AllocateProxies(b2BlockAllocator& allocator, b2Fixture& fixture)
+{
+    auto* proxyArray = static_cast<b2FixtureProxy*>(allocator.Allocate(ProxyBytes(fixture)));
+    for (int32 child = 0; child < fixture.GetShape()->GetChildCount(); ++child)
+    {
+        new (proxyArray + child) b2FixtureProxy();
+    }
+    FixtureAccess::Proxies(fixture) = proxyArray;
+}
+
+void DestroyContactsOf(World& world, const b2Fixture& fixture)
+{
+    for (b2ContactEdge* edge = Data(*fixture.GetBody()).contactList; edge;)
+    {
+        b2Contact* contact = edge->contact;
+        edge = edge->next;
+        if (contact->GetFixtureA() == &fixture || contact->GetFixtureB() == &fixture)
+        {
+            DestroyContact(world, *contact);
+        }
+    }
+}
+
 int32 SizeOf(const b2Shape& shape)
 {
     switch (shape.GetType())
@@ -81,6 +105,13 @@ int32 SizeOf(const b2Shape& shape)
     default:
         return int32(sizeof(b2ChainShape));
     }
+}
+
+void FreeShape(b2BlockAllocator& allocator, b2Shape& shape)
+{
+    const int32 bytes = SizeOf(shape);
+    shape.~b2Shape();
+    allocator.Free(&shape, bytes);
 }
 
 } // namespace
@@ -116,12 +147,7 @@ b2Fixture& AddFixture(World& world, b2Body& body, const b2Shape& shape)
         FixtureAccess::Construct(world.allocator.Allocate(int32(sizeof(b2Fixture))));
     FixtureAccess::Shape(*fixture) = shape.Clone(&world.allocator);
     FixtureAccess::Body(*fixture) = &body;
-    auto* proxyArray = static_cast<b2FixtureProxy*>(world.allocator.Allocate(ProxyBytes(*fixture)));
-    for (int32 child = 0; child < fixture->GetShape()->GetChildCount(); ++child)
-    {
-        new (proxyArray + child) b2FixtureProxy();
-    }
-    FixtureAccess::Proxies(*fixture) = proxyArray;
+    AllocateProxies(world.allocator, *fixture);
     BodyData& data = Data(body);
     FixtureAccess::Next(*fixture) = data.fixtureList;
     data.fixtureList = fixture;
@@ -132,15 +158,7 @@ b2Fixture& AddFixture(World& world, b2Body& body, const b2Shape& shape)
 void DestroyFixture(World& world, b2Body& body, b2Fixture& fixture)
 {
     BodyData& data = Data(body);
-    for (b2ContactEdge* edge = data.contactList; edge;)
-    {
-        b2Contact* contact = edge->contact;
-        edge = edge->next;
-        if (contact->GetFixtureA() == &fixture || contact->GetFixtureB() == &fixture)
-        {
-            DestroyContact(world, *contact);
-        }
-    }
+    DestroyContactsOf(world, fixture);
     DestroyProxies(world.proxies, fixture);
 
     b2Fixture** link = &data.fixtureList;
@@ -158,12 +176,50 @@ void DestroyFixture(World& world, b2Body& body, b2Fixture& fixture)
 void FreeFixture(b2BlockAllocator& allocator, b2Fixture& fixture)
 {
     allocator.Free(FixtureAccess::Proxies(fixture), ProxyBytes(fixture));
-    b2Shape* shape = fixture.GetShape();
-    const int32 bytes = SizeOf(*shape);
-    shape->~b2Shape();
-    allocator.Free(shape, bytes);
+    FreeShape(allocator, *fixture.GetShape());
     FixtureAccess::Destruct(fixture);
     allocator.Free(&fixture, int32(sizeof(b2Fixture)));
+}
+
+bool SetShape(World& world, b2Fixture& fixture, const b2Shape& shape)
+{
+    if (!B2_REQUIRE(shape.GetType() == fixture.GetType(),
+                    "b2Fixture::SetShape needs a shape of the same type.") ||
+        !IsSound(shape))
+    {
+        return false;
+    }
+    BodyData& data = Data(*fixture.GetBody());
+    b2Shape* replaced = fixture.GetShape();
+    b2Shape* copy = shape.Clone(&world.allocator);
+    const bool sameChildren = copy->GetChildCount() == replaced->GetChildCount();
+    if (!sameChildren)
+    {
+        DestroyContactsOf(world, fixture);
+        DestroyProxies(world.proxies, fixture);
+        world.allocator.Free(FixtureAccess::Proxies(fixture), ProxyBytes(fixture));
+    }
+    FixtureAccess::Shape(fixture) = copy;
+    FreeShape(world.allocator, *replaced);
+    MeasureShapes(data);
+    data.userMovedAt = world.stepNumber;
+    if (!sameChildren)
+    {
+        AllocateProxies(world.allocator, fixture);
+        if (data.IsActive())
+        {
+            CreateProxies(world.proxies, fixture);
+        }
+        return true;
+    }
+    ResetProxies(world.proxies, data);
+    for (b2ContactEdge* edge = data.contactList; edge; edge = edge->next)
+    {
+        ContactData& c = Data(*edge->contact);
+        c.flags &= ~std::uint32_t(kContactKept);
+        c.gap = 0.0f;
+    }
+    return true;
 }
 
 void Refilter(World& world, b2Fixture& fixture)

@@ -10,6 +10,15 @@
 #include <Box2D/Collision/Shapes/b2PolygonShape.h>
 #include <Box2D/Dynamics/b2Body.h>
 
+bool b2Fixture::SetShape(const b2Shape& shape)
+{
+    box2d::World& world = *box2d::Data(*m_body).world;
+    return B2_REQUIRE(
+               !world.locked,
+               "b2Fixture::SetShape must not be called from inside a callback of the world.") &&
+           box2d::SetShape(world, *this, shape);
+}
+
 void b2Fixture::SetSensor(bool sensor)
 {
     if (sensor != m_isSensor)
