@@ -5,6 +5,7 @@
 
 #include <Box2D/Dynamics/b2Body.h>
 #include <base/AtomicFile.h>
+#include <debugdraw/TextWidth.h>
 #include <golden/Compare.h>
 #include <golden/ReportPage.h>
 #include <page/PageWriter.h>
@@ -28,12 +29,12 @@ using testing::Not;
 
 // As the page shows a resting picture on a screen of one pixel per CSS pixel.
 constexpr const char* kDrawScript = R"(
-function drawExactly(player, frame) {
+function drawExactly(player, frame, view = player.film.viewOf(frame), hidden = new Set()) {
   const {film} = player;
   const picture = document.createElement("canvas");
   picture.width = film.width;
   picture.height = film.height;
-  player.painter.drawExactly(picture, frame, {view: film.viewOf(frame), ratio: 1, theme: film.themes[0], hidden: new Set()});
+  player.exactPainter.draw(picture, frame, {view, ratio: 1, theme: film.themes[0], hidden});
   return picture.toDataURL().split(",")[1];
 }
 function leave(text) {
@@ -166,6 +167,116 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PagePixels,
                                          Shown{"web", "shapes,joints,aabbs", "okabe-ito"}),
                          [](const auto& shown) { return shown.param.scene; });
 
+class PageLayers : public PageInBrowser, public testing::WithParamInterface<const char*>
+{
+protected:
+    /// Expects that the page shows what the renderer draws of the list.
+    void ExpectSame(const std::string& name, const DrawList& list, const Camera& camera,
+                    std::string_view png)
+    {
+        ASSERT_TRUE(WriteWhole(folder / "page.png", FromBase64(png), true));
+        const Result<Frame> shown = ReadPng(folder / "page.png");
+        ASSERT_TRUE(shown) << name << ": " << png.substr(0, 400);
+        Result<Renderer> renderer = Renderer::Create({});
+        ASSERT_TRUE(renderer);
+        Frame drawn;
+        ASSERT_TRUE(renderer->Draw(list, camera, drawn));
+        const Comparison comparison = Compare(drawn, *shown, CompareSettings::CrossMachine());
+        EXPECT_TRUE(comparison.equal) << name << ": " << comparison.Text();
+    }
+};
+
+/// The shapes and one more layer, or without one all of them, as they look where a metre has `zoom`
+/// times as many pixels. Labels without a line keep their middle in the world, and those with one
+/// their distance from its begin.
+DrawList ListOf(const DrawList& all, std::optional<DrawLayer> layer, double filmScale, double zoom)
+{
+    DrawList list = all;
+    std::erase_if(list.items, [&](const DrawItem& item) {
+        return layer && item.layer != DrawLayer::Shapes && item.layer != *layer;
+    });
+    const auto shrink = [zoom](Vec2& point, Vec2 about) {
+        point = {float(about.x + (double(point.x) - about.x) / zoom),
+                 float(about.y + (double(point.y) - about.y) / zoom)};
+    };
+    const Vec2* tie = nullptr;
+    for (const DrawItem& item : list.items)
+    {
+        if (item.layer != DrawLayer::Labels)
+        {
+            continue;
+        }
+        Vec2* const points = &list.points[item.first];
+        if (item.kind == DrawKind::Segment)
+        {
+            shrink(points[1], points[0]);
+            tie = points;
+            continue;
+        }
+        const double width = TextWidth(list.texts[item.text]);
+        shrink(points[0], tie != nullptr
+                              ? *tie
+                              : Vec2{float(points[0].x + 0.5 * width / filmScale),
+                                     float(points[0].y - 0.5 * kTextHeight / filmScale)});
+        tie = nullptr;
+    }
+    return list;
+}
+
+TEST_P(PageLayers, AreThoseOfARenderer)
+{
+    std::string layers;
+    for (const LayerInfo& info : kOptionalLayers)
+    {
+        layers += (layers.empty() ? "" : ",") + std::string(info.option);
+    }
+    const std::string page = PageOf(GetParam(), layers, 100);
+    // Zoomed to a body that is not in the middle.
+    Camera near = content.camera;
+    near.centerX += 0.07 * near.width / near.pixelsPerMeter;
+    near.centerY += 0.03 * near.height / near.pixelsPerMeter;
+    near.pixelsPerMeter *= 3.0;
+    std::ostringstream views;
+    views.precision(17);
+    views << "{x: " << near.centerX << ", y: " << near.centerY << ", scale: " << near.pixelsPerMeter
+          << "}";
+    const std::string results = Run(page, R"(
+(async () => {
+  const player = await opened, {film} = player;
+  const frame = await film.frameLater(100), lines = [];
+  for (const view of [film.viewOf(frame), )" + views.str() +
+                                              R"(]) {
+    for (const layer of film.layers.slice(0, 14)) {
+      const hidden = new Set(film.layers.map(known => known.number).filter(number => number !== 0 && number !== layer.number));
+      lines.push(drawExactly(player, frame, view, hidden));
+    }
+    lines.push(drawExactly(player, frame, view));
+  }
+  leave(lines.join("\n"));
+})().catch(error => leave(`WRONG ${error.stack}`));
+)");
+    std::istringstream pictures(results);
+    std::string png;
+    for (const Camera& camera : {content.camera, near})
+    {
+        const auto expectNext = [&](const std::string& name, std::optional<DrawLayer> layer) {
+            ASSERT_TRUE(std::getline(pictures, png)) << results.substr(0, 400);
+            ExpectSame(name + (camera == near ? ", zoomed" : ""),
+                       ListOf(content.list, layer, content.camera.pixelsPerMeter,
+                              camera.pixelsPerMeter / content.camera.pixelsPerMeter),
+                       camera, png);
+        };
+        for (const LayerInfo& info : kOptionalLayers)
+        {
+            expectNext(info.option, info.layer);
+        }
+        expectNext("all layers", std::nullopt);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PageLayers, testing::Values("car", "pyramid", "web"),
+                         [](const auto& shown) { return std::string(shown.param); });
+
 TEST_F(PageInBrowser, PlacesItemsOfEveryStepAsTheList)
 {
     const std::string page = PageOf("dominos", "shapes,joints,contacts", 300);
@@ -277,6 +388,12 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
   for (let i = 0; i < 60; ++i) key("+");
   check("zoom ends at the full scale", Math.abs(view.of(end).scale - film.fullScale) < 1e-6 * film.fullScale);
   key("0");
+  await later();
+  document.querySelector("main").style.width = "500px";
+  player.resize(); // as the observer calls it
+  check("a resize draws at once", canvas.width === Math.round(500 * player.ratio) && new Set(new Uint32Array(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size > 2);
+  document.querySelector("main").style.width = "";
+  player.resize(); // as the observer calls it
   const boxes = [...$("layers").querySelectorAll("input")];
   check("layers that are there have boxes", $("layers").querySelector("div").textContent === "ShapesJointsContact points" || $("layers").querySelector("div").textContent === "ShapesContact points");
   boxes[0].click();
