@@ -150,7 +150,8 @@ class Painter {
       context.moveTo(ring.x + ring.radius, ring.y);
       context.arc(ring.x, ring.y, ring.radius, 0, 2 * Math.PI);
     } else {
-      for (let i = 0; i < ring.length; i += 2) context.lineTo(ring[i], ring[i + 1]);
+      context.moveTo(ring[0], ring[1]);
+      for (let i = 2; i < ring.length; i += 2) context.lineTo(ring[i], ring[i + 1]);
     }
     context.closePath();
   }

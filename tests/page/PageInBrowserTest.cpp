@@ -5,6 +5,7 @@
 
 #include <Box2D/Dynamics/b2Body.h>
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
 #include <debugdraw/TextWidth.h>
 #include <golden/Compare.h>
 #include <golden/ReportPage.h>
@@ -29,12 +30,18 @@ using testing::Not;
 
 // As the page shows a resting picture on a screen of one pixel per CSS pixel.
 constexpr const char* kDrawScript = R"(
-function drawExactly(player, frame, view = player.film.viewOf(frame), hidden = new Set()) {
-  const {film} = player;
+function drawExactly(player, frame, view, hidden) {
+  return drawBy(player.exactPainter, frame, view, hidden);
+}
+function drawPlaying(player, frame) {
+  return drawBy(player.painter, frame);
+}
+function drawBy(painter, frame, view = painter.film.viewOf(frame), hidden = new Set()) {
+  const {film} = painter;
   const picture = document.createElement("canvas");
   picture.width = film.width;
   picture.height = film.height;
-  player.exactPainter.draw(picture, frame, {view, ratio: 1, theme: film.themes[0], hidden});
+  painter.draw(picture, frame, {view, ratio: 1, theme: film.themes[0], hidden});
   return picture.toDataURL().split(",")[1];
 }
 function leave(text) {
@@ -136,6 +143,13 @@ struct Shown
 class PagePixels : public PageInBrowser, public testing::WithParamInterface<Shown>
 {};
 
+/// The picture in base64.
+Result<Frame> FrameOf(std::string_view base64, const TemporaryFolder& folder)
+{
+    RETURN_IF_ERROR(WriteWhole(folder / "page.png", FromBase64(base64), true));
+    return ReadPng(folder / "page.png");
+}
+
 TEST_P(PagePixels, AreThoseOfARenderer)
 {
     constexpr int kStep = 150;
@@ -144,19 +158,22 @@ TEST_P(PagePixels, AreThoseOfARenderer)
     const std::string results = Run(page, R"(
 (async () => {
   const player = await opened;
-  leave(drawExactly(player, await player.film.frameLater(150)));
+  const frame = await player.film.frameLater(150);
+  leave(`${drawExactly(player, frame)}\n${drawPlaying(player, frame)}`);
 })();
 )");
-    const std::vector<std::uint8_t> png = FromBase64(results);
-    ASSERT_TRUE(WriteWhole(folder / "page.png", png, true));
-    const Result<Frame> shown = ReadPng(folder / "page.png");
-    ASSERT_TRUE(shown) << results.substr(0, 400);
+    const std::size_t second = results.find('\n') + 1;
+    const Result<Frame> shown = FrameOf(results, folder);
+    const Result<Frame> playing = FrameOf(std::string_view(results).substr(second), folder);
+    ASSERT_TRUE(shown && playing) << results.substr(0, 400);
     Result<Renderer> renderer = Renderer::Create({.theme = theme});
     ASSERT_TRUE(renderer);
     Frame drawn;
     ASSERT_TRUE(renderer->Draw(content.list, content.camera, drawn));
     const Comparison comparison = Compare(drawn, *shown, CompareSettings::CrossMachine());
     EXPECT_TRUE(comparison.equal) << comparison.Text();
+    const Comparison moving = Compare(drawn, *playing, CompareSettings::CrossMachine());
+    EXPECT_LE(double(moving.overTolerance), 0.002 * double(moving.compared)) << moving.Text();
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PagePixels,
@@ -174,8 +191,7 @@ protected:
     void ExpectSame(const std::string& name, const DrawList& list, const Camera& camera,
                     std::string_view png)
     {
-        ASSERT_TRUE(WriteWhole(folder / "page.png", FromBase64(png), true));
-        const Result<Frame> shown = ReadPng(folder / "page.png");
+        const Result<Frame> shown = FrameOf(png, folder);
         ASSERT_TRUE(shown) << name << ": " << png.substr(0, 400);
         Result<Renderer> renderer = Renderer::Create({});
         ASSERT_TRUE(renderer);
@@ -389,6 +405,10 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
   check("zoom ends at the full scale", Math.abs(view.of(end).scale - film.fullScale) < 1e-6 * film.fullScale);
   key("0");
   await later();
+  const look = {view: view.of(end), ratio: player.ratio, theme: film.themes[player.theme], hidden: player.hidden};
+  const exact = Object.assign(document.createElement("canvas"), {width: canvas.width, height: canvas.height});
+  player.exactPainter.draw(exact, end, look);
+  check("a picture that rests is exact", canvas.toDataURL() === exact.toDataURL());
   document.querySelector("main").style.width = "500px";
   player.resize(); // as the observer calls it
   check("a resize draws at once", canvas.width === Math.round(500 * player.ratio) && new Set(new Uint32Array(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size > 2);
