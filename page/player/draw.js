@@ -9,6 +9,9 @@ const kSquareEnd = Math.PI / 4;  // of a line, in half widths
 const kTextLine = 15, kTextSize = 15 * 2048 / 2384, kTextAscent = 12; // [px]
 const kFontFamily = '"DejaVu Sans", sans-serif';
 
+// Lengths of arrow heads, by layer [px].
+const kHeads = {[kImpulses]: 7, [kFriction]: 7, [kVelocities]: 9, [kForces]: 9};
+
 class Painter {
   constructor(film) {
     this.film = film;
@@ -25,6 +28,7 @@ class Painter {
     // What is that many pixels in the film keeps its size where labels need it.
     this.labelScale = look.ratio * this.film.viewOf(frame).scale / look.view.scale;
     this.tie = null; // of the label that follows
+    this.shaft = null; // of the arrow head that follows
     if (this.letterRatio !== look.ratio) this.letters.clear();
     this.letterRatio = look.ratio;
     this.begin(canvas);
@@ -54,13 +58,52 @@ class Painter {
       this.pixels[i + 1] = 0.5 * this.height - (this.world[i + 1] - view.y) * view.scale;
     }
     let first = 0;
-    const isLabel = this.film.styles[track.style] === kLabels;
+    const layer = this.film.styles[track.style];
     for (const item of form.items) {
       const points = this.pixels.subarray(first, first + 2 * item.count);
-      if (isLabel) this.placeLabel(item, points);
-      this.drawItem(item, points, track);
+      this.drawSized(item, points, track, layer);
       first += 2 * item.count;
     }
+  }
+  // What films draw in pixels keeps its size at every zoom: labels, arrow heads, normals, marks.
+  drawSized(item, points, track, layer) {
+    if (kHeads[layer]) return this.arrowPart(item, points, track, kHeads[layer] * this.look.ratio, layer === kFriction);
+    if (layer === kLabels) this.placeLabel(item, points);
+    if (layer === kNormals) scaleAbout(points, points[0], points[1], this.labelScale);
+    if (layer === kCenterMarks) {
+      scaleAbout(points, points[0], points[1], this.labelScale);
+      if (item.kind === kCircle) item = {...item, size: item.size * this.labelScale};
+    }
+    this.drawItem(item, points, track);
+  }
+  // A shaft, and behind it its head: a triangle, or two lines from its tip where it is open. An arrow
+  // that is short has a smaller head, and one as long as its head no shaft.
+  arrowPart(item, points, track, wanted, isOpen) {
+    const {shaft} = this;
+    if (item.kind === kSegment) {
+      const isHead = isOpen && shaft && Math.hypot(points[2] - shaft[2], points[3] - shaft[3]) < 0.01;
+      if (isHead) {
+        const along = alongShaft(points, shaft);
+        scaleAbout(points, shaft[2], shaft[3], Math.min(wanted, lengthOf(shaft)) / along);
+      }
+      this.shaft = isHead ? shaft : points.slice();
+      if (isOpen) this.drawItem(item, points, track);
+      return;
+    }
+    const [tipX, tipY] = points, baseX = 0.5 * (points[2] + points[4]), baseY = 0.5 * (points[3] + points[5]);
+    const isOwn = shaft && Math.hypot(shaft[2] - baseX, shaft[3] - baseY) < 0.01 * this.look.ratio + 1e-3 * this.look.view.scale;
+    const line = isOwn ? shaft : new Float64Array([baseX, baseY, tipX, tipY]);
+    line[2] = tipX;
+    line[3] = tipY;
+    const along = Math.hypot(tipX - baseX, tipY - baseY), length = lengthOf(line), head = Math.min(wanted, length);
+    this.shaft = null;
+    if (head < length * (1 - 1e-6)) {
+      line[2] = tipX - head / length * (tipX - line[0]);
+      line[3] = tipY - head / length * (tipY - line[1]);
+      this.drawItem({kind: kSegment, size: 0}, line, track);
+    }
+    scaleAbout(points, tipX, tipY, head / along);
+    this.drawItem(item, points, track);
   }
   // A label keeps its distance in pixels from its body: from where its line begins, or else with its
   // middle where it is.
@@ -234,6 +277,24 @@ class Painter {
     const sum = key => this.lettersOf(text).reduce((width, letter) => width + letter[key], 0);
     return Math.max(sum("width"), sum("advance"));
   }
+}
+
+function scaleAbout(points, x, y, factor) {
+  if (factor === 1) return;
+  for (let i = 0; i < points.length; i += 2) {
+    points[i] = x + factor * (points[i] - x);
+    points[i + 1] = y + factor * (points[i + 1] - y);
+  }
+}
+
+function lengthOf([x0, y0, x1, y1]) {
+  return Math.hypot(x1 - x0, y1 - y0);
+}
+
+// How far the first point is behind the tip of the shaft, along it.
+function alongShaft([x, y], shaft) {
+  const length = lengthOf(shaft);
+  return ((shaft[2] - x) * (shaft[2] - shaft[0]) + (shaft[3] - y) * (shaft[3] - shaft[1])) / length;
 }
 
 // The part of a line within a rectangle, or null.

@@ -116,6 +116,10 @@ protected:
             last = bodies;
             EXPECT_TRUE(writer->Append(content.list, content.camera, bodies));
         }
+        session->LookAt(
+            {float(content.camera.centerX) + 1.53f, float(content.camera.centerY) + 0.57f},
+            3.0 * content.camera.pixelsPerMeter);
+        session->Fill(zoomed);
         EXPECT_TRUE(writer->Close());
         return ReadFile(path);
     }
@@ -130,6 +134,7 @@ protected:
     const std::string browser = Chromium();
     TemporaryFolder folder;
     FrameContent content;       // of the last frame
+    FrameContent zoomed;        // of the same, nearer and aside
     std::vector<PageBody> last; // of the last frame
 };
 
@@ -202,15 +207,55 @@ protected:
     }
 };
 
-/// The shapes and one more layer, or without one all of them, as they look where a metre has `zoom`
-/// times as many pixels. Labels without a line keep their middle in the world, and those with one
-/// their distance from its begin.
-DrawList ListOf(const DrawList& all, std::optional<DrawLayer> layer, double filmScale, double zoom)
+/// The shapes and one more layer.
+DrawList ListOf(const DrawList& all, DrawLayer layer)
 {
     DrawList list = all;
-    std::erase_if(list.items, [&](const DrawItem& item) {
-        return layer && item.layer != DrawLayer::Shapes && item.layer != *layer;
+    std::erase_if(list.items, [layer](const DrawItem& item) {
+        return item.layer != DrawLayer::Shapes && item.layer != layer;
     });
+    return list;
+}
+
+/// Removes arrows that are too short for a film of the scale. A page has those of its film.
+void DropShortArrows(DrawList& list, double filmScale)
+{
+    constexpr double kShortest = 1.5; // [px]
+    std::vector<DrawItem> kept;
+    std::vector<DrawItem> arrow;
+    const auto at = [&](const DrawItem& item, std::size_t i) {
+        return list.points[item.first + i];
+    };
+    for (const DrawItem& item : list.items)
+    {
+        if (item.layer == DrawLayer::Shapes)
+        {
+            kept.push_back(item);
+            continue;
+        }
+        arrow.push_back(item);
+        const bool isClosed = item.kind == DrawKind::SolidPolygon;
+        if (!isClosed && (item.layer != DrawLayer::ContactFriction || arrow.size() < 3))
+        {
+            continue;
+        }
+        const Vec2 tip = isClosed ? at(item, 0) : at(item, 1);
+        const Vec2 tail = arrow.size() > 1 ? at(arrow.front(), 0)
+                                           : Vec2{0.5f * (at(item, 1).x + at(item, 2).x),
+                                                  0.5f * (at(item, 1).y + at(item, 2).y)};
+        if (std::hypot(tip.x - tail.x, tip.y - tail.y) * filmScale >= kShortest)
+        {
+            kept.insert(kept.end(), arrow.begin(), arrow.end());
+        }
+        arrow.clear();
+    }
+    list.items = std::move(kept);
+}
+
+/// Moves labels to where they are when a metre has `zoom` times as many pixels. Those without a
+/// line keep their middle in the world, those with one their distance from its begin.
+void KeepLabels(DrawList& list, double filmScale, double zoom)
+{
     const auto shrink = [zoom](Vec2& point, Vec2 about) {
         point = {float(about.x + (double(point.x) - about.x) / zoom),
                  float(about.y + (double(point.y) - about.y) / zoom)};
@@ -236,7 +281,6 @@ DrawList ListOf(const DrawList& all, std::optional<DrawLayer> layer, double film
                                      float(points[0].y - 0.5 * kTextHeight / filmScale)});
         tie = nullptr;
     }
-    return list;
 }
 
 TEST_P(PageLayers, AreThoseOfARenderer)
@@ -247,11 +291,7 @@ TEST_P(PageLayers, AreThoseOfARenderer)
         layers += (layers.empty() ? "" : ",") + std::string(info.option);
     }
     const std::string page = PageOf(GetParam(), layers, 100);
-    // Zoomed to a body that is not in the middle.
-    Camera near = content.camera;
-    near.centerX += 0.07 * near.width / near.pixelsPerMeter;
-    near.centerY += 0.03 * near.height / near.pixelsPerMeter;
-    near.pixelsPerMeter *= 3.0;
+    const Camera near = zoomed.camera;
     std::ostringstream views;
     views.precision(17);
     views << "{x: " << near.centerX << ", y: " << near.centerY << ", scale: " << near.pixelsPerMeter
@@ -266,28 +306,42 @@ TEST_P(PageLayers, AreThoseOfARenderer)
       const hidden = new Set(film.layers.map(known => known.number).filter(number => number !== 0 && number !== layer.number));
       lines.push(drawExactly(player, frame, view, hidden));
     }
-    lines.push(drawExactly(player, frame, view));
   }
+  lines.push(drawExactly(player, frame));
   leave(lines.join("\n"));
 })().catch(error => leave(`WRONG ${error.stack}`));
 )");
     std::istringstream pictures(results);
     std::string png;
-    for (const Camera& camera : {content.camera, near})
+    const auto expectNext = [&](const std::string& name, const DrawList& list,
+                                const Camera& camera) {
+        ASSERT_TRUE(std::getline(pictures, png)) << results.substr(0, 400);
+        ExpectSame(name, list, camera, png);
+    };
+    for (const LayerInfo& info : kOptionalLayers)
     {
-        const auto expectNext = [&](const std::string& name, std::optional<DrawLayer> layer) {
-            ASSERT_TRUE(std::getline(pictures, png)) << results.substr(0, 400);
-            ExpectSame(name + (camera == near ? ", zoomed" : ""),
-                       ListOf(content.list, layer, content.camera.pixelsPerMeter,
-                              camera.pixelsPerMeter / content.camera.pixelsPerMeter),
-                       camera, png);
-        };
-        for (const LayerInfo& info : kOptionalLayers)
-        {
-            expectNext(info.option, info.layer);
-        }
-        expectNext("all layers", std::nullopt);
+        expectNext(info.option, ListOf(content.list, info.layer), content.camera);
     }
+    const double zoom = near.pixelsPerMeter / content.camera.pixelsPerMeter;
+    for (const LayerInfo& info : kOptionalLayers)
+    {
+        // Signs of joints are as large as the film made them, and labels where it placed them.
+        const bool isOfFilm =
+            info.layer == DrawLayer::JointGlyphs || info.layer == DrawLayer::Labels;
+        DrawList list = ListOf(isOfFilm ? content.list : zoomed.list, info.layer);
+        if (isOfFilm)
+        {
+            KeepLabels(list, content.camera.pixelsPerMeter, zoom);
+        }
+        const DrawLayer arrows[] = {DrawLayer::ContactImpulses, DrawLayer::ContactFriction,
+                                    DrawLayer::Velocities, DrawLayer::JointForces};
+        if (std::find(std::begin(arrows), std::end(arrows), info.layer) != std::end(arrows))
+        {
+            DropShortArrows(list, content.camera.pixelsPerMeter);
+        }
+        expectNext(std::string(info.option) + ", zoomed", list, near);
+    }
+    expectNext("all layers", content.list, content.camera);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PageLayers, testing::Values("car", "pyramid", "web"),
