@@ -4,50 +4,47 @@
 // Coordinates far outside lose precision in a browser, so shapes are cut here [px].
 const kGuard = 4096;
 const kSpeck = 20000;            // [px]
-const kRows = 4;                 // of a canvas for one of the picture, where it is drawn exactly
 const kMitreLimit = 2;           // sharper corners are cut at so many half widths of a line
 const kSquareEnd = Math.PI / 4;  // of a line, in half widths
 const kTextLine = 15, kTextSize = 15 * 2048 / 2384, kTextAscent = 12; // [px]
+const kFontFamily = '"DejaVu Sans", sans-serif';
+
+// Lengths of arrow heads, by layer [px].
+const kHeads = {[kImpulses]: 7, [kFriction]: 7, [kVelocities]: 9, [kForces]: 9};
 
 class Painter {
   constructor(film) {
     this.film = film;
     this.world = new Float64Array(64);
     this.pixels = new Float64Array(64);
+    this.letters = new Map(); // by their sign
   }
   // look: {view: {x, y, scale}, ratio, theme, hidden: Set of layers}
   draw(canvas, frame, look) {
-    this.drawRows(canvas, 1, frame, look);
-  }
-  // Browsers draw near-horizontal edges to a quarter of a pixel. With four rows for each the lines of a
-  // resting picture are those of `boxreel shot`; it takes about three times as long.
-  drawExactly(canvas, frame, look) {
-    const tall = sized(this.tall ??= document.createElement("canvas"), canvas.width, kRows * canvas.height);
-    const half = sized(this.half ??= document.createElement("canvas"), canvas.width, kRows / 2 * canvas.height);
-    this.drawRows(tall, kRows, frame, look);
-    // Browsers take two rows into account where they make a picture smaller.
-    half.getContext("2d").drawImage(tall, 0, 0, half.width, half.height);
-    canvas.getContext("2d", {alpha: false}).drawImage(half, 0, 0, canvas.width, canvas.height);
-  }
-  drawRows(canvas, rows, frame, look) {
-    const context = canvas.getContext("2d", {alpha: false});
-    this.context = context;
     this.look = look;
     this.width = canvas.width;
-    this.rows = rows;
-    this.height = canvas.height / rows;
+    this.height = canvas.height;
     this.lineWidth = look.theme.lineWidth * look.ratio;
-    this.fill = null; // that the context has
-    context.setTransform(1, 0, 0, 1, 0, 0);
-    context.fillStyle = look.theme.background;
-    context.fillRect(0, 0, canvas.width, canvas.height);
-    context.setTransform(1, 0, 0, rows, 0, 0);
+    // What is that many pixels in the film keeps its size where labels need it.
+    this.labelScale = look.ratio * this.film.viewOf(frame).scale / look.view.scale;
+    this.tie = null; // of the label that follows
+    this.shaft = null; // of the arrow head that follows
+    if (this.letterRatio !== look.ratio) this.letters.clear();
+    this.letterRatio = look.ratio;
+    this.begin(canvas);
     let at = 0;
     for (const track of frame.tracks) {
       if (!look.hidden.has(this.film.styles[track.style])) this.drawTrack(track, frame.numbers, at);
       at += track.form.numbers;
     }
+    this.end(canvas);
   }
+  begin(canvas) {
+    this.context = canvas.getContext("2d", {alpha: false});
+    this.context.fillStyle = this.fill = this.look.theme.background;
+    this.context.fillRect(0, 0, canvas.width, canvas.height);
+  }
+  end() {}
   drawTrack(track, numbers, at) {
     const form = track.form;
     if (this.world.length < 2 * form.pointCount) {
@@ -61,9 +58,69 @@ class Painter {
       this.pixels[i + 1] = 0.5 * this.height - (this.world[i + 1] - view.y) * view.scale;
     }
     let first = 0;
+    const layer = this.film.styles[track.style];
     for (const item of form.items) {
-      this.drawItem(item, this.pixels.subarray(first, first + 2 * item.count), track);
+      const points = this.pixels.subarray(first, first + 2 * item.count);
+      this.drawSized(item, points, track, layer);
       first += 2 * item.count;
+    }
+  }
+  // What films draw in pixels keeps its size at every zoom: labels, arrow heads, normals, marks.
+  drawSized(item, points, track, layer) {
+    if (kHeads[layer]) return this.arrowPart(item, points, track, kHeads[layer] * this.look.ratio, layer === kFriction);
+    if (layer === kLabels) this.placeLabel(item, points);
+    if (layer === kNormals) scaleAbout(points, points[0], points[1], this.labelScale);
+    if (layer === kCenterMarks) {
+      scaleAbout(points, points[0], points[1], this.labelScale);
+      if (item.kind === kCircle) item = {...item, size: item.size * this.labelScale};
+    }
+    this.drawItem(item, points, track);
+  }
+  // A shaft, and behind it its head: a triangle, or two lines from its tip where it is open. An arrow
+  // that is short has a smaller head, and one as long as its head no shaft.
+  arrowPart(item, points, track, wanted, isOpen) {
+    const {shaft} = this;
+    if (item.kind === kSegment) {
+      const isHead = isOpen && shaft && Math.hypot(points[2] - shaft[2], points[3] - shaft[3]) < 0.01;
+      if (isHead) {
+        const along = alongShaft(points, shaft);
+        scaleAbout(points, shaft[2], shaft[3], Math.min(wanted, lengthOf(shaft)) / along);
+      }
+      this.shaft = isHead ? shaft : points.slice();
+      if (isOpen) this.drawItem(item, points, track);
+      return;
+    }
+    const [tipX, tipY] = points, baseX = 0.5 * (points[2] + points[4]), baseY = 0.5 * (points[3] + points[5]);
+    const isOwn = shaft && Math.hypot(shaft[2] - baseX, shaft[3] - baseY) < 0.01 * this.look.ratio + 1e-3 * this.look.view.scale;
+    const line = isOwn ? shaft : new Float64Array([baseX, baseY, tipX, tipY]);
+    line[2] = tipX;
+    line[3] = tipY;
+    const along = Math.hypot(tipX - baseX, tipY - baseY), length = lengthOf(line), head = Math.min(wanted, length);
+    this.shaft = null;
+    if (head < length * (1 - 1e-6)) {
+      line[2] = tipX - head / length * (tipX - line[0]);
+      line[3] = tipY - head / length * (tipY - line[1]);
+      this.drawItem({kind: kSegment, size: 0}, line, track);
+    }
+    scaleAbout(points, tipX, tipY, head / along);
+    this.drawItem(item, points, track);
+  }
+  // A label keeps its distance in pixels from its body: from where its line begins, or else with its
+  // middle where it is.
+  placeLabel(item, points) {
+    const {tie} = this;
+    this.tie = item.kind === kSegment ? [points[0], points[1]] : null;
+    if (this.labelScale === 1) return;
+    if (item.kind === kSegment) {
+      points[2] = points[0] + this.labelScale * (points[2] - points[0]);
+      points[3] = points[1] + this.labelScale * (points[3] - points[1]);
+    } else if (tie) {
+      points[0] = tie[0] + this.labelScale * (points[0] - tie[0]);
+      points[1] = tie[1] + this.labelScale * (points[1] - tie[1]);
+    } else if (item.kind === kText) {
+      const away = 0.5 * (1 - this.labelScale) / this.labelScale;
+      points[0] += away * this.widthOf(this.film.texts[item.text]);
+      points[1] += away * kTextLine * this.look.ratio;
     }
   }
   // Does not set the same colour twice, because browsers parse it again each time.
@@ -117,46 +174,42 @@ class Painter {
         break;
     }
   }
-  // A path of closed polygons. Browsers that draw without a graphics processor count few samples in a
-  // small path; a speck far outside makes it a large one, which they draw exactly.
-  begin() {
+  // Browsers that draw without a graphics processor count few samples in a small path; a speck far
+  // outside makes it a large one, which they draw exactly.
+  fillRings(rings, color) {
     const {context} = this;
     context.beginPath();
-    context.moveTo(-kSpeck, -kSpeck / this.rows);
-    context.lineTo(-kSpeck, (1 - kSpeck) / this.rows);
+    context.moveTo(-kSpeck, -kSpeck);
+    context.lineTo(-kSpeck, 1 - kSpeck);
     context.closePath();
-  }
-  addPolygon(points) {
-    const {context} = this;
-    context.moveTo(points[0], points[1]);
-    for (let i = 2; i < points.length; i += 2) context.lineTo(points[i], points[i + 1]);
-    context.closePath();
-  }
-  addCircle(x, y, radius) {
-    this.context.moveTo(x + radius, y);
-    this.context.arc(x, y, radius, 0, 2 * Math.PI);
-    this.context.closePath();
-  }
-  fillPath(color) {
+    for (const ring of rings) this.addRing(ring);
     this.setFill(color);
-    this.context.fill("evenodd");
+    context.fill("evenodd");
   }
-  // The fill up to the middle of the outline, and the outline over it: where both share a pixel it has
-  // the colours that renderers give it.
+  // A closed polygon, or a circle.
+  addRing(ring) {
+    const {context} = this;
+    if (ring.radius) {
+      context.moveTo(ring.x + ring.radius, ring.y);
+      context.arc(ring.x, ring.y, ring.radius, 0, 2 * Math.PI);
+    } else {
+      context.moveTo(ring[0], ring[1]);
+      for (let i = 2; i < ring.length; i += 2) context.lineTo(ring[i], ring[i + 1]);
+    }
+    context.closePath();
+  }
   solid(points, fill, stroke) {
     if (this.isFar) points = cutPolygon(points, -kGuard, -kGuard, this.width + kGuard, this.height + kGuard);
     points = convex(points);
     if (points.length < 6) return this.outline(points, stroke); // no area
-    const outer = grow(points, 0.5 * this.lineWidth), inner = shrink(points, 0.5 * this.lineWidth);
-    if (inner.length > 0) {
-      this.begin();
-      this.addPolygon(points);
-      this.fillPath(fill);
-    }
-    this.begin();
-    this.addPolygon(outer);
-    if (inner.length > 0) this.addPolygon(inner);
-    this.fillPath(stroke);
+    const inner = shrink(points, 0.5 * this.lineWidth);
+    this.fillSolid(grow(points, 0.5 * this.lineWidth), points, inner.length > 0 ? inner : null, fill, stroke);
+  }
+  // The fill up to the middle of the outline, and the outline over it: where both share a pixel it has
+  // the colours that renderers give it.
+  fillSolid(outer, middle, inner, fill, stroke) {
+    if (inner && fill !== null) this.fillRings([middle], fill);
+    this.fillRings(inner ? [outer, inner] : [outer], stroke);
   }
   outline(points, stroke) {
     const count = points.length / 2;
@@ -166,21 +219,11 @@ class Painter {
     }
   }
   circle([x, y], radius, fill, stroke) {
-    const half = 0.5 * this.lineWidth;
-    if (fill !== null && radius > half) {
-      this.begin();
-      this.addCircle(x, y, radius);
-      this.fillPath(fill);
-    }
-    this.begin();
-    this.addCircle(x, y, radius + half);
-    if (radius > half) this.addCircle(x, y, radius - half);
-    this.fillPath(stroke);
+    const half = 0.5 * this.lineWidth, inner = radius > half ? {x, y, radius: radius - half} : null;
+    this.fillSolid({x, y, radius: radius + half}, {x, y, radius}, inner, fill, stroke);
   }
   dot([x, y], radius, color) {
-    this.begin();
-    this.addCircle(x, y, radius);
-    this.fillPath(color);
+    if (radius > 0) this.fillRings([{x, y, radius}], color);
   }
   // With square ends that have the area of round ones.
   line(x0, y0, x1, y1, color) {
@@ -190,32 +233,68 @@ class Painter {
     const length = Math.hypot(x1 - x0, y1 - y0), half = 0.5 * this.lineWidth;
     const ux = length > 0 ? half * (x1 - x0) / length : half, uy = length > 0 ? half * (y1 - y0) / length : 0;
     const ex = kSquareEnd * ux, ey = kSquareEnd * uy;
-    this.begin();
-    this.addPolygon([x0 - ex - uy, y0 - ey + ux, x1 + ex - uy, y1 + ey + ux,
-                     x1 + ex + uy, y1 + ey - ux, x0 - ex + uy, y0 - ey - ux]);
-    this.fillPath(color);
+    this.fillRings([[x0 - ex - uy, y0 - ey + ux, x1 + ex - uy, y1 + ey + ux,
+                     x1 + ex + uy, y1 + ey - ux, x0 - ex + uy, y0 - ey - ux]], color);
   }
   axes([x, y, xEnd, yEnd]) {
     const {theme} = this.look;
     this.line(x, y, xEnd, yEnd, theme.xAxis);
     this.line(x, y, x + (yEnd - y), y - (xEnd - x), theme.yAxis); // a quarter turn to the left, with y down
   }
+  // Letters begin at whole pixels, as those of renderers do.
   text(points, text, color) {
-    const {context, look: {ratio}} = this;
-    this.setFill(color);
-    context.font = `${kTextSize * ratio}px "DejaVu Sans", sans-serif`;
-    const x = Math.floor(points[0] + 0.5);
-    let y = Math.floor(points[1] + 0.5) + kTextAscent * ratio;
+    const {ratio} = this.look;
+    let x = Math.floor(points[0] + 0.5), y = Math.floor(points[1] + 0.5);
     for (const line of text.split("\n")) {
-      context.fillText(line, x, y);
+      let pen = x;
+      for (const letter of this.lettersOf(line)) {
+        this.letter(letter, Math.floor(pen + 0.5), Math.floor(y + 0.5), color);
+        pen += letter.advance;
+      }
       y += kTextLine * ratio;
     }
   }
+  letter({sign}, x, y, color) {
+    const {context, look: {ratio}} = this;
+    this.setFill(color);
+    context.font = `${kTextSize * ratio}px ${kFontFamily}`;
+    context.fillText(sign, x, y + Math.round(kTextAscent * ratio));
+  }
+  lettersOf(text) {
+    return Array.from(text, sign => this.letters.get(sign) ?? this.addLetter(sign));
+  }
+  // Letters are whole pixels apart in the film.
+  addLetter(sign) {
+    const pen = document.createElement("canvas").getContext("2d"), {ratio} = this.look;
+    pen.font = `2048px ${kFontFamily}`;
+    const width = pen.measureText(sign).width / 2048 * kTextSize;
+    const letter = {sign, width: width * ratio, advance: Math.round(width) * ratio};
+    this.letters.set(sign, letter);
+    return letter;
+  }
+  // As the film placed it.
+  widthOf(text) {
+    const sum = key => this.lettersOf(text).reduce((width, letter) => width + letter[key], 0);
+    return Math.max(sum("width"), sum("advance"));
+  }
 }
 
-function sized(canvas, width, height) {
-  if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
-  return canvas;
+function scaleAbout(points, x, y, factor) {
+  if (factor === 1) return;
+  for (let i = 0; i < points.length; i += 2) {
+    points[i] = x + factor * (points[i] - x);
+    points[i + 1] = y + factor * (points[i + 1] - y);
+  }
+}
+
+function lengthOf([x0, y0, x1, y1]) {
+  return Math.hypot(x1 - x0, y1 - y0);
+}
+
+// How far the first point is behind the tip of the shaft, along it.
+function alongShaft([x, y], shaft) {
+  const length = lengthOf(shaft);
+  return ((shaft[2] - x) * (shaft[2] - shaft[0]) + (shaft[3] - y) * (shaft[3] - shaft[1])) / length;
 }
 
 // The part of a line within a rectangle, or null.

@@ -3,6 +3,7 @@
 const kSpeeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4, 8];
 const kZoomStep = 1.25;
 const kLinkDelay = 200; // [ms]
+const kRest = 120;      // until a picture is drawn exactly [ms]
 const kContactReach = 24, kBodyReach = 4, kClickReach = 3; // [CSS px]
 
 const kIsFramed = parent !== window;
@@ -14,6 +15,7 @@ class Player {
     this.film = film;
     this.view = new View(film);
     this.painter = new Painter(film);
+    this.exactPainter = new ExactPainter(film);
     this.canvas = $("picture");
     this.hidden = new Set(film.layers.filter(layer => !layer.isOn).map(layer => layer.number));
     this.theme = 0;       // index into film.themes
@@ -67,7 +69,8 @@ class Player {
       this.canvas.height = height;
     }
     this.view.resize(width, height);
-    this.redraw();
+    if (this.frame) this.draw(); // a canvas of another size is empty
+    else this.redraw();
   }
   // Soon, once for all that changes until then.
   redraw() {
@@ -101,10 +104,20 @@ class Player {
     }
     this.showFollowed();
     const look = {view: this.view.of(frame), ratio: this.ratio, theme: this.film.themes[this.theme], hidden: this.hidden};
-    const isExact = !this.isPlaying && this.ratio < 2; // smaller pixels hide it
-    isExact ? this.painter.drawExactly(this.canvas, frame, look) : this.painter.draw(this.canvas, frame, look);
+    this.paint(frame, look);
     this.showBody(look.view);
     if (this.leads) this.lead();
+  }
+  // Quickly where it changes; exactly once it rests, which takes longer.
+  paint(frame, look) {
+    const {x, y, scale} = look.view;
+    const picture = [this.number, x, y, scale, look.ratio, this.theme, ...this.hidden, "size", this.canvas.width, this.canvas.height].join();
+    if (picture === this.painted) return;
+    this.painted = picture;
+    clearTimeout(this.exactTimer);
+    this.painter.draw(this.canvas, frame, look);
+    if (this.isPlaying || this.ratio >= 2) return; // smaller pixels hide it
+    this.exactTimer = setTimeout(() => this.exactPainter.draw(this.canvas, frame, look), kRest);
   }
   showFollowed() {
     const body = this.view.followed;
@@ -413,10 +426,6 @@ function tell(text) {
 let player = null;
 
 async function open() {
-  if (typeof DecompressionStream === "undefined") {
-    $("message").textContent = "This browser is too old for this page: it cannot unpack gzip.";
-    return null;
-  }
   try {
     const groups = [...document.querySelectorAll("script.frames")].map(element =>
       ({frames: Number(element.dataset.frames), base64: () => element.textContent}));
@@ -435,4 +444,3 @@ async function open() {
     throw error;
   }
 }
-const opened = open();

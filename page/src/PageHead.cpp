@@ -190,9 +190,11 @@ Result<std::string> PageEnd(const PageSettings& settings, const PageEncoder& enc
     json += ",\n\"texts\":" + ListText(encoder.Forms().Texts(), StringText);
     json += ",\n\"forms\":\"" + Base64(forms) + "\"}";
     const std::string script =
-        std::string(kDecodeJs).append(kDrawJs).append(kViewJs).append(kPlayerJs);
-    return FilledTemplate(kPlayerHtml.substr(kPlayerHtml.find(kFramesMark) + kFramesMark.size()),
-                          {{"head", json}, {"script", WithoutComments(script)}});
+        std::string(kDecodeJs).append(kDrawJs).append(kExactJs).append(kViewJs).append(kPlayerJs);
+    ASSIGN_OR_RETURN(const std::string player, Gzip("page", WithoutComments(script)));
+    return FilledTemplate(
+        kPlayerHtml.substr(kPlayerHtml.find(kFramesMark) + kFramesMark.size()),
+        {{"head", json}, {"player", Base64(player)}, {"load", WithoutComments(kLoadJs)}});
 }
 
 } // namespace boxreel

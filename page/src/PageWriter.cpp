@@ -60,7 +60,7 @@ struct PageWriter::Impl
         ASSIGN_OR_RETURN(const std::string group, PageGroup(encoder->TakeGroup(), frames));
         return Write(group);
     }
-    Result<void> Finish();
+    Result<void> WriteRest();
 
     AtomicFile file;
     PageSettings settings;
@@ -68,7 +68,7 @@ struct PageWriter::Impl
     PageFacts facts;
 };
 
-Result<void> PageWriter::Impl::Finish()
+Result<void> PageWriter::Impl::WriteRest()
 {
     if (facts.frames == 0)
     {
@@ -80,8 +80,7 @@ Result<void> PageWriter::Impl::Finish()
         RETURN_IF_ERROR(WriteGroup());
     }
     ASSIGN_OR_RETURN(const std::string end, PageEnd(settings, *encoder, facts));
-    RETURN_IF_ERROR(Write(end));
-    return file.Commit();
+    return Write(end);
 }
 
 PageWriter::PageWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
@@ -97,7 +96,12 @@ Result<PageWriter> PageWriter::Open(const std::filesystem::path& path, const Pag
                      "end it in .html"};
     }
     RETURN_IF_ERROR(Check(settings));
-    ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::Create(path, settings.overwrite));
+    const ErrorSetting overwritten{BOXREEL_MEMBER(PageSettings, overwrite), {"true"}};
+    ASSIGN_OR_RETURN(AtomicFile file,
+                     AtomicFile::Create(path, {.overwrite = settings.overwrite,
+                                               .replacesLeftover = settings.overwrite,
+                                               .leftoverRemedy = "start again (" + overwritten +
+                                                                 ") or choose another name"}));
     auto impl = std::make_unique<Impl>(std::move(file), settings);
     RETURN_IF_ERROR(impl->Write(PageBegin(settings)));
     return PageWriter(std::move(impl));
@@ -141,7 +145,16 @@ Result<void> PageWriter::Close()
 {
     assert(m_impl && "a page is closed once");
     const std::unique_ptr<Impl> impl = std::move(m_impl);
-    return impl->Finish();
+    RETURN_IF_ERROR(impl->WriteRest());
+    return impl->file.Commit();
+}
+
+Result<void> PageWriter::Suspend()
+{
+    assert(m_impl && "a page is closed once");
+    const std::unique_ptr<Impl> impl = std::move(m_impl);
+    RETURN_IF_ERROR(impl->WriteRest());
+    return impl->file.Leave();
 }
 
 } // namespace boxreel

@@ -11,7 +11,9 @@ extern const std::string_view kPlayerHtml;
 extern const std::string_view kPlayerCss;
 extern const std::string_view kDecodeJs;
 extern const std::string_view kDrawJs;
+extern const std::string_view kExactJs;
 extern const std::string_view kViewJs;
 extern const std::string_view kPlayerJs;
+extern const std::string_view kLoadJs;
 
 } // namespace boxreel

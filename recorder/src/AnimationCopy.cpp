@@ -172,8 +172,9 @@ std::int64_t CountWholeAnimation(const std::filesystem::path& left, const VideoS
     return last < 0 ? 0 : std::max<std::int64_t>(0, times.FirstIndexOf(times.GroupOf(last)));
 }
 
-Result<bool> JoinAnimations(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
-                            const VideoSettings& settings, const std::function<bool()>& isStopped)
+Result<JoinedFilm> JoinAnimations(const std::vector<FilmPart>& parts,
+                                  const std::filesystem::path& path, const VideoSettings& settings,
+                                  const std::function<bool()>& isStopped)
 {
     ASSIGN_OR_RETURN(StoredFrames first, StoredFrames::Open(parts.front().path, settings));
     VideoSettings whole = PartOf(settings, parts.front().firstFrame);
@@ -191,11 +192,11 @@ Result<bool> JoinAnimations(const std::vector<FilmPart>& parts, const std::files
             CopyAnimation(part->path, PartOf(whole, part->firstFrame), count, writer, isStopped));
         if (isStopped())
         {
-            return false;
+            return JoinedFilm{};
         }
     }
-    const Result<void> closed = writer.Close();
-    return closed ? Result<bool>(true) : closed.GetError();
+    RETURN_IF_ERROR(writer.Close());
+    return JoinedFilm{true, writer.StoredFrames()};
 }
 
 } // namespace boxreel

@@ -28,7 +28,8 @@ Result<void> CopyAnimation(
 std::int64_t CountWholeAnimation(const std::filesystem::path& left, const VideoSettings& settings);
 
 /// JoinFilms for animations.
-Result<bool> JoinAnimations(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
-                            const VideoSettings& settings, const std::function<bool()>& isStopped);
+Result<JoinedFilm> JoinAnimations(const std::vector<FilmPart>& parts,
+                                  const std::filesystem::path& path, const VideoSettings& settings,
+                                  const std::function<bool()>& isStopped);
 
 } // namespace boxreel

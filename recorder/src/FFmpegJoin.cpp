@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 
 namespace boxreel
 {
@@ -100,9 +101,10 @@ Result<bool> Write(const std::vector<Part>& parts, FFmpegMuxer& muxer,
 
 } // namespace
 
-Result<bool> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::filesystem::path& path,
-                             VideoFormat format, const VideoSettings& settings,
-                             const std::function<bool()>& isStopped)
+Result<JoinedFilm> JoinFFmpegFilms(const std::vector<FilmPart>& films,
+                                   const std::filesystem::path& path, VideoFormat format,
+                                   const VideoSettings& settings,
+                                   const std::function<bool()>& isStopped)
 {
     RETURN_IF_ERROR(LoadFFmpeg());
     ASSIGN_OR_RETURN(const EncoderPlan plan, PlanFor(format, settings));
@@ -127,12 +129,17 @@ Result<bool> JoinFFmpegFilms(const std::vector<FilmPart>& films, const std::file
     ASSIGN_OR_RETURN(FFmpegMuxer muxer,
                      FFmpegMuxer::Open(output, plan.muxer, options, {&first->Codec(), tick, rate},
                                        path.string()));
-    if (Result<bool> written = Write(parts, muxer, isStopped); !written || !*written)
+    ASSIGN_OR_RETURN(const bool isWhole, Write(parts, muxer, isStopped));
+    if (!isWhole)
     {
-        return written;
+        return JoinedFilm{};
     }
-    const Result<void> committed = file->Commit();
-    return committed ? Result<bool>(true) : committed.GetError();
+    RETURN_IF_ERROR(file->Commit());
+    const auto countPackets = [](std::int64_t count, const Part& part) {
+        return count + std::int64_t(part.shown.size());
+    };
+    return JoinedFilm{true,
+                      std::accumulate(parts.begin(), parts.end(), std::int64_t(0), countPackets)};
 }
 
 } // namespace boxreel

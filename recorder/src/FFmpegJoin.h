@@ -9,8 +9,9 @@
 namespace boxreel
 {
 
-Result<bool> JoinFFmpegFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
-                             VideoFormat format, const VideoSettings& settings,
-                             const std::function<bool()>& isStopped);
+Result<JoinedFilm> JoinFFmpegFilms(const std::vector<FilmPart>& parts,
+                                   const std::filesystem::path& path, VideoFormat format,
+                                   const VideoSettings& settings,
+                                   const std::function<bool()>& isStopped);
 
 } // namespace boxreel

@@ -12,8 +12,8 @@
 namespace boxreel
 {
 
-Result<bool> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
-                       const VideoSettings& settings, const std::function<bool()>& isStopped)
+Result<JoinedFilm> JoinFilms(const std::vector<FilmPart>& parts, const std::filesystem::path& path,
+                             const VideoSettings& settings, const std::function<bool()>& isStopped)
 {
     assert(!parts.empty() && "parts of a film");
     RETURN_IF_ERROR(CheckVideoPath(path, settings));

@@ -6,6 +6,7 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Nearest.h>
+#include <base/Words.h>
 
 #include <algorithm>
 #include <cassert>
@@ -71,7 +72,7 @@ ErrorText FormatText(const VideoSettings& settings)
 Error UnknownName(const std::filesystem::path& path, const VideoSettings& settings)
 {
     const std::string formats =
-        "use .mp4, .mkv, .webm, .gif, .apng, .webp or a name like frames-####.png";
+        "use " + JoinedBy(", ", VideoEnds()) + " or a name like frames-####.png";
     const auto unusable = [&](const std::string& problem, const std::string& remedy) {
         return Error{ErrorKind::Unusable, path.empty() ? "''" : path.string(), problem, remedy};
     };

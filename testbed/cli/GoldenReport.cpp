@@ -11,6 +11,7 @@
 #include <golden/ReportPage.h>
 #include <golden/Verdicts.h>
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -84,8 +85,16 @@ Result<void> WriteGoldenReport(const GoldenReportOptions& options,
     ASSIGN_OR_RETURN(const auto strips, MakeStrips(moments, against, options.backend));
     ASSIGN_OR_RETURN(const std::string page, ReportPage(moments, strips));
     RETURN_IF_ERROR(WriteWhole(path, page, true));
-    return WriteOutput(DescribeOutcome(moments) + "; the report is '" + path.string() + "' (" +
-                       Size(page.size()) + ")\n");
+    RETURN_IF_ERROR(WriteOutput(DescribeOutcome(moments) + "; the report is '" + path.string() +
+                                "' (" + Size(page.size()) + ")\n"));
+    const bool lacksPages = std::any_of(strips.begin(), strips.end(), [](const auto& strip) {
+        return !strip.second.pictures.empty() && strip.second.expectedPage.empty();
+    });
+    return lacksPages && !against.empty()
+               ? Error{ErrorKind::Unusable, "--against " + options.against.string(),
+                       "cannot record pages, so the report shows only its pictures",
+                       "give a build with `boxreel record -o NAME.html`"}
+               : Result<void>();
 }
 
 Result<int> Run(const GoldenReportOptions& options)

@@ -167,16 +167,21 @@ Result<int> Run(const MergeOptions& options)
     settings.plays = first.plays;
     settings.groupFrames = GroupOf(first, options.output);
     const StopSignals stopSignals;
-    ASSIGN_OR_RETURN(const bool isWhole, JoinFilms(films, options.output, settings,
-                                                   [] { return StopSignals::Caught() != 0; }));
-    if (!isWhole)
+    ASSIGN_OR_RETURN(const JoinedFilm joined, JoinFilms(films, options.output, settings,
+                                                        [] { return StopSignals::Caught() != 0; }));
+    if (!joined.isWhole)
     {
         WriteMessage("Stopped; nothing of " + options.output.string() + " is left.");
         return StopSignals::kExitCode;
     }
     const std::int64_t frames = parts.back().manifest.end - first.first;
-    WriteMessage(options.output.string() + ": " + Counted(frames, "frame") + " of " +
-                 Counted(films.size(), "part"));
+    std::string text = options.output.string() + ": " + Counted(frames, "frame") + " of " +
+                       Counted(films.size(), "part");
+    if (joined.stored && *joined.stored != frames)
+    {
+        text += ", " + std::to_string(*joined.stored) + " of the frames stored";
+    }
+    WriteMessage(text);
     return 0;
 }
 

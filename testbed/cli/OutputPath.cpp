@@ -3,9 +3,12 @@
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
+#include <base/Nearest.h>
+#include <base/Words.h>
 #include <recorder/VideoWriter.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace boxreel
 {
@@ -109,6 +112,25 @@ std::vector<std::string> RecordExtensions()
     std::vector<std::string> all = FilmExtensions();
     all.emplace_back(".html");
     return all;
+}
+
+Result<void> CheckRecordExtension(const std::filesystem::path& path)
+{
+    std::string end = path.extension().string();
+    std::transform(end.begin(), end.end(), end.begin(),
+                   [](unsigned char letter) { return char(std::tolower(letter)); });
+    const std::vector<std::string> ends = RecordExtensions();
+    const bool isForOthers = path == "-" || path.stem().empty();
+    if (isForOthers || std::find(ends.begin(), ends.end(), end) != ends.end())
+    {
+        return {};
+    }
+    return Error{ErrorKind::Unusable, path.string(),
+                 end.empty() ? "has no extension"
+                             : "unsupported extension " + path.extension().string(),
+                 DidYouMean(end, ends,
+                            "use " + JoinedBy(", ", VideoEnds()) +
+                                ", .html or a name like frames-####.png")};
 }
 
 Result<void> CheckPicturePath(const std::filesystem::path& path, bool force)

@@ -18,6 +18,9 @@ std::vector<std::string> FilmExtensions();
 /// Those and the one of pages.
 std::vector<std::string> RecordExtensions();
 
+/// Refuses another extension than these, and none. Standard output may have none.
+Result<void> CheckRecordExtension(const std::filesystem::path& path);
+
 /// Refuses the names of unfinished films.
 Result<void> CheckFilmName(const std::filesystem::path& film);
 

@@ -268,7 +268,7 @@ Result<void> Planner::AddFilm(const ScriptProduct& product)
     }
     record.look.simulation.script = m_actions;
     record.film.overwrite = record.film.overwrite || m_options.force;
-    // A page has no parts: it exists as a whole or not at all, so it cannot be continued.
+    // A page has no parts, so it cannot be continued.
     record.film.resume = record.film.resume || (m_options.resume && !IsPage(record.output));
     record.backend = m_options.backend;
     RETURN_IF_ERROR(Claim(product, record, record.film.overwrite));

@@ -53,6 +53,7 @@ Result<void> CheckFilm(const RecordOptions& options, const FilmPlan& plan)
     {
         return CheckPage(options);
     }
+    RETURN_IF_ERROR(CheckRecordExtension(options.output));
     RETURN_IF_ERROR(CheckVideoPath(options.output, plan.film));
     RETURN_IF_ERROR(CheckManifestPaths(options, plan));
     return options.thumbnail.file.empty() ? Result<void>() : CheckThumbnail(options, plan);
@@ -251,10 +252,11 @@ Command& Declare(Command& program, RecordOptions& record)
 {
     Command& command = AddCommand(program, "record", "Make a film of a scene");
     AddScene(command, record.scene);
-    AddPath(command, "-o,--output", "FILE", record.output,
-            "Write the film here: .mp4 .mkv .webm .gif .apng .webp,\nframes-####.png, or - with "
-            "--format; .html is a page that\nplays it in a browser",
-            RecordExtensions());
+    AddPath(
+        command, "-o,--output", "FILE", record.output,
+        "Write the film here: " + JoinedBy(" ", VideoEnds()) +
+            ",\nframes-####.png, or - with --format; .html is a page that plays\nit in a browser",
+        RecordExtensions());
     AddForce(command, record.film.overwrite);
     AddFlag(command, "--resume", record.film.resume, "Continue a stopped film, or start it");
     AddFlag(command, "--skip-done", record.skipDone,
@@ -288,7 +290,7 @@ Command& Declare(Command& program, RecordOptions& record)
     AddBackend(command, record.backend).Group("Picture");
     command.notes = {
         {"Ctrl-C ends with exit code 75 and leaves NAME.part.EXT, which is playable. The same\n"
-         "command with --resume continues it. Of a page (.html) nothing is left."}};
+         "command with --resume continues it, except a page (.html)."}};
     command.examples = {
         "boxreel record pyramid -o pyramid.mp4",
         "boxreel record newtons-cradle -o cradle.gif --seconds 4 --fps 25 --size 480x270",

@@ -3,6 +3,8 @@
 #include "FilmSimulation.h"
 #include "StopSignals.h"
 
+#include <base/AtomicFile.h>
+#include <base/Counting.h>
 #include <base/ErrorMacros.h>
 #include <page/PageWriter.h>
 
@@ -67,15 +69,22 @@ FilmReport ReportOf(const RecordOptions& options, std::int64_t frames, double se
     return report;
 }
 
-/// Appends all frames. Returns their number, which is 0 when a signal asks for a stop.
-Result<std::int64_t> WriteFrames(std::int64_t count, FilmSimulation& simulation, PageWriter& writer,
-                                 Progress& progress)
+/// How a page has ended.
+struct WrittenFrames
+{
+    std::int64_t count = 0;
+    bool isStopped = false; ///< by a signal
+};
+
+/// Appends all frames, unless a signal asks for a stop.
+Result<WrittenFrames> WriteFrames(std::int64_t count, FilmSimulation& simulation,
+                                  PageWriter& writer, Progress& progress)
 {
     for (std::int64_t frame = 0; frame < count; ++frame)
     {
         if (!simulation.AdvanceTo(frame))
         {
-            return 0;
+            return WrittenFrames{frame, true};
         }
         FrameContent content;
         simulation.Fill(content);
@@ -84,10 +93,25 @@ Result<std::int64_t> WriteFrames(std::int64_t count, FilmSimulation& simulation,
         progress.Update({.framesDone = frame + 1, .framesTotal = count});
         if (simulation.IsAtEnd())
         {
-            return frame + 1;
+            return WrittenFrames{frame + 1};
         }
     }
-    return count;
+    return WrittenFrames{count};
+}
+
+/// Keeps the frames so far as a page of its own, as a stopped film does.
+Result<int> Stopped(const RecordOptions& options, std::int64_t frames, PageWriter& writer,
+                    Progress& progress)
+{
+    if (frames == 0)
+    {
+        progress.Stop("Stopped before the first frame.");
+        return StopSignals::kExitCode;
+    }
+    RETURN_IF_ERROR(writer.Suspend());
+    progress.Stop("Stopped after " + Counted(frames, "frame") + "; " +
+                  PartPath(options.output).string() + " can be looked at.");
+    return StopSignals::kExitCode;
 }
 
 } // namespace
@@ -149,20 +173,20 @@ Result<int> MakePage(const RecordOptions& options, const FilmPlan& plan, Snapsho
         PageWriter::Open(options.output, SettingsOf(options, simulation.Session().Title())));
     simulation.TellMissingBodies();
     simulation.Begin(0);
-    const Result<std::int64_t> written = WriteFrames(plan.frameCount, simulation, writer, progress);
+    const Result<WrittenFrames> written =
+        WriteFrames(plan.frameCount, simulation, writer, progress);
     if (!written)
     {
         progress.Clear();
         return written.GetError();
     }
-    if (*written == 0)
+    if (written->isStopped)
     {
-        progress.Stop("Stopped; no page was written.");
-        return StopSignals::kExitCode;
+        return Stopped(options, written->count, writer, progress);
     }
     RETURN_IF_ERROR(writer.Close());
-    progress.Finish(ReportOf(options, *written, progress.Seconds()));
-    return simulation.Conclude(*written);
+    progress.Finish(ReportOf(options, written->count, progress.Seconds()));
+    return simulation.Conclude(written->count);
 }
 
 } // namespace boxreel

@@ -3,6 +3,7 @@
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
+#include <page/PageWriter.h>
 #include <recorder/VideoWriter.h>
 
 namespace boxreel
@@ -13,6 +14,7 @@ namespace
 constexpr SettingName kNames[] = {
     {BOXREEL_MEMBER(AtomicFileSettings, overwrite), "true", "--force"},
     {BOXREEL_MEMBER(VideoSettings, overwrite), "true", "--force"},
+    {BOXREEL_MEMBER(PageSettings, overwrite), "true", "--force"},
     {BOXREEL_MEMBER(VideoSettings, resume), "true", "--resume"},
     {BOXREEL_MEMBER(VideoSettings, resume), "", "--resume"},
     {BOXREEL_MEMBERS(VideoSettings, width, height), "", "--size", " ", "x"},

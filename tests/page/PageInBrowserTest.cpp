@@ -5,6 +5,8 @@
 
 #include <Box2D/Dynamics/b2Body.h>
 #include <base/AtomicFile.h>
+#include <base/ErrorMacros.h>
+#include <debugdraw/TextWidth.h>
 #include <golden/Compare.h>
 #include <golden/ReportPage.h>
 #include <page/PageWriter.h>
@@ -28,12 +30,18 @@ using testing::Not;
 
 // As the page shows a resting picture on a screen of one pixel per CSS pixel.
 constexpr const char* kDrawScript = R"(
-function drawExactly(player, frame) {
-  const {film} = player;
+function drawExactly(player, frame, view, hidden) {
+  return drawBy(player.exactPainter, frame, view, hidden);
+}
+function drawPlaying(player, frame) {
+  return drawBy(player.painter, frame);
+}
+function drawBy(painter, frame, view = painter.film.viewOf(frame), hidden = new Set()) {
+  const {film} = painter;
   const picture = document.createElement("canvas");
   picture.width = film.width;
   picture.height = film.height;
-  player.painter.drawExactly(picture, frame, {view: film.viewOf(frame), ratio: 1, theme: film.themes[0], hidden: new Set()});
+  painter.draw(picture, frame, {view, ratio: 1, theme: film.themes[0], hidden});
   return picture.toDataURL().split(",")[1];
 }
 function leave(text) {
@@ -108,6 +116,10 @@ protected:
             last = bodies;
             EXPECT_TRUE(writer->Append(content.list, content.camera, bodies));
         }
+        session->LookAt(
+            {float(content.camera.centerX) + 1.53f, float(content.camera.centerY) + 0.57f},
+            3.0 * content.camera.pixelsPerMeter);
+        session->Fill(zoomed);
         EXPECT_TRUE(writer->Close());
         return ReadFile(path);
     }
@@ -122,6 +134,7 @@ protected:
     const std::string browser = Chromium();
     TemporaryFolder folder;
     FrameContent content;       // of the last frame
+    FrameContent zoomed;        // of the same, nearer and aside
     std::vector<PageBody> last; // of the last frame
 };
 
@@ -135,6 +148,13 @@ struct Shown
 class PagePixels : public PageInBrowser, public testing::WithParamInterface<Shown>
 {};
 
+/// The picture in base64.
+Result<Frame> FrameOf(std::string_view base64, const TemporaryFolder& folder)
+{
+    RETURN_IF_ERROR(WriteWhole(folder / "page.png", FromBase64(base64), true));
+    return ReadPng(folder / "page.png");
+}
+
 TEST_P(PagePixels, AreThoseOfARenderer)
 {
     constexpr int kStep = 150;
@@ -143,19 +163,22 @@ TEST_P(PagePixels, AreThoseOfARenderer)
     const std::string results = Run(page, R"(
 (async () => {
   const player = await opened;
-  leave(drawExactly(player, await player.film.frameLater(150)));
+  const frame = await player.film.frameLater(150);
+  leave(`${drawExactly(player, frame)}\n${drawPlaying(player, frame)}`);
 })();
 )");
-    const std::vector<std::uint8_t> png = FromBase64(results);
-    ASSERT_TRUE(WriteWhole(folder / "page.png", png, true));
-    const Result<Frame> shown = ReadPng(folder / "page.png");
-    ASSERT_TRUE(shown) << results.substr(0, 400);
+    const std::size_t second = results.find('\n') + 1;
+    const Result<Frame> shown = FrameOf(results, folder);
+    const Result<Frame> playing = FrameOf(std::string_view(results).substr(second), folder);
+    ASSERT_TRUE(shown && playing) << results.substr(0, 400);
     Result<Renderer> renderer = Renderer::Create({.theme = theme});
     ASSERT_TRUE(renderer);
     Frame drawn;
     ASSERT_TRUE(renderer->Draw(content.list, content.camera, drawn));
     const Comparison comparison = Compare(drawn, *shown, CompareSettings::CrossMachine());
     EXPECT_TRUE(comparison.equal) << comparison.Text();
+    const Comparison moving = Compare(drawn, *playing, CompareSettings::CrossMachine());
+    EXPECT_LE(double(moving.overTolerance), 0.002 * double(moving.compared)) << moving.Text();
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PagePixels,
@@ -165,6 +188,164 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PagePixels,
                                          Shown{"car", "shapes,joints,centers,velocities", "print"},
                                          Shown{"web", "shapes,joints,aabbs", "okabe-ito"}),
                          [](const auto& shown) { return shown.param.scene; });
+
+class PageLayers : public PageInBrowser, public testing::WithParamInterface<const char*>
+{
+protected:
+    /// Expects that the page shows what the renderer draws of the list.
+    void ExpectSame(const std::string& name, const DrawList& list, const Camera& camera,
+                    std::string_view png)
+    {
+        const Result<Frame> shown = FrameOf(png, folder);
+        ASSERT_TRUE(shown) << name << ": " << png.substr(0, 400);
+        Result<Renderer> renderer = Renderer::Create({});
+        ASSERT_TRUE(renderer);
+        Frame drawn;
+        ASSERT_TRUE(renderer->Draw(list, camera, drawn));
+        const Comparison comparison = Compare(drawn, *shown, CompareSettings::CrossMachine());
+        EXPECT_TRUE(comparison.equal) << name << ": " << comparison.Text();
+    }
+};
+
+/// The shapes and one more layer.
+DrawList ListOf(const DrawList& all, DrawLayer layer)
+{
+    DrawList list = all;
+    std::erase_if(list.items, [layer](const DrawItem& item) {
+        return item.layer != DrawLayer::Shapes && item.layer != layer;
+    });
+    return list;
+}
+
+/// Removes arrows that are too short for a film of the scale. A page has those of its film.
+void DropShortArrows(DrawList& list, double filmScale)
+{
+    constexpr double kShortest = 1.5; // [px]
+    std::vector<DrawItem> kept;
+    std::vector<DrawItem> arrow;
+    const auto at = [&](const DrawItem& item, std::size_t i) {
+        return list.points[item.first + i];
+    };
+    for (const DrawItem& item : list.items)
+    {
+        if (item.layer == DrawLayer::Shapes)
+        {
+            kept.push_back(item);
+            continue;
+        }
+        arrow.push_back(item);
+        const bool isClosed = item.kind == DrawKind::SolidPolygon;
+        if (!isClosed && (item.layer != DrawLayer::ContactFriction || arrow.size() < 3))
+        {
+            continue;
+        }
+        const Vec2 tip = isClosed ? at(item, 0) : at(item, 1);
+        const Vec2 tail = arrow.size() > 1 ? at(arrow.front(), 0)
+                                           : Vec2{0.5f * (at(item, 1).x + at(item, 2).x),
+                                                  0.5f * (at(item, 1).y + at(item, 2).y)};
+        if (std::hypot(tip.x - tail.x, tip.y - tail.y) * filmScale >= kShortest)
+        {
+            kept.insert(kept.end(), arrow.begin(), arrow.end());
+        }
+        arrow.clear();
+    }
+    list.items = std::move(kept);
+}
+
+/// Moves labels to where they are when a metre has `zoom` times as many pixels. Those without a
+/// line keep their middle in the world, those with one their distance from its begin.
+void KeepLabels(DrawList& list, double filmScale, double zoom)
+{
+    const auto shrink = [zoom](Vec2& point, Vec2 about) {
+        point = {float(about.x + (double(point.x) - about.x) / zoom),
+                 float(about.y + (double(point.y) - about.y) / zoom)};
+    };
+    const Vec2* tie = nullptr;
+    for (const DrawItem& item : list.items)
+    {
+        if (item.layer != DrawLayer::Labels)
+        {
+            continue;
+        }
+        Vec2* const points = &list.points[item.first];
+        if (item.kind == DrawKind::Segment)
+        {
+            shrink(points[1], points[0]);
+            tie = points;
+            continue;
+        }
+        const double width = TextWidth(list.texts[item.text]);
+        shrink(points[0], tie != nullptr
+                              ? *tie
+                              : Vec2{float(points[0].x + 0.5 * width / filmScale),
+                                     float(points[0].y - 0.5 * kTextHeight / filmScale)});
+        tie = nullptr;
+    }
+}
+
+TEST_P(PageLayers, AreThoseOfARenderer)
+{
+    std::string layers;
+    for (const LayerInfo& info : kOptionalLayers)
+    {
+        layers += (layers.empty() ? "" : ",") + std::string(info.option);
+    }
+    const std::string page = PageOf(GetParam(), layers, 100);
+    const Camera near = zoomed.camera;
+    std::ostringstream views;
+    views.precision(17);
+    views << "{x: " << near.centerX << ", y: " << near.centerY << ", scale: " << near.pixelsPerMeter
+          << "}";
+    const std::string results = Run(page, R"(
+(async () => {
+  const player = await opened, {film} = player;
+  const frame = await film.frameLater(100), lines = [];
+  for (const view of [film.viewOf(frame), )" + views.str() +
+                                              R"(]) {
+    for (const layer of film.layers.slice(0, 14)) {
+      const hidden = new Set(film.layers.map(known => known.number).filter(number => number !== 0 && number !== layer.number));
+      lines.push(drawExactly(player, frame, view, hidden));
+    }
+  }
+  lines.push(drawExactly(player, frame));
+  leave(lines.join("\n"));
+})().catch(error => leave(`WRONG ${error.stack}`));
+)");
+    std::istringstream pictures(results);
+    std::string png;
+    const auto expectNext = [&](const std::string& name, const DrawList& list,
+                                const Camera& camera) {
+        ASSERT_TRUE(std::getline(pictures, png)) << results.substr(0, 400);
+        ExpectSame(name, list, camera, png);
+    };
+    for (const LayerInfo& info : kOptionalLayers)
+    {
+        expectNext(info.option, ListOf(content.list, info.layer), content.camera);
+    }
+    const double zoom = near.pixelsPerMeter / content.camera.pixelsPerMeter;
+    for (const LayerInfo& info : kOptionalLayers)
+    {
+        // Signs of joints are as large as the film made them, and labels where it placed them.
+        const bool isOfFilm =
+            info.layer == DrawLayer::JointGlyphs || info.layer == DrawLayer::Labels;
+        DrawList list = ListOf(isOfFilm ? content.list : zoomed.list, info.layer);
+        if (isOfFilm)
+        {
+            KeepLabels(list, content.camera.pixelsPerMeter, zoom);
+        }
+        const DrawLayer arrows[] = {DrawLayer::ContactImpulses, DrawLayer::ContactFriction,
+                                    DrawLayer::Velocities, DrawLayer::JointForces};
+        if (std::find(std::begin(arrows), std::end(arrows), info.layer) != std::end(arrows))
+        {
+            DropShortArrows(list, content.camera.pixelsPerMeter);
+        }
+        expectNext(std::string(info.option) + ", zoomed", list, near);
+    }
+    expectNext("all layers", content.list, content.camera);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PageLayers, testing::Values("car", "pyramid", "web"),
+                         [](const auto& shown) { return std::string(shown.param); });
 
 TEST_F(PageInBrowser, PlacesItemsOfEveryStepAsTheList)
 {
@@ -277,6 +458,16 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
   for (let i = 0; i < 60; ++i) key("+");
   check("zoom ends at the full scale", Math.abs(view.of(end).scale - film.fullScale) < 1e-6 * film.fullScale);
   key("0");
+  await later();
+  const look = {view: view.of(end), ratio: player.ratio, theme: film.themes[player.theme], hidden: player.hidden};
+  const exact = Object.assign(document.createElement("canvas"), {width: canvas.width, height: canvas.height});
+  player.exactPainter.draw(exact, end, look);
+  check("a picture that rests is exact", canvas.toDataURL() === exact.toDataURL());
+  document.querySelector("main").style.width = "500px";
+  player.resize(); // as the observer calls it
+  check("a resize draws at once", canvas.width === Math.round(500 * player.ratio) && new Set(new Uint32Array(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size > 2);
+  document.querySelector("main").style.width = "";
+  player.resize(); // as the observer calls it
   const boxes = [...$("layers").querySelectorAll("input")];
   check("layers that are there have boxes", $("layers").querySelector("div").textContent === "ShapesJointsContact points" || $("layers").querySelector("div").textContent === "ShapesContact points");
   boxes[0].click();

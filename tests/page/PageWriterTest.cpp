@@ -2,6 +2,7 @@
 #include "../testbed/cli/Subprocess.h"
 #include "PageReader.h"
 
+#include <base/AtomicFile.h>
 #include <page/PageWriter.h>
 
 #include <gmock/gmock.h>
@@ -260,6 +261,35 @@ TEST_F(PageWriterTest, RefusesCamerasThatCannotBeDrawn)
     other.centerX = 1e13;
     EXPECT_FALSE(writer.Append(ListAt(0), other));
     EXPECT_TRUE(writer.Append(ListAt(0), kCamera));
+}
+
+TEST_F(PageWriterTest, LeavesThePageSoFarWhenSuspended)
+{
+    const auto write = [this](bool closes) {
+        PageWriter writer = Open(Settings());
+        EXPECT_TRUE(writer.Append(ListAt(0), kCamera));
+        EXPECT_TRUE(closes ? writer.Close() : writer.Suspend());
+    };
+    write(true);
+    const std::string closed = ReadFile(Path());
+    std::filesystem::remove(Path());
+    write(false);
+    const std::filesystem::path part = PartPath(Path());
+    EXPECT_THAT(folder.Names(), testing::ElementsAre(part.filename().string()));
+    EXPECT_EQ(ReadFile(part), closed);
+}
+
+TEST_F(PageWriterTest, KeepsAFileOfItsTemporaryName)
+{
+    const std::filesystem::path part = PartPath(Path());
+    std::ofstream(part) << "mine";
+    const Result<PageWriter> refused = PageWriter::Open(Path(), Settings());
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.GetError().kind, ErrorKind::Unusable);
+    EXPECT_EQ(ReadFile(part), "mine");
+    PageSettings settings = Settings();
+    settings.overwrite = true;
+    EXPECT_TRUE(PageWriter::Open(Path(), settings));
 }
 
 TEST_F(PageWriterTest, LeavesNothingWithoutAFrameOrClose)

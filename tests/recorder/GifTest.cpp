@@ -263,7 +263,7 @@ TEST_F(GifFilm, PartsOfAFastOneAreJoinedToTheFramesOfTheWhole)
     write("whole.gif", 0, 47);
     write("a.gif", 0, 20);
     write("b.gif", 20, 47);
-    const Result<bool> joined =
+    const Result<boxreel::JoinedFilm> joined =
         boxreel::JoinFilms({{m_folder / "a.gif", 0}, {m_folder / "b.gif", 20}},
                            m_folder / "film.gif", {.framesPerSecond = rate, .groupFrames = 10});
     ASSERT_TRUE(joined) << joined.GetError().Text();

@@ -131,9 +131,10 @@ TEST_P(Parts, JoinedAreTheFilmMadeInOneGo)
     MakePart(Path("a"), 0, 20);
     MakePart(Path("b"), 20, 30); // all of it rests
     MakePart(Path("c"), 30, kCount);
-    const Result<bool> joined =
+    const Result<boxreel::JoinedFilm> joined =
         JoinFilms({{Path("a"), 0}, {Path("b"), 20}, {Path("c"), 30}}, Path("film"), Settings());
-    ASSERT_TRUE(joined && *joined) << joined.GetError().Text();
+    ASSERT_TRUE(joined && joined->isWhole) << joined.GetError().Text();
+    EXPECT_EQ(joined->stored.value_or(kCount), std::int64_t(ReadStored(Path("film")).size()));
     ExpectSame("film");
 }
 
@@ -148,10 +149,10 @@ TEST_P(Parts, JoiningThemMayBeStoppedAtAnyTimeAndLeavesNothing)
     for (; !isWhole; ++question)
     {
         int asked = 0;
-        const Result<bool> joined =
+        const Result<boxreel::JoinedFilm> joined =
             JoinFilms(parts, Path("film"), Settings(), [&] { return asked++ >= question; });
         ASSERT_TRUE(joined) << joined.GetError().Text();
-        isWhole = *joined;
+        isWhole = joined->isWhole;
         EXPECT_EQ(m_folder.Names().size(), before.size() + (isWhole ? 1 : 0)) << question;
     }
     EXPECT_GT(question, 4) << "it was hardly asked";
@@ -402,10 +403,10 @@ TEST(Mp4, LastsAsLongAsItsFramesAlsoWhenTheLastIsHeld)
     make("whole.mp4", 0, kAll);
     make("a.mp4", 0, 20);
     make("b.mp4", 20, kAll);
-    const Result<bool> joined =
+    const Result<boxreel::JoinedFilm> joined =
         boxreel::JoinFilms({{folder / "a.mp4", 0}, {folder / "b.mp4", 20}}, folder / "joined.mp4",
                            {.framesPerSecond = kRate});
-    ASSERT_TRUE(joined && *joined);
+    ASSERT_TRUE(joined && joined->isWhole);
     for (const char* name : {"whole.mp4", "joined.mp4"})
     {
         SCOPED_TRACE(name);
@@ -433,7 +434,7 @@ protected:
         {
             parts.push_back({m_folder / name, std::int64_t(parts.size()) * 4});
         }
-        const Result<bool> joined = JoinFilms(parts, m_folder / whole, {});
+        const Result<boxreel::JoinedFilm> joined = JoinFilms(parts, m_folder / whole, {});
         EXPECT_FALSE(joined);
         EXPECT_FALSE(std::filesystem::exists(m_folder / whole));
         return joined ? ""

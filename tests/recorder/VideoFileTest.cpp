@@ -263,7 +263,7 @@ TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
         {"film.avi",
          {},
          "film.avi",
-         ".mp4, .mkv, .webm, .gif, .apng, .webp or a name like frames-####.png"},
+         ".mp4, .mkv, .webm, .gif, .apng, .webp, .y4m, .nut or a name like frames-####.png"},
         {"", {}, "''", ""},
         {"folder/", {}, "folder/", ""},
         {".mp4", {}, ".mp4", ""},

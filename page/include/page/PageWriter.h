@@ -63,8 +63,9 @@ struct PageBody
 class PageWriter
 {
 public:
-    /// Starts the page. An Error (Unusable) for a name that does not end in .html, for a setting
-    /// out of range, or when the file exists or its folder takes no file.
+    /// Starts the page as NAME.part.html. An Error (Unusable) for a name that does not end in
+    /// .html, for a setting out of range, or when the file exists or its folder takes no file.
+    /// Unless `overwrite`, also when NAME.part.html exists.
     static Result<PageWriter> Open(const std::filesystem::path& path,
                                    const PageSettings& settings = {});
     /// Leaves the source in a moved-from state.
@@ -82,6 +83,10 @@ public:
     /// Writes the rest and renames the file to its name. The object cannot be used afterwards. An
     /// Error (Unusable) if no frame was appended; (Failed) when the disk is full.
     Result<void> Close();
+
+    /// Ends the page under its temporary name, NAME.part.html, where it can be played. The object
+    /// cannot be used afterwards. The Errors of Close.
+    Result<void> Suspend();
 
 private:
     struct Impl;

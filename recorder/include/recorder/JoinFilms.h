@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 /// @file
@@ -23,12 +24,20 @@ struct FilmPart
                                  ///< part
 };
 
+/// What became of a film of parts.
+struct JoinedFilm
+{
+    bool isWhole = false;                 ///< false: it was stopped, and no file is left
+    std::optional<std::int64_t> stored{}; ///< frames in the file, where identical ones may be
+                                          ///< stored once; none: all
+};
+
 /// Joins `parts`, in order and without gaps. They must be made with the same settings and with
 /// groups that end with the part. Of `settings` it uses framesPerSecond and overwrite, for
 /// animations also groupFrames and plays. Calls `isStopped` repeatedly. If that returns true,
-/// JoinFilms returns false and leaves no file. An Error (Unusable) when the format of `path` cannot
+/// JoinFilms ends and leaves no file. An Error (Unusable) when the format of `path` cannot
 /// be joined, or the parts have different encodings.
-Result<bool> JoinFilms(
+Result<JoinedFilm> JoinFilms(
     const std::vector<FilmPart>& parts, const std::filesystem::path& path,
     const VideoSettings& settings, const std::function<bool()>& isStopped = [] { return false; });
 

@@ -2,6 +2,7 @@
 // The real program: exit codes, messages, and the files in the folder afterwards.
 #include "Refusals.h"
 
+#include <cli/OutputPath.h>
 #include <render/Png.h>
 #include <scenes/Scene.h>
 
@@ -292,6 +293,21 @@ TEST_F(Command, RefusesUnwritableOutputsBeforeSimulation)
     ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "none/a.png"}, 1, "none/a.png");
     EXPECT_EQ(ReadFile(folder / "there.mp4"), "a film");
     EXPECT_EQ(ReadFile(folder / "there.png"), "a picture");
+}
+
+TEST_F(Command, ListsEveryExtensionOfRecord)
+{
+    const std::string help = Run({"record", "--help"}).output;
+    for (const char* const name : {"film.avi", "film"})
+    {
+        const std::string refused = Run({"record", "pyramid", "-o", name}).errors;
+        for (const std::string& end : RecordExtensions())
+        {
+            EXPECT_THAT(refused, HasSubstr(end));
+            EXPECT_THAT(help, HasSubstr(end));
+        }
+    }
+    EXPECT_THAT(Run({"record", "pyramid", "-o", "film.htm"}).errors, HasSubstr("'.html'"));
 }
 
 TEST_F(Command, ReportsMissingFileEquallyInEveryCommand)

@@ -6,8 +6,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <fstream>
+#include <thread>
 
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -286,6 +288,39 @@ TEST_F(FilmFailures, FailsWhenStandardOutputIsOnFullDisk)
     const std::string errors = ReadFile(folder / "errors");
     ExpectOneSentence(errors);
     EXPECT_THAT(errors, StartsWith("boxreel: standard output: "));
+}
+
+TEST_F(FilmFailures, SignalLeavesPlayablePage)
+{
+    const std::filesystem::path part = folder / "film.part.html";
+    for (const int signal : {SIGINT, SIGTERM})
+    {
+        const Outcome outcome =
+            RunBoxreel({"record", "tumbler", "--frames", "10000000", "-o", "film.html", "--force"},
+                       folder.Path(), [&](int process) {
+                           constexpr std::uintmax_t kSomeFrames = 100'000; // [bytes]
+                           std::error_code none;
+                           for (int i = 0; i < 6000; ++i)
+                           {
+                               const std::uintmax_t size = std::filesystem::file_size(part, none);
+                               if (!none && size > kSomeFrames)
+                               {
+                                   break;
+                               }
+                               std::this_thread::sleep_for(std::chrono::milliseconds(10));
+                           }
+                           kill(process, signal);
+                       });
+        EXPECT_EQ(outcome.code, 75) << outcome.errors;
+        EXPECT_THAT(outcome.errors, HasSubstr("film.part.html"));
+        EXPECT_THAT(folder.Names(), ElementsAre("film.part.html"));
+        const std::string page = ReadFile(part);
+        EXPECT_TRUE(page.ends_with("</html>\n"));
+        const std::size_t at = outcome.errors.find("Stopped after ") + 14;
+        const std::string frames = outcome.errors.substr(at, outcome.errors.find(' ', at) - at);
+        EXPECT_THAT(page, HasSubstr("\"frames\":" + frames + ","));
+        std::filesystem::remove(part);
+    }
 }
 
 } // namespace

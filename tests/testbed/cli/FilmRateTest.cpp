@@ -63,6 +63,29 @@ TEST_F(FilmRate, OfVariableFilmsIsReportedWithStoredFrames)
     }
 }
 
+TEST_F(FilmRate, OfMergedFilmsIsReportedWithStoredFrames)
+{
+    const auto part = [&](const std::string& name, const std::string& range,
+                          const std::vector<std::string>& more) {
+        std::vector<std::string> command{"record",  "pyramid",       "--frames", "200", "--from",
+                                         "7s",      "--size",        "160x90",   "-o",  name,
+                                         "--force", "--frame-range", range};
+        command.insert(command.end(), more.begin(), more.end());
+        EXPECT_EQ(Run(command).code, 0);
+    };
+    const auto merge = [&](const std::vector<std::string>& more) {
+        part("a.mkv", "0-99", more);
+        part("b.mkv", "100-199", more);
+        return Run({"merge", "a.mkv", "b.mkv", "-o", "film.mkv", "--force"}).errors;
+    };
+    const std::string variable = merge({"--variable-rate"});
+    const std::size_t stored = Decode("film.mkv", Frames::Stored).size();
+    EXPECT_LT(stored, 150u);
+    EXPECT_THAT(variable, HasSubstr("200 frames of 2 parts, " + std::to_string(stored) +
+                                    " of the frames stored"));
+    EXPECT_THAT(merge({}), HasSubstr("200 frames of 2 parts\n"));
+}
+
 // The pyramid comes to rest within the film: a program that takes the k-th stored frame must get
 // the moment k / 60 s.
 TEST_F(FilmRate, PutsEachStoredFrameAtItsTime)

@@ -103,7 +103,9 @@ TEST_F(GoldenReport, ShowsPicturesOfProgramWithoutPages)
         << "#!/bin/sh\n[ \"$1\" != record ] || exit 1\nexec '" << BOXREEL_PROGRAM << "' \"$@\"\n";
     fs::permissions(folder / "older", fs::perms::owner_all);
     const Outcome outcome = Run({"report", "o", "--against", "./older"});
-    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    EXPECT_EQ(outcome.code, 1) << "the pages that were asked for are not there";
+    EXPECT_THAT(outcome.errors, HasSubstr("--against ./older"));
+    EXPECT_THAT(outcome.output, HasSubstr("o/report.html"));
     EXPECT_THAT(ReadFile(folder / "o/report.html"),
                 AllOf(HasSubstr("\"expected\":\"data:image/png"), Not(HasSubstr("Page\":"))));
 }
