@@ -72,7 +72,7 @@ TEST_F(ManifestFile, ThatAreMissingAreNamedWithTheRemedy)
 TEST_F(ManifestFile, ThatAreDamagedAreNamedWithTheRemedy)
 {
     ASSERT_TRUE(WriteManifest(m_folder / "a.mkv", Sample()));
-    const std::string good = ReadFile(m_folder / "a.mkv.json");
+    const std::string good = ReadBytes(m_folder / "a.mkv.json");
     const auto with = [&good](const std::string& from, const std::string& to) {
         std::string text = good;
         const std::size_t at = text.find(from);
