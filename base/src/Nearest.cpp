@@ -7,22 +7,6 @@
 
 namespace boxreel
 {
-namespace
-{
-
-/// ASCII only, so that the result does not depend on the locale.
-std::string Lower(std::string_view text)
-{
-    std::string lower(text);
-    for (char& c : lower)
-    {
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return lower;
-}
-
-} // namespace
-
 int EditDistance(std::string_view a, std::string_view b)
 {
     // d[i][j] = distance of the first i letters of a to the first j of b (optimal string alignment,
@@ -82,8 +66,9 @@ std::string DidYouMean(std::string_view word, const std::vector<std::string>& ca
                        const std::string& otherwise)
 {
     const int nearest = NearestWord(word, candidates);
-    return nearest < 0 ? otherwise
-                       : "did you mean '" + candidates[static_cast<std::size_t>(nearest)] + "'?";
+    return nearest < 0
+               ? otherwise
+               : "did you mean " + Quoted(candidates[static_cast<std::size_t>(nearest)]) + "?";
 }
 
 Error NotOneOf(const std::string& option, const std::string& text,

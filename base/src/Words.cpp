@@ -27,6 +27,16 @@ std::string JoinedBy(std::string_view separator, const std::vector<std::string>&
                     [](const std::string& word) -> const std::string& { return word; });
 }
 
+std::string Lower(std::string_view text)
+{
+    std::string lower(text);
+    for (char& c : lower)
+    {
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return lower;
+}
+
 std::string FilledTemplate(std::string_view text,
                            const std::map<std::string_view, std::string_view>& parts)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <base/Counting.h>
 #include <base/ErrorMacros.h>
 #include <base/Quoting.h>
 #include <base/Words.h>
@@ -202,7 +203,7 @@ std::string Bodies(const std::vector<int>& numbers)
     {
         text += (text.empty() ? "" : ", ") + std::to_string(number);
     }
-    return (numbers.size() == 1 ? "body " : "bodies ") + text;
+    return PluralOf(numbers.size(), "body") + " " + text;
 }
 
 /// Empty when each body can be left out.

@@ -289,7 +289,7 @@ std::string Describe(const TraceDifference& difference)
         return step;
     }
     constexpr std::size_t kNamed = 4;
-    std::string names = bodies.size() == 1 ? "body " : "bodies ";
+    std::string names = PluralOf(bodies.size(), "body") + " ";
     for (std::size_t i = 0; i < std::min(bodies.size(), kNamed); ++i)
     {
         names.append(i == 0 ? "" : ", ").append(std::to_string(bodies[i]));

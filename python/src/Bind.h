@@ -3,6 +3,8 @@
 
 #include "Convert.h"
 
+#include <base/Quoting.h>
+
 #include <type_traits>
 
 /// Properties and keyword arguments of plain structs of the engine.
@@ -36,7 +38,7 @@ inline void SetKeywords(py::handle object, const py::kwargs& keywords)
         {
             const py::handle type = py::type::handle_of(object);
             throw py::type_error(std::string(py::str(type.attr("__name__"))) +
-                                 " has no attribute '" + std::string(py::str(name)) + "'" +
+                                 " has no attribute " + Quoted(std::string(py::str(name))) +
                                  HintFor(name, py::reinterpret_borrow<py::object>(type)));
         }
         py::setattr(object, name, value);

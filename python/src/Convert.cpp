@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Convert.h"
 
+#include <base/Quoting.h>
+
 #include <limits>
 
 namespace boxreel::python
@@ -43,7 +45,7 @@ Whole WholeNumber(py::handle value, const char* name)
     return static_cast<Whole>(number);
 }
 
-/// Reads `count` numbers of a sequence; false if it is none or has another length.
+/// Reads `count` numbers of a sequence; false if it is not a sequence or has another length.
 bool Numbers(py::handle value, float32* numbers, Py_ssize_t count)
 {
     if (PyUnicode_Check(value.ptr()) || !PySequence_Check(value.ptr()))
@@ -84,7 +86,7 @@ T Registered(py::handle value, const char* name, const char* expected)
 
 std::string TypeName(py::handle value)
 {
-    return value.is_none() ? "None" : std::string("'") + Py_TYPE(value.ptr())->tp_name + "'";
+    return value.is_none() ? "None" : Quoted(Py_TYPE(value.ptr())->tp_name);
 }
 
 void ThrowType(const char* name, const char* expected, py::handle value)

@@ -2,6 +2,8 @@
 #include "Bind.h"
 #include "Module.h"
 
+#include <base/Quoting.h>
+
 #include <string_view>
 
 /// Sentences for wrong arguments. Without them pybind11 lists signatures of C++. Each function gets
@@ -66,7 +68,7 @@ std::string Given(const py::args& arguments, const py::kwargs& keywords)
         if (!names.contains(name))
         {
             hint =
-                "; it has no argument '" + std::string(py::str(name)) + "'" + HintFor(name, names);
+                "; it has no argument " + Quoted(std::string(py::str(name))) + HintFor(name, names);
         }
     }
     throw py::type_error(function + ": expected " +
@@ -134,7 +136,7 @@ void RefuseConstruction(const py::object& type, const std::string& name)
     const bool isError =
         PyType_IsSubtype(reinterpret_cast<PyTypeObject*>(type.ptr()),
                          reinterpret_cast<PyTypeObject*>(PyExc_BaseException)) != 0;
-    // A constructor of pybind11 is an instance method; the slot of its base class is none.
+    // A constructor of pybind11 is an instance method; the slot of its base class is not.
     if (!isError && !PyInstanceMethod_Check(py::object(type.attr("__dict__")["__init__"]).ptr()))
     {
         type.attr("__init__") = py::cpp_function(
@@ -174,7 +176,7 @@ std::string HintFor(py::handle name, const py::object& names)
         name.attr("lower")(), known, 1, 0.5);
     return py::len(near) == 0
                ? ""
-               : "; did you mean '" + std::string(py::str(known[near[py::int_(0)]])) + "'?";
+               : "; did you mean " + Quoted(std::string(py::str(known[near[py::int_(0)]]))) + "?";
 }
 
 void BindHints(py::module_& module)

@@ -8,7 +8,6 @@
 #include <base/Nearest.h>
 #include <base/Words.h>
 
-#include <algorithm>
 #include <cassert>
 #include <numeric>
 
@@ -57,10 +56,7 @@ bool CanBePiped(VideoFormat format)
 
 std::string LowerExtension(const std::filesystem::path& path)
 {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    return extension;
+    return Lower(path.extension().string());
 }
 
 ErrorText FormatText(const VideoSettings& settings)

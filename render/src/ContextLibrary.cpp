@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ContextLibrary.h"
 
+#include <base/Quoting.h>
+
 #include <cstdlib>
 #include <string_view>
 
@@ -34,7 +36,7 @@ Result<void> CheckVectorWidth()
     {
         return {};
     }
-    return Error{ErrorKind::Unusable, std::string(kVectorWidth) + " '" + std::string(text) + "'",
+    return Error{ErrorKind::Unusable, std::string(kVectorWidth) + " " + Quoted(text),
                  "must be 128 or 256 for llvmpipe", "unset it"};
 }
 

@@ -26,8 +26,7 @@ Result<int> Run(const CheckOptions& options)
     {
         text += "note: " + note.Text() + "\n";
     }
-    text += options.file.string() + ": " + std::to_string(content.bodies.size()) +
-            (content.bodies.size() == 1 ? " body, " : " bodies, ") +
+    text += options.file.string() + ": " + Counted(content.bodies.size(), "body") + ", " +
             Counted(content.joints.size(), "joint") + ", " +
             Counted(content.images.size(), "image") + ", " + Counted(traps.size(), "note") + ", " +
             std::to_string(leftOut.size()) + " left out\n";

@@ -160,7 +160,7 @@ Result<int> Verify(const std::vector<GoldenSelection>& selections, const Folders
     }
     const std::string what = Counted(moments, "moment");
     const std::string output = folders.output.string();
-    const std::string named = options.output.empty() ? "" : " '" + output + "'";
+    const std::string named = options.output.empty() ? "" : " " + ShellQuoted(output);
     const std::string page =
         options.report.empty() ? "; `boxreel golden report" + named + "` makes a page of them" : "";
     const bool isOfOthersOnly = ofOthers > 0 && ofOthers == moments;

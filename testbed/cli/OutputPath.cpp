@@ -8,7 +8,6 @@
 #include <recorder/VideoWriter.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace boxreel
 {
@@ -116,9 +115,7 @@ std::vector<std::string> RecordExtensions()
 
 Result<void> CheckRecordExtension(const std::filesystem::path& path)
 {
-    std::string end = path.extension().string();
-    std::transform(end.begin(), end.end(), end.begin(),
-                   [](unsigned char letter) { return char(std::tolower(letter)); });
+    const std::string end = Lower(path.extension().string());
     const std::vector<std::string> ends = RecordExtensions();
     const bool isForOthers = path == "-" || path.stem().empty();
     if (isForOthers || std::find(ends.begin(), ends.end(), end) != ends.end())

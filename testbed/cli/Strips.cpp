@@ -3,6 +3,7 @@
 #include "ChildProcess.h"
 
 #include <base/ErrorMacros.h>
+#include <base/Quoting.h>
 #include <base/ReadWhole.h>
 #include <base/WorkFolder.h>
 #include <debugdraw/NiceNumbers.h>
@@ -111,7 +112,7 @@ Result<std::string> PictureBy(const fs::path& program, const std::string& scene,
     if (!said || !bytes || bytes->empty())
     {
         return Error{ErrorKind::Unusable, "--against " + program.string(),
-                     "made no picture of '" + scene + "'",
+                     "made no picture of " + Quoted(scene),
                      "give another build of boxreel that knows the scene"};
     }
     return bytes;

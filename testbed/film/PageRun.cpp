@@ -6,12 +6,12 @@
 #include <base/AtomicFile.h>
 #include <base/Counting.h>
 #include <base/ErrorMacros.h>
+#include <base/Words.h>
 #include <page/PageWriter.h>
 
 #include <Box2D/Dynamics/b2Body.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 namespace boxreel
@@ -118,10 +118,7 @@ Result<int> Stopped(const RecordOptions& options, std::int64_t frames, PageWrite
 
 bool IsPage(const std::filesystem::path& path)
 {
-    std::string end = path.extension().string();
-    std::transform(end.begin(), end.end(), end.begin(),
-                   [](unsigned char letter) { return char(std::tolower(letter)); });
-    return end == ".html";
+    return Lower(path.extension().string()) == ".html";
 }
 
 Result<void> CheckPage(const RecordOptions& options)

@@ -65,7 +65,8 @@ std::string RestoreScene(Scene& scene, std::span<const uint8> bytes)
 {
     if (bytes.size() < kHeaderBytes || NumberAt(bytes, 0) > bytes.size() - kHeaderBytes)
     {
-        return "This is no whole snapshot of a scene: pass the bytes that SaveScene returned.";
+        return "This is not a complete snapshot of a scene: pass the bytes that SaveScene "
+               "returned.";
     }
     const std::span<const uint8> own = bytes.subspan(kHeaderBytes, NumberAt(bytes, 0));
     if (SumOf(own) != NumberAt(bytes, kLengthBytes))

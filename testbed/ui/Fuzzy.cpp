@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Fuzzy.h"
 
+#include <base/Words.h>
+
 #include <algorithm>
 #include <cctype>
 #include <limits>
@@ -22,17 +24,12 @@ bool IsLetter(char c)
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-char Lower(char c)
-{
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-}
-
 std::string LettersOf(std::string_view text)
 {
     std::string letters;
-    for (const char c : text)
+    for (const char c : Lower(text))
     {
-        letters += IsLetter(c) ? std::string(1, Lower(c)) : "";
+        letters += IsLetter(c) ? std::string(1, c) : "";
     }
     return letters;
 }
@@ -54,6 +51,7 @@ std::optional<FuzzyMatch> MatchFuzzily(std::string_view query, std::string_view 
         return FuzzyMatch{};
     }
     // best[q][n]: of the query's first q + 1 letters when the last of them falls on letter n.
+    const std::string lower = Lower(name);
     const std::size_t length = name.size();
     std::vector<std::vector<int>> best(wanted.size(), std::vector<int>(length, kNone));
     std::vector<std::vector<std::size_t>> before(wanted.size(), std::vector<std::size_t>(length));
@@ -61,7 +59,7 @@ std::optional<FuzzyMatch> MatchFuzzily(std::string_view query, std::string_view 
     {
         for (std::size_t n = q; n < length; ++n)
         {
-            if (Lower(name[n]) != wanted[q])
+            if (lower[n] != wanted[q])
             {
                 continue;
             }

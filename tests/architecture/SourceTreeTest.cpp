@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "SourceTree.h"
+#include "../base/TemporaryFolder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,23 +34,17 @@ std::string Lines(const Findings& findings)
 class PlantedTree : public testing::Test
 {
 protected:
-    PlantedTree()
-        : m_root(fs::path(testing::TempDir()) /
-                 (std::string("boxreel-planted-") +
-                  testing::UnitTest::GetInstance()->current_test_info()->name()))
-    {
-        fs::remove_all(m_root);
-        fs::create_directories(m_root);
-    }
-    ~PlantedTree() override { fs::remove_all(m_root); }
-
     void Plant(const std::string& path, const std::string& text)
     {
         fs::create_directories((m_root / path).parent_path());
         std::ofstream(m_root / path) << text;
     }
 
-    fs::path m_root;
+private:
+    TemporaryFolder m_folder;
+
+protected:
+    const fs::path& m_root = m_folder.Path();
 };
 
 } // namespace

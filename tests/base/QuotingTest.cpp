@@ -59,6 +59,8 @@ TEST(Counting, OnlyOneIsSingular)
 {
     EXPECT_EQ(Counted(0, "frame"), "0 frames");
     EXPECT_EQ(Counted(1, "frame"), "1 frame");
+    EXPECT_EQ(Counted(1, "body"), "1 body");
+    EXPECT_EQ(Counted(2, "body"), "2 bodies");
     EXPECT_EQ(Counted(std::size_t(2), "frame"), "2 frames");
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ReadBytes.h"
+
 #include <base/WorkFolder.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,12 +45,6 @@ private:
 
     boxreel::WorkFolder m_folder = Created();
 };
-
-inline std::string ReadBytes(const std::filesystem::path& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 inline void WriteBytes(const std::filesystem::path& path, const std::string& bytes)
 {

@@ -8,6 +8,12 @@ namespace boxreel
 namespace
 {
 
+TEST(Lower, ChangesOnlyAsciiLetters)
+{
+    EXPECT_EQ(Lower(".MP4 aZ[@"), ".mp4 az[@");
+    EXPECT_EQ(Lower("\xc3\x84"), "\xc3\x84") << "a letter beyond ASCII";
+}
+
 TEST(FilledTemplate, ReplacesEachWordOnceAndNotInParts)
 {
     EXPECT_EQ(FilledTemplate("{{a}} and {{b}}, {{a}}", {{"a", "{{b}}"}, {"b", "two"}}),

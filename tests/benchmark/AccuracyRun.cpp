@@ -158,7 +158,7 @@ int RunAccuracy(const std::string& name, const std::vector<std::string>& numbers
         *fields[i] = ParseNumber(numbers[i]);
         if (*fields[i] == 0)
         {
-            std::fprintf(stderr, "'%s' is no whole number from 1 to %d.\n", numbers[i].c_str(),
+            std::fprintf(stderr, "'%s' is not an integer from 1 to %d.\n", numbers[i].c_str(),
                          kMaxNumber);
             return 1;
         }

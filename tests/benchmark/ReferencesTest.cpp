@@ -103,7 +103,7 @@ TEST(References, ASmallSwingTakesThePeriodOfTheClosedForm)
     // A swing of finite size is longer by amplitude^2 / 16 of itself.
     EXPECT_LT(std::abs(quarter[0] + kPi / 2), amplitude * amplitude * amplitude);
     EXPECT_LT(std::abs(whole[0] - start[0]), amplitude * amplitude * amplitude);
-    // A thin rod's, which everybody knows.
+    // A thin rod of length l: 2 pi sqrt(2 l / (3 g)).
     const RodPendulum thin(Rod{1, 0, 1}, kGravity);
     EXPECT_NEAR(double(thin.PeriodOfSmallSwings()), double(2 * kPi * std::sqrt(2 / (3 * kGravity))),
                 1e-15);

@@ -212,14 +212,14 @@ Result<void> TimeMethod(const RenderCase& one, const Method& method)
     return {};
 }
 
-/// `threads` is for Mesa, which reads it when it is loaded; "own": as whoever started us has it.
+/// `threads` is for Mesa, which reads it when it is loaded; "own": as in the environment.
 int TimeAll(const RenderCase& one, const std::string& threads)
 {
     if (threads != "own" && (threads.empty() || threads.size() > 3 ||
                              threads.find_first_not_of("0123456789") != std::string::npos))
     {
-        return Fail({ErrorKind::Unusable,
-                     "'" + threads + "' is no number of threads from 0 to 999; or say own."});
+        return Fail(
+            {ErrorKind::Unusable, "invalid thread count '" + threads + "'; use 0 to 999 or own"});
     }
     if (threads != "own")
     {

@@ -45,7 +45,7 @@ struct Edges
     double left, right, bottom, top;
 };
 
-// A body with a mind of its own: random pushes, so that it wanders anywhere and jerks.
+// A body with random pushes that changes its direction suddenly.
 struct Wanderer
 {
     double x = 0.0, y = 10.0, vx = 0.0, vy = 0.0;

@@ -30,7 +30,7 @@ TEST(DrawWorld, DrawsThePicturesThatItPromises)
         greens.insert(frame->rgba[i]);
     }
     EXPECT_GT(greens.size(), 20u) << "a box, a ball, and a trail that fades";
-    const std::string svg = TextOf(folder / "ball.svg");
+    const std::string svg = ReadBytes(folder / "ball.svg");
     EXPECT_THAT(svg, testing::HasSubstr("<g id=\"body-1\" class=\"shapes\">"));
     EXPECT_THAT(svg, testing::HasSubstr("<g id=\"trails\" class=\"trails\">"));
     EXPECT_THAT(svg, testing::HasSubstr(">A throw.</text>"));

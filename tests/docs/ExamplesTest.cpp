@@ -22,8 +22,8 @@ const std::filesystem::path kExamples = BOXREEL_DOCS "/examples";
 std::string OutputIn(const TemporaryFolder& folder, const std::string& command)
 {
     const std::string line = "cd '" + (folder / "").string() + "' && " + command + " > output 2>&1";
-    EXPECT_EQ(std::system(line.c_str()), 0) << TextOf(folder / "output");
-    return TextOf(folder / "output");
+    EXPECT_EQ(std::system(line.c_str()), 0) << ReadBytes(folder / "output");
+    return ReadBytes(folder / "output");
 }
 
 std::vector<Frame> Decode(const std::filesystem::path& path)
@@ -43,7 +43,7 @@ std::vector<Frame> Decode(const std::filesystem::path& path)
 bool HasBlock(const std::string& page, const std::string& language, const std::string& text)
 {
     return !text.empty() &&
-           TextOf(kExamples / page).find("```" + language + "\n" + text + "```\n") !=
+           ReadBytes(kExamples / page).find("```" + language + "\n" + text + "```\n") !=
                std::string::npos;
 }
 
@@ -58,17 +58,17 @@ TEST(Examples, AreShownOnTheirPagesAsTheyAre)
     EXPECT_TRUE(IsShown("porting/after/main.cpp", "examples/port-box2d24.md"));
     for (const char* const list : {"porting/before/CMakeLists.txt", "porting/after/CMakeLists.txt"})
     {
-        EXPECT_TRUE(HasBlock("port-box2d24.md", "cmake", TextOf(kExamples / list))) << list;
+        EXPECT_TRUE(HasBlock("port-box2d24.md", "cmake", ReadBytes(kExamples / list))) << list;
     }
-    EXPECT_TRUE(HasBlock("scene-file.md", "json", TextOf(kExamples / "short.json")));
+    EXPECT_TRUE(HasBlock("scene-file.md", "json", ReadBytes(kExamples / "short.json")));
     EXPECT_TRUE(HasBlock("golden-ci.md", "yaml",
-                         TextOf(kExamples / "golden-ci/.github/workflows/golden.yml")));
+                         ReadBytes(kExamples / "golden-ci/.github/workflows/golden.yml")));
 }
 
 /// Returns the lines of the README's first block of that language.
 std::ptrdiff_t ReadmeLines(const std::string& language)
 {
-    const std::string page = TextOf(BOXREEL_DOCS "/../README.md");
+    const std::string page = ReadBytes(BOXREEL_DOCS "/../README.md");
     const std::string fence = "```" + language + "\n";
     const std::size_t at = page.find(fence);
     EXPECT_NE(at, std::string::npos) << language;
@@ -115,7 +115,7 @@ TEST(Examples, TheCatapultSaysWhatIsWrong)
     const TemporaryFolder folder;
     const std::string command = "cd '" + (folder / "").string() + "' && ";
     EXPECT_NE(std::system((command + BOXREEL_FILM_CATAPULT " film.doc 2> said").c_str()), 0);
-    EXPECT_THAT(TextOf(folder / "said"), testing::HasSubstr("film.doc"));
+    EXPECT_THAT(ReadBytes(folder / "said"), testing::HasSubstr("film.doc"));
 }
 
 TEST(Examples, TheFilmOfTheWallStaysSmallInLightAndDark)
@@ -137,13 +137,13 @@ TEST(Examples, TheSweepDrawsSixPicturesTwice)
 {
     const TemporaryFolder folder;
     OutputIn(folder, BOXREEL_SWEEP);
-    const std::string svg = TextOf(folder / "sweep-light.svg");
-    EXPECT_NE(svg, TextOf(folder / "sweep-dark.svg"));
+    const std::string svg = ReadBytes(folder / "sweep-light.svg");
+    EXPECT_NE(svg, ReadBytes(folder / "sweep-dark.svg"));
     for (const char* const value : {"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"})
     {
         EXPECT_THAT(svg, testing::HasSubstr(std::string(">restitution ") + value + "</text>"));
     }
-    EXPECT_THAT(TextOf(folder / "sweep.pdf"), testing::StartsWith("%PDF"));
+    EXPECT_THAT(ReadBytes(folder / "sweep.pdf"), testing::StartsWith("%PDF"));
 }
 
 TEST(Examples, TheSweepDrawsDrawingsOnly)
@@ -151,7 +151,7 @@ TEST(Examples, TheSweepDrawsDrawingsOnly)
     const TemporaryFolder folder;
     const std::string command = "cd '" + (folder / "").string() + "' && ";
     EXPECT_NE(std::system((command + BOXREEL_SWEEP " sweep.png 2> said").c_str()), 0);
-    EXPECT_THAT(TextOf(folder / "said"), testing::StartsWith("sweep.png"));
+    EXPECT_THAT(ReadBytes(folder / "said"), testing::StartsWith("sweep.png"));
     EXPECT_FALSE(std::filesystem::exists(folder / "sweep.png"));
 }
 
@@ -187,7 +187,7 @@ TEST(Examples, AWorldOfBox2D24IsFilmed)
 
 TEST(Examples, ArePagesThatTheListNames)
 {
-    const std::string list = TextOf(kExamples / "README.md");
+    const std::string list = ReadBytes(kExamples / "README.md");
     int pages = 0;
     for (const auto& entry : std::filesystem::directory_iterator(kExamples))
     {
@@ -203,12 +203,12 @@ TEST(Examples, ArePagesThatTheListNames)
 
 TEST(Examples, EveryPictureIsShownAndMadeByAPage)
 {
-    std::string pages = TextOf(kExamples.parent_path().parent_path() / "README.md");
+    std::string pages = ReadBytes(kExamples.parent_path().parent_path() / "README.md");
     for (const auto& entry : std::filesystem::directory_iterator(kExamples))
     {
         if (entry.path().extension() == ".md")
         {
-            pages += TextOf(entry.path());
+            pages += ReadBytes(entry.path());
         }
     }
     for (const auto& entry : std::filesystem::directory_iterator(kExamples / "pictures"))

@@ -48,7 +48,7 @@ TEST(FilmPrograms, SayWhatIsWrong)
     const TemporaryFolder folder;
     ASSERT_EQ(RunIn(folder, BOXREEL_FILM_WORLD), 0);
     ASSERT_NE(RunIn(folder, BOXREEL_FILM_WORLD " > said"), 0);
-    EXPECT_THAT(TextOf(folder / "said"), testing::HasSubstr("ball.mp4"));
+    EXPECT_THAT(ReadBytes(folder / "said"), testing::HasSubstr("ball.mp4"));
 }
 
 TEST(FilmPrograms, OfPixelsMakeTheirFilm)
@@ -65,7 +65,7 @@ TEST(FilmPrograms, OfPagesMakeTheirPage)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(RunIn(folder, BOXREEL_FILM_PAGE), 0);
-    EXPECT_THAT(TextOf(folder / "ball.html"),
+    EXPECT_THAT(ReadBytes(folder / "ball.html"),
                 testing::AllOf(testing::HasSubstr("\"frames\":240"),
                                testing::HasSubstr("<title>A ball</title>"),
                                testing::HasSubstr("\"names\":{\"1\":\"ball\"}")));

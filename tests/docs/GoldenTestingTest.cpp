@@ -10,10 +10,10 @@ namespace
 /// In a block of that language, but for the licence in the first line of a source.
 bool IsShownInTheGuide(const std::string& file, const std::string& language)
 {
-    const std::string text = TextOf(BOXREEL_CONSUMER_PROJECT "/" + file);
+    const std::string text = ReadBytes(BOXREEL_CONSUMER_PROJECT "/" + file);
     const std::size_t start = text.starts_with("// SPDX") ? text.find('\n') + 1 : 0;
     const std::string shown = "```" + language + "\n" + text.substr(start) + "```\n";
-    return !text.empty() && TextOf(BOXREEL_DOCS "/golden.md").find(shown) != std::string::npos;
+    return !text.empty() && ReadBytes(BOXREEL_DOCS "/golden.md").find(shown) != std::string::npos;
 }
 
 TEST(GoldenTesting, ShowsTheProjectThatIsTestedAsItIs)

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The pages of docs/manual show only code that its listings compile and run, and all their links
 // exist. The listings test themselves.
+#include "../base/ReadBytes.h"
+
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -199,8 +200,7 @@ std::set<std::string> AnchorsOf(const fs::path& page)
 /// Returns the targets of the links and pictures of a page, without web addresses.
 std::vector<std::string> TargetsOf(const fs::path& page)
 {
-    std::ifstream file(page);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = ReadBytes(page);
     const std::regex link(R"re(\]\(([^)\s]+)\)|(?:src|srcset)="([^"]+)")re");
     std::vector<std::string> targets;
     for (std::sregex_iterator i(text.begin(), text.end(), link), end; i != end; ++i)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "../base/ReadBytes.h"
 #include "DynamicsScene.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -71,12 +71,6 @@ std::string Dumped(b2World& world)
     return s_log;
 }
 
-std::string Stored()
-{
-    std::ifstream file(BOXREEL_DUMPED_WORLD);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// The world that the stored code makes.
 std::unique_ptr<b2World> RunStored()
 {
@@ -89,7 +83,7 @@ TEST(Dump, IsTheCodeThatIsStoredAndCompiledHere)
     Scene scene;
     Build(scene);
     const std::string dumped = Dumped(scene.world);
-    if (dumped != Stored())
+    if (dumped != ReadBytes(BOXREEL_DUMPED_WORLD))
     {
         const std::string path = testing::TempDir() + "DumpedWorld.inc";
         std::ofstream(path) << dumped;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../base/ReadBytes.h"
 #include "DynamicsScene.h"
 #include "MixedWorld.h"
 #include "SnapshotSupport.h"
@@ -291,8 +292,7 @@ constexpr const char* kFile = "BOXREEL_SNAPSHOT_FILE";
 
 Bytes ReadFile(const std::filesystem::path& name)
 {
-    std::ifstream file(name, std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    const std::string text = ReadBytes(name);
     return Bytes(text.begin(), text.end());
 }
 

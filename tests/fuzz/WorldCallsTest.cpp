@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "WorldCalls.h"
+#include "../base/ReadBytes.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <vector>
 
@@ -66,9 +65,9 @@ TEST(Corpus, OfTheFuzzerIsReplayedWithoutAFinding)
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(BOXREEL_CORPUS))
     {
-        std::ifstream file(entry.path(), std::ios::binary);
         SCOPED_TRACE(entry.path().filename().string());
-        Replay(Bytes{std::istreambuf_iterator<char>(file), {}});
+        const std::string bytes = ReadBytes(entry.path());
+        Replay(Bytes(bytes.begin(), bytes.end()));
         ++count;
     }
     EXPECT_GT(count, 50);

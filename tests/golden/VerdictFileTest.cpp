@@ -12,7 +12,6 @@
 
 #include <fstream>
 #include <regex>
-#include <sstream>
 
 using namespace boxreel;
 using namespace boxreel::test;
@@ -31,11 +30,9 @@ protected:
     std::string Verified(const GoldenCandidate& shown, const CompareSettings& settings = {}) const
     {
         (void)store.Verify(shown, settings);
-        std::ifstream in(output / (shown.name + ".verdict.json"));
-        std::ostringstream text;
-        text << in.rdbuf();
+        const std::string text = ReadBytes(output / (shown.name + ".verdict.json"));
         // Without the line breaks in lists.
-        return std::regex_replace(text.str(), std::regex("([\\[,])\\n +|\\n +(?=\\])"), "$1");
+        return std::regex_replace(text, std::regex("([\\[,])\\n +|\\n +(?=\\])"), "$1");
     }
 
     TemporaryFolder folder;
@@ -116,9 +113,8 @@ TEST_F(VerdictFile, SaysThatAFailureWasAcceptedByItsTest)
     std::set<std::string> accepted;
     ASSERT_TRUE(
         CheckGolden(candidate, {}, {references, output, GoldenAccept::Missing}, accepted).passed);
-    std::ifstream in(output / "pyramid/3s.verdict.json");
-    std::string text(std::istreambuf_iterator<char>(in), {});
-    EXPECT_THAT(text, AllOf(HasSubstr("\"accepted\": true"), HasSubstr("\"status\": \"missing\"")));
+    EXPECT_THAT(ReadBytes(output / "pyramid/3s.verdict.json"),
+                AllOf(HasSubstr("\"accepted\": true"), HasSubstr("\"status\": \"missing\"")));
     EXPECT_TRUE(fs::exists(output / "pyramid/3s.actual.png")) << "to be looked at";
     EXPECT_THAT(Verified(candidate), Not(HasSubstr("accepted"))) << "the next time it just passes";
 }

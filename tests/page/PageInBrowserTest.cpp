@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pages of scenes in Chromium: the pixels of `boxreel shot`, the positions of the draw list, and
 // the controls.
+#include "Base64.h"
 #include "Browser.h"
 
 #include <Box2D/Dynamics/b2Body.h>
@@ -50,26 +51,6 @@ function leave(text) {
   document.body.append(results);
 }
 )";
-
-std::vector<std::uint8_t> FromBase64(std::string_view text)
-{
-    constexpr std::string_view kLetters =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::vector<std::uint8_t> bytes;
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (const char letter : text.substr(0, text.find_first_of("=\n")))
-    {
-        bits = bits << 6 | std::uint32_t(kLetters.find(letter));
-        count += 6;
-        if (count >= 8)
-        {
-            count -= 8;
-            bytes.push_back(std::uint8_t(bits >> count));
-        }
-    }
-    return bytes;
-}
 
 class PageInBrowser : public testing::Test
 {
@@ -121,7 +102,7 @@ protected:
             3.0 * content.camera.pixelsPerMeter);
         session->Fill(zoomed);
         EXPECT_TRUE(writer->Close());
-        return ReadFile(path);
+        return ReadBytes(path);
     }
 
     std::string Run(const std::string& page, const std::string& script)
@@ -151,7 +132,7 @@ class PagePixels : public PageInBrowser, public testing::WithParamInterface<Show
 /// The picture in base64.
 Result<Frame> FrameOf(std::string_view base64, const TemporaryFolder& folder)
 {
-    RETURN_IF_ERROR(WriteWhole(folder / "page.png", FromBase64(base64), true));
+    RETURN_IF_ERROR(WriteWhole(folder / "page.png", test::FromBase64(base64), true));
     return ReadPng(folder / "page.png");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "PageReader.h"
+#include "Base64.h"
 
 #include <base/Gzip.h>
 #include <base/ReadWhole.h>
@@ -17,26 +18,6 @@ namespace boxreel::test
 {
 namespace
 {
-
-std::string FromBase64(std::string_view text)
-{
-    constexpr std::string_view kLetters =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (const char letter : text.substr(0, text.find('=')))
-    {
-        bits = bits << 6 | std::uint32_t(kLetters.find(letter));
-        count += 6;
-        if (count >= 8)
-        {
-            count -= 8;
-            bytes += char(bits >> count);
-        }
-    }
-    return bytes;
-}
 
 std::string Unpacked(std::string_view base64)
 {

@@ -245,7 +245,7 @@ TEST_F(PageWriterTest, RefusesPathsThatTakeNoFile)
     };
     EXPECT_EQ(kindOf(Path()), ErrorKind::Unusable);
     EXPECT_EQ(kindOf(folder / "missing/page.html"), ErrorKind::Unusable);
-    EXPECT_EQ(ReadFile(Path()), "mine");
+    EXPECT_EQ(ReadBytes(Path()), "mine");
 }
 
 TEST_F(PageWriterTest, RefusesCamerasThatCannotBeDrawn)
@@ -271,12 +271,12 @@ TEST_F(PageWriterTest, LeavesThePageSoFarWhenSuspended)
         EXPECT_TRUE(closes ? writer.Close() : writer.Suspend());
     };
     write(true);
-    const std::string closed = ReadFile(Path());
+    const std::string closed = ReadBytes(Path());
     std::filesystem::remove(Path());
     write(false);
     const std::filesystem::path part = PartPath(Path());
     EXPECT_THAT(folder.Names(), testing::ElementsAre(part.filename().string()));
-    EXPECT_EQ(ReadFile(part), closed);
+    EXPECT_EQ(ReadBytes(part), closed);
 }
 
 TEST_F(PageWriterTest, KeepsAFileOfItsTemporaryName)
@@ -286,7 +286,7 @@ TEST_F(PageWriterTest, KeepsAFileOfItsTemporaryName)
     const Result<PageWriter> refused = PageWriter::Open(Path(), Settings());
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.GetError().kind, ErrorKind::Unusable);
-    EXPECT_EQ(ReadFile(part), "mine");
+    EXPECT_EQ(ReadBytes(part), "mine");
     PageSettings settings = Settings();
     settings.overwrite = true;
     EXPECT_TRUE(PageWriter::Open(Path(), settings));

@@ -29,6 +29,9 @@ std::string JoinedBy(std::string_view separator, const Items& items, TextOf&& te
 /// Returns "a, b, c": the words with `separator` between them.
 std::string JoinedBy(std::string_view separator, const std::vector<std::string>& words);
 
+/// Returns the text with lower-case letters. ASCII only, so that it does not depend on the locale.
+std::string Lower(std::string_view text);
+
 /// Returns the text with each {{word}} replaced by the part of that name, which must exist. Text of
 /// parts is not replaced.
 std::string FilledTemplate(std::string_view text,

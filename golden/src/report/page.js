@@ -418,12 +418,12 @@ function divergence(data) {
   if (!strip) return box;
   if (strip.note) box.append(make("p", {class: "message"}, strip.note));
   // Steps before `since` were not compared.
-  const remark = at => at === firstStep ? (isFirstKnown ? ": differs" : ": first to differ") : at > firstStep ? "" : at === 0 ? ": as created" : at >= since ? ": same" : "";
+  const comment = at => at === firstStep ? (isFirstKnown ? ": differs" : ": first to differ") : at > firstStep ? "" : at === 0 ? ": as created" : at >= since ? ": same" : "";
   const film = make("div", {class: "strip", tabindex: 0, role: "region", "aria-label": "Steps around the first divergence"});
   for (const shot of strip.pictures) {
     const rows = [["expected", shot.expected], ["actual", shot.actual], ["expected, close", shot.expectedCloseUp], ["actual, close", shot.closeUp]];
     film.append(make("figure", {class: shot.step === firstStep ? "first" : ""},
-      make("figcaption", {}, `step ${shot.step}${remark(shot.step)}`),
+      make("figcaption", {}, `step ${shot.step}${comment(shot.step)}`),
       ...rows.filter(([, source]) => source).map(([row, source]) => {
         const frame = make("div", {class: "frame"}, make("img", {src: source, alt: `${row}, step ${shot.step}`, title: row,
           width: strip.width, height: strip.height, decoding: "async"}));

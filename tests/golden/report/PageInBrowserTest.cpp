@@ -108,7 +108,7 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
         ASSERT_TRUE(store.Verify(candidate));
     }
     const Outcome outcome =
-        Load(PageOf({{"moved/1s", SmallStrip()}}), ReadFile(BOXREEL_PAGE_HARNESS));
+        Load(PageOf({{"moved/1s", SmallStrip()}}), ReadBytes(BOXREEL_PAGE_HARNESS));
     const std::string results = ResultsOf(outcome);
     EXPECT_THAT(results, Not(HasSubstr("WRONG")));
     EXPECT_EQ(std::count(results.begin(), results.end(), '\n'), 39) << results;

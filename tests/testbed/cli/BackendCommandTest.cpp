@@ -82,7 +82,7 @@ protected:
         arguments.insert(arguments.end(), options.begin(), options.end());
         const Outcome outcome = Run(arguments);
         EXPECT_EQ(outcome.code, 0) << outcome.errors;
-        return outcome.code == 0 ? ReadFile(folder / "a.png") : "";
+        return outcome.code == 0 ? ReadBytes(folder / "a.png") : "";
     }
 
     /// The shared libraries that the program loads, by what the loader reports.
@@ -97,7 +97,7 @@ protected:
         std::string loaded;
         for (const std::string& file : reports.Names())
         {
-            loaded += ReadFile(reports / file);
+            loaded += ReadBytes(reports / file);
         }
         return loaded;
     }
@@ -240,7 +240,7 @@ TEST_F(BackendCommand, BackendsWriteEqualBytes)
         std::vector<std::string> arguments = film;
         arguments.insert(arguments.end(), {"-o", name, "--backend", backend});
         EXPECT_EQ(Run(arguments).code, 0) << backend;
-        return ReadFile(folder / name);
+        return ReadBytes(folder / name);
     };
     EXPECT_EQ(record("a.gif", "osmesa"), record("b.gif", "egl"));
     EXPECT_EQ(

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../../base/ReadBytes.h"
 #include "ParseLine.h"
 
 #include <cli/CommandTree.h>
@@ -6,8 +7,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace boxreel
@@ -370,8 +369,7 @@ TEST(CommandLine, ShowsHelpWithoutArguments)
 // A test runs docs/golden.md, so its build path exists.
 TEST(CommandLine, HelpNamesOtherBuildAsInDocumentation)
 {
-    std::ifstream page(BOXREEL_GOLDEN_PAGE);
-    const std::string text(std::istreambuf_iterator<char>(page), {});
+    const std::string text = ReadBytes(BOXREEL_GOLDEN_PAGE);
     for (const char* command : {"golden verify --help", "golden report --help"})
     {
         const std::string help = Parsed<TextRequest>(command).text;

@@ -156,7 +156,7 @@ TEST_F(Command, ShotAtTimeEqualsShotAtStep)
             Run({"shot", "bridge", "--step", "30", "-o", "step.png", "--size", "160x90", "--force"})
                 .code,
             0);
-        EXPECT_EQ(ReadFile(folder / "time.png"), ReadFile(folder / "step.png"));
+        EXPECT_EQ(ReadBytes(folder / "time.png"), ReadBytes(folder / "step.png"));
     }
 }
 
@@ -196,7 +196,7 @@ TEST_F(Command, LookOptionsChangeThePicture)
         arguments.push_back(name);
         arguments.insert(arguments.end(), extra.begin(), extra.end());
         EXPECT_EQ(Run(arguments).code, 0) << testing::PrintToString(arguments);
-        return ReadFile(folder / name);
+        return ReadBytes(folder / name);
     };
     const std::string picture = shot("plain.png", {});
     EXPECT_EQ(picture, shot("again.png", {}));
@@ -291,8 +291,8 @@ TEST_F(Command, RefusesUnwritableOutputsBeforeSimulation)
                   "picture.jpg");
     ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "."}, 1, ".");
     ExpectRefusal({"shot", "pyramid", "--step", "1000000000", "-o", "none/a.png"}, 1, "none/a.png");
-    EXPECT_EQ(ReadFile(folder / "there.mp4"), "a film");
-    EXPECT_EQ(ReadFile(folder / "there.png"), "a picture");
+    EXPECT_EQ(ReadBytes(folder / "there.mp4"), "a film");
+    EXPECT_EQ(ReadBytes(folder / "there.png"), "a picture");
 }
 
 TEST_F(Command, ListsEveryExtensionOfRecord)
@@ -385,13 +385,13 @@ TEST_F(Command, DiffRefusesToOverwriteItsInputs)
 {
     Picture("a.png", 64, 48, 100);
     Picture("other.png", 64, 48, 140);
-    const std::string before = ReadFile(folder / "a.png");
+    const std::string before = ReadBytes(folder / "a.png");
     for (const char* output : {"a.png", "./other.png"})
     {
         ExpectRefusal({"diff", "a.png", "other.png", "-o", output, "--force"}, 1,
                       std::string("-o ") + output);
     }
-    EXPECT_EQ(ReadFile(folder / "a.png"), before);
+    EXPECT_EQ(ReadBytes(folder / "a.png"), before);
 }
 
 TEST_F(Command, DiffWritesDifferencePicture)
@@ -415,7 +415,7 @@ TEST_F(Command, FailsWhenStandardOutputIsFull)
                              (folder / "errors").string();
     const int status = std::system(line.c_str());
     EXPECT_EQ(WEXITSTATUS(status), 4);
-    EXPECT_THAT(ReadFile(folder / "errors"), HasSubstr("standard output"));
+    EXPECT_THAT(ReadBytes(folder / "errors"), HasSubstr("standard output"));
 }
 
 } // namespace

@@ -116,7 +116,7 @@ protected:
                      "TERM=dumb", "script", "-qec", "zsh -o no_global_rcs -i", "/dev/null"},
                     folder.Path());
         std::vector<std::string> completed;
-        std::istringstream text(ReadFile(folder / "completed"));
+        std::istringstream text(ReadBytes(folder / "completed"));
         for (std::string line; std::getline(text, line);)
         {
             completed.push_back(line);
@@ -261,7 +261,7 @@ TEST_F(CompletionCommand, ZshOffersValuesOfPosition)
 
 TEST_F(CompletionCommand, ZshLoadsScriptFromFpath)
 {
-    Write("_boxreel", ReadFile(folder / "zsh"));
+    Write("_boxreel", ReadBytes(folder / "zsh"));
     const std::string setup = "fpath=($PWD $fpath); autoload -Uz compinit; compinit -u -D";
     EXPECT_EQ(ZshCompletes({"boxreel rec", "boxreel shot newt"}, setup),
               (std::vector<std::string>{"boxreel record ", "boxreel shot newtons-cradle "}));

@@ -39,7 +39,7 @@ protected:
         const Outcome outcome = Shot(output, extra);
         EXPECT_EQ(outcome.code, 0) << output;
         EXPECT_EQ(outcome.output + outcome.errors, "");
-        return ReadFile(folder / output);
+        return ReadBytes(folder / output);
     }
 
     void ExpectRefusal(const std::vector<std::string>& arguments, int code,
@@ -81,7 +81,7 @@ TEST_F(FigureCommand, NamesGroupsByBodiesOfSceneFile)
             {"shot", "named.json", "--step", "0", "--draw", layers, "--force", "-o", "a.svg"},
             folder.Path());
         EXPECT_EQ(outcome.code, 0) << outcome.errors;
-        return ReadFile(folder / "a.svg");
+        return ReadBytes(folder / "a.svg");
     };
     const std::string plain = shot("shapes");
     EXPECT_THAT(plain, HasSubstr("<g id=\"body-0-left-plank\" class=\"shapes\">"));
@@ -107,15 +107,15 @@ TEST_F(FigureCommand, ShowsAndSelectsBodiesByName)
         return RunBoxreel(all, folder.Path());
     };
     EXPECT_EQ(shot({"--draw", "shapes,glyphs,names", "--labels"}).code, 0);
-    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr(">1 left ball</text>"));
-    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr(">long rope</text>"));
+    EXPECT_THAT(ReadBytes(folder / "a.svg"), HasSubstr(">1 left ball</text>"));
+    EXPECT_THAT(ReadBytes(folder / "a.svg"), HasSubstr(">long rope</text>"));
     EXPECT_EQ(shot({"--draw", "shapes", "--labels"}).code, 0);
-    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr(">1</text>"));
-    EXPECT_THAT(ReadFile(folder / "a.svg"), Not(HasSubstr(">long rope</text>")));
+    EXPECT_THAT(ReadBytes(folder / "a.svg"), HasSubstr(">1</text>"));
+    EXPECT_THAT(ReadBytes(folder / "a.svg"), Not(HasSubstr(">long rope</text>")));
     EXPECT_EQ(shot({"--trail", "left ball"}).code, 0);
-    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr("class=\"trails\""));
+    EXPECT_THAT(ReadBytes(folder / "a.svg"), HasSubstr("class=\"trails\""));
     EXPECT_EQ(shot({"--dimension", "wall to left ball", "--camera", "fit:wall,left ball"}).code, 0);
-    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr(" m</text>"));
+    EXPECT_THAT(ReadBytes(folder / "a.svg"), HasSubstr(" m</text>"));
     for (const std::string option : {"--trail", "--camera"})
     {
         const std::string before = option == "--camera" ? "follow:" : "";
@@ -167,7 +167,7 @@ TEST_F(FigureCommand, RefusesLargeSheetsAsPng)
     {
         EXPECT_EQ(sheet(output).errors, "");
     }
-    EXPECT_THAT(ReadFile(folder / "a.svg"), HasSubstr("width=\"24632\""));
+    EXPECT_THAT(ReadBytes(folder / "a.svg"), HasSubstr("width=\"24632\""));
     EXPECT_EQ(sheet("a.png").code, 1);
     EXPECT_THAT(sheet("a.png").errors, HasSubstr("--size"));
 }
@@ -198,7 +198,7 @@ TEST_F(FigureCommand, ScaleMultipliesPixels)
                          folder.Path())
                   .code,
               0);
-    EXPECT_THAT(ReadFile(folder / "large.svg"), HasSubstr("width=\"20480\""))
+    EXPECT_THAT(ReadBytes(folder / "large.svg"), HasSubstr("width=\"20480\""))
         << "8192 is a limit of pixels";
 }
 
@@ -224,16 +224,16 @@ TEST_F(FigureCommand, ThemeBothWritesLightAndDarkPicture)
     }
     EXPECT_THAT(folder.Names(),
                 ElementsAre("twin-dark.png", "twin-dark.svg", "twin-light.png", "twin-light.svg"));
-    EXPECT_EQ(ReadFile(folder / "twin-light.svg"), Written("print.svg", {"--theme", "print"}));
-    EXPECT_EQ(ReadFile(folder / "twin-dark.svg"), Written("dark.svg", {"--theme", "dark"}));
-    EXPECT_EQ(ReadFile(folder / "twin-dark.png"), Written("dark.png", {"--theme", "dark"}));
+    EXPECT_EQ(ReadBytes(folder / "twin-light.svg"), Written("print.svg", {"--theme", "print"}));
+    EXPECT_EQ(ReadBytes(folder / "twin-dark.svg"), Written("dark.svg", {"--theme", "dark"}));
+    EXPECT_EQ(ReadBytes(folder / "twin-dark.png"), Written("dark.png", {"--theme", "dark"}));
 
     // If one of them already exists, neither is written.
     std::filesystem::remove(folder / "twin-light.svg");
     std::ofstream(folder / "twin-dark.svg") << "mine";
     EXPECT_EQ(Shot("twin.svg", {"--theme", "both"}).code, 1);
     EXPECT_FALSE(std::filesystem::exists(folder / "twin-light.svg"));
-    EXPECT_EQ(ReadFile(folder / "twin-dark.svg"), "mine");
+    EXPECT_EQ(ReadBytes(folder / "twin-dark.svg"), "mine");
 }
 
 TEST_F(FigureCommand, RefusesInvalidOptionsBeforeSimulation)

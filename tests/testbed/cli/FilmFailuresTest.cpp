@@ -259,8 +259,8 @@ int PipeToHead(const std::string& format, const TemporaryFolder& folder, std::st
                                 " --progress none 2> errors; echo $? > code; } | head -c 20000 > "
                                 "/dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0);
-    errors = ReadFile(folder / "errors");
-    return std::atoi(ReadFile(folder / "code").c_str());
+    errors = ReadBytes(folder / "errors");
+    return std::atoi(ReadBytes(folder / "code").c_str());
 }
 
 TEST_F(FilmFailures, FailsWhenPipeIsClosed)
@@ -285,7 +285,7 @@ TEST_F(FilmFailures, FailsWhenStandardOutputIsOnFullDisk)
                                 "--progress none > /dev/full 2> '" +
                                 (folder / "errors").string() + "'; test $? -eq 4";
     EXPECT_EQ(std::system(command.c_str()), 0);
-    const std::string errors = ReadFile(folder / "errors");
+    const std::string errors = ReadBytes(folder / "errors");
     ExpectOneSentence(errors);
     EXPECT_THAT(errors, StartsWith("boxreel: standard output: "));
 }
@@ -314,7 +314,7 @@ TEST_F(FilmFailures, SignalLeavesPlayablePage)
         EXPECT_EQ(outcome.code, 75) << outcome.errors;
         EXPECT_THAT(outcome.errors, HasSubstr("film.part.html"));
         EXPECT_THAT(folder.Names(), ElementsAre("film.part.html"));
-        const std::string page = ReadFile(part);
+        const std::string page = ReadBytes(part);
         EXPECT_TRUE(page.ends_with("</html>\n"));
         const std::size_t at = outcome.errors.find("Stopped after ") + 14;
         const std::string frames = outcome.errors.substr(at, outcome.errors.find(' ', at) - at);

@@ -55,7 +55,7 @@ protected:
                 const std::string name = entry.path().filename().string();
                 const bool isManifest =
                     name.ends_with(".json") && name.find(".part.") != std::string::npos;
-                if (isManifest && ReadFile(entry.path()).find(named) != std::string::npos)
+                if (isManifest && ReadBytes(entry.path()).find(named) != std::string::npos)
                 {
                     kill(process, signal);
                     return;

@@ -29,11 +29,11 @@ TEST_F(FilmParts, RefusesPartsThatDifferFromManifest)
         };
         ASSERT_EQ(make("a", "0-19"), 0);
         ASSERT_EQ(make("b", "20-39"), 0);
-        const std::string whole = ReadFile(folder / ("b" + kind));
+        const std::string whole = ReadBytes(folder / ("b" + kind));
         std::string flipped = whole;
         flipped[whole.size() / 2] ^= 1;
         for (const std::string& bad : {whole.substr(0, whole.size() * 99 / 100), flipped,
-                                       ReadFile(folder / ("a" + kind)), whole + "more"})
+                                       ReadBytes(folder / ("a" + kind)), whole + "more"})
         {
             std::ofstream(folder / ("b" + kind)) << bad;
             const Outcome refused = Run({"merge", "a" + kind, "b" + kind, "-o", "film" + kind});
@@ -63,12 +63,12 @@ TEST_F(FilmParts, JoinsIncompletePartsOnlyIfPartial)
     const Outcome piece = Run({"merge", "b.mkv", "c.mkv", "-o", "film.mkv", "--partial"});
     ASSERT_EQ(piece.code, 0) << piece.errors;
     EXPECT_EQ(Decode("film.mkv").size(), 30u);
-    const std::string part = ReadFile(folder / "b.mkv");
+    const std::string part = ReadBytes(folder / "b.mkv");
     const Outcome replaced =
         Run({"merge", "b.mkv", "c.mkv", "-o", "./b.mkv", "--partial", "--force"});
     EXPECT_EQ(replaced.code, 1);
     EXPECT_THAT(replaced.errors, testing::StartsWith("boxreel: -o ./b.mkv: "));
-    EXPECT_EQ(ReadFile(folder / "b.mkv"), part);
+    EXPECT_EQ(ReadBytes(folder / "b.mkv"), part);
 }
 
 TEST_F(FilmParts, RefusesToOverwriteStoppedFilm)
@@ -84,7 +84,7 @@ TEST_F(FilmParts, RefusesToOverwriteStoppedFilm)
         const Outcome refused = Run({"merge", "a" + kind, "-o", "film" + kind});
         EXPECT_EQ(refused.code, 1);
         EXPECT_THAT(refused.errors, HasSubstr("film.part" + kind));
-        EXPECT_EQ(ReadFile(folder / ("film.part" + kind)), "left");
+        EXPECT_EQ(ReadBytes(folder / ("film.part" + kind)), "left");
         EXPECT_EQ(Run({"merge", "a" + kind, "-o", "film" + kind, "--force"}).code, 0);
         EXPECT_FALSE(std::filesystem::exists(folder / ("film.part" + kind)));
     }
@@ -124,7 +124,7 @@ TEST_F(FilmParts, KeepsManifestOfOtherFilmsAndBuilds)
     };
     ASSERT_EQ(make("pyramid", {"--frame-range", "0-19"}).code, 0);
     std::filesystem::remove(folder / "v.mkv");
-    const std::string manifest = ReadFile(folder / "v.mkv.json");
+    const std::string manifest = ReadBytes(folder / "v.mkv.json");
     std::string older = manifest;
     older.replace(older.find(BOXREEL_VERSION), std::string(BOXREEL_VERSION).size(), "0.0.1");
     std::string unread = manifest;
@@ -152,7 +152,7 @@ TEST_F(FilmParts, KeepsManifestOfOtherFilmsAndBuilds)
             EXPECT_THAT(refused.errors,
                         testing::StartsWith("boxreel: " + std::string(name) + ": "));
             EXPECT_THAT(folder.Names(), ElementsAre(name));
-            EXPECT_EQ(ReadFile(folder / name), c.manifest);
+            EXPECT_EQ(ReadBytes(folder / name), c.manifest);
         }
         std::filesystem::remove(folder / name);
     }

@@ -143,7 +143,7 @@ TEST_F(Film, TwoRunsWriteEqualBytes)
                       .code,
                   0);
     }
-    EXPECT_EQ(ReadFile(folder / "a.mkv"), ReadFile(folder / "b.mkv"));
+    EXPECT_EQ(ReadBytes(folder / "a.mkv"), ReadBytes(folder / "b.mkv"));
 }
 
 TEST_F(Film, NumbersPictureSequence)
@@ -398,7 +398,7 @@ TEST_F(Film, JoinedPartsEqualWholeFilm)
     const Outcome within = Run({"merge", "within.mkv", "rest.mkv", "-o", "gap.mkv"});
     ExpectRefused(within, "rest.mkv");
     EXPECT_THAT(within.errors, AllOf(HasSubstr("frame 121"), HasSubstr("multiples of 50")));
-    std::string manifest = ReadFile(folder / "b.mkv.json");
+    std::string manifest = ReadBytes(folder / "b.mkv.json");
     const std::size_t state = manifest.find("\"100\": \"") + 8;
     manifest[state] = manifest[state] == '0' ? '1' : '0';
     std::ofstream(folder / "b.mkv.json") << manifest;
@@ -422,7 +422,7 @@ TEST_F(Film, KeepsOtherFiles)
         std::ofstream(folder / name) << "mine";
         const Outcome refused = make({"-o", "v.mp4", "--frame-range", "0-19"});
         ExpectRefused(refused, name);
-        EXPECT_EQ(ReadFile(folder / name), "mine");
+        EXPECT_EQ(ReadBytes(folder / name), "mine");
         EXPECT_THAT(folder.Names(), ElementsAre(name));
         std::filesystem::remove(folder / name);
     }
@@ -440,7 +440,7 @@ TEST_F(Film, KeepsOtherFiles)
                 ElementsAre(mine[0], "v.mp4", "v.mp4.json", mine[1], mine[2], mine[3]));
     for (const std::string& name : mine)
     {
-        EXPECT_EQ(ReadFile(folder / name), "mine") << name;
+        EXPECT_EQ(ReadBytes(folder / name), "mine") << name;
     }
 }
 
@@ -654,7 +654,7 @@ TEST_F(Film, ResumeFinishesFilmWithAllFrames)
         manifestName = name.ends_with(".json") ? name : manifestName;
     }
     ASSERT_GT(count, 0);
-    std::string manifest = ReadFile(folder / manifestName);
+    std::string manifest = ReadBytes(folder / manifestName);
     manifest.replace(manifest.find("\"9999\"") + 1, 4, std::to_string(count));
     std::ofstream(folder / manifestName) << manifest;
     const Outcome again = Run(record(std::to_string(count)));

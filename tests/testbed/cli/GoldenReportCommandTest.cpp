@@ -67,17 +67,17 @@ TEST_F(GoldenReport, ShowsFailuresWithFilmStrips)
     EXPECT_THAT(outcome.output,
                 testing::MatchesRegex("1 moment: 1 not as approved; the report is 'o/report.html' "
                                       "\\([0-9.]+ [kM]B\\)\n"));
-    const std::string page = ReadFile(folder / "o/report.html");
+    const std::string page = ReadBytes(folder / "o/report.html");
     EXPECT_THAT(page,
                 AllOf(HasSubstr("id=\"bridge/0.5s\""), HasSubstr("\"firstStep\":12"),
                       HasSubstr("\"step\":10,\"actual\":\"data:image/png"),
                       Not(HasSubstr("\"expected\":\"data:")), Not(HasSubstr("\"actualPage\":"))));
     EXPECT_EQ(Run({"report", "o"}).code, 0) << "a report is replaced by a report";
-    EXPECT_EQ(ReadFile(folder / "o/report.html"), page) << "the same folder makes the same page";
+    EXPECT_EQ(ReadBytes(folder / "o/report.html"), page) << "the same folder makes the same page";
 
     const Outcome both = Run({"report", "o", "--against", BOXREEL_PROGRAM, "-o", "both.html"});
     EXPECT_EQ(both.code, 0) << both.errors;
-    const std::string pair = ReadFile(folder / "both.html");
+    const std::string pair = ReadBytes(folder / "both.html");
     EXPECT_THAT(pair, HasSubstr("\"expected\":\"data:image/png"));
     EXPECT_THAT(pair, AllOf(HasSubstr("\"actualPage\":"), HasSubstr("\"expectedPage\":")));
     // The same program draws the same, of all and close to the body.
@@ -106,7 +106,7 @@ TEST_F(GoldenReport, ShowsPicturesOfProgramWithoutPages)
     EXPECT_EQ(outcome.code, 1) << "the pages that were asked for are not there";
     EXPECT_THAT(outcome.errors, HasSubstr("--against ./older"));
     EXPECT_THAT(outcome.output, HasSubstr("o/report.html"));
-    EXPECT_THAT(ReadFile(folder / "o/report.html"),
+    EXPECT_THAT(ReadBytes(folder / "o/report.html"),
                 AllOf(HasSubstr("\"expected\":\"data:image/png"), Not(HasSubstr("Page\":"))));
 }
 
@@ -117,7 +117,7 @@ TEST_F(GoldenReport, VerifyReportsOnlyVerifiedMoments)
     const Outcome outcome = Verify("o", {"--report", "page.html"});
     EXPECT_EQ(outcome.code, 2) << "as without a report";
     EXPECT_THAT(outcome.output, HasSubstr("1 not as approved; the report is 'page.html'"));
-    EXPECT_THAT(ReadFile(folder / "page.html"),
+    EXPECT_THAT(ReadBytes(folder / "page.html"),
                 AllOf(HasSubstr("bridge/0.5s"), Not(HasSubstr("car/2s"))));
     ExpectRefusal({"verify", "bridge", "--report", "x.html", "--against", "y"}, "--report");
     ExpectRefusal({"verify", "bridge", "--references", "r", "--report", "none/x.html"},
@@ -134,7 +134,7 @@ TEST_F(GoldenReport, MergesShards)
     const Outcome outcome = Run({"report", "shard-1", "shard-0", "-o", "all.html"});
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
     EXPECT_THAT(outcome.output, HasSubstr("2 moments: 1 not as approved"));
-    EXPECT_THAT(ReadFile(folder / "all.html"),
+    EXPECT_THAT(ReadBytes(folder / "all.html"),
                 HasSubstr("This is of shard-0; shard-1 says <b>as approved</b>"));
 }
 
@@ -157,7 +157,7 @@ TEST_F(GoldenReport, WritesReportAtomically)
     ExpectRefusal({"report", "o", "-o", "mine.html"}, "mine.html");
     ExpectRefusal({"report", "o", "-o", "o"}, "o");
     ExpectRefusal({"report", "o", "-o", "none/a.html"}, "none/a.html");
-    EXPECT_EQ(ReadFile(folder / "mine.html"), "mine");
+    EXPECT_EQ(ReadBytes(folder / "mine.html"), "mine");
     EXPECT_EQ(Run({"report", "o", "-o", "mine.html", "--force"}).code, 0);
     EXPECT_EQ(folder.Names().size(), 2u) << "nothing unfinished is left";
 }
@@ -171,7 +171,7 @@ TEST_F(GoldenReport, ReportsUnreadableVerdict)
     const Outcome outcome = Run({"report", "o"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.output, HasSubstr("2 moments: 1 not as approved"));
-    EXPECT_THAT(ReadFile(folder / "o/report.html"),
+    EXPECT_THAT(ReadBytes(folder / "o/report.html"),
                 AllOf(HasSubstr("id=\"c/b\""), HasSubstr("o/c/b.verdict.json")));
 }
 

@@ -26,7 +26,7 @@ protected:
         const Outcome outcome = RunBoxreel(arguments, folder.Path());
         EXPECT_EQ(outcome.code, 0) << output;
         EXPECT_EQ(outcome.output + outcome.errors, "");
-        return ReadFile(folder / output);
+        return ReadBytes(folder / output);
     }
 
     Frame Picture(const std::string& output, const std::vector<std::string>& extra) const
@@ -138,8 +138,8 @@ TEST_F(MotionCommand, ThemesHaveEqualSheets)
     const std::vector<std::string> rest = with("both");
     both.insert(both.end(), rest.begin(), rest.end());
     EXPECT_EQ(RunBoxreel(both, folder.Path()).code, 0);
-    EXPECT_EQ(ReadFile(folder / "a-light.png"), Written("l.png", with("print")));
-    EXPECT_EQ(ReadFile(folder / "a-dark.png"), Written("d.png", with("dark")));
+    EXPECT_EQ(ReadBytes(folder / "a-light.png"), Written("l.png", with("print")));
+    EXPECT_EQ(ReadBytes(folder / "a-dark.png"), Written("d.png", with("dark")));
 }
 
 TEST_F(MotionCommand, DrawsPanelOverTrails)
@@ -192,7 +192,7 @@ TEST_F(MotionOfWhatComesLater, IsShown)
         arguments.insert(arguments.end(), {"--at", "2s"});
         const Outcome outcome = Shot(arguments);
         EXPECT_EQ(outcome.code, 0) << outcome.errors;
-        EXPECT_THAT(ReadFile(folder / "t.svg"), HasSubstr(std::string("id=\"") + group));
+        EXPECT_THAT(ReadBytes(folder / "t.svg"), HasSubstr(std::string("id=\"") + group));
     }
     EXPECT_EQ(Shot({"--at", "0s,1s", "--dimension", "3,5", "--trail", "5"}).code, 0)
         << "there in one of the pictures";

@@ -39,7 +39,7 @@ TEST_F(SceneFile, ExportedFileGivesPicturesOfScene)
         const std::string picture = std::string(scene) + ".png";
         ASSERT_EQ(Run({"shot", scene, "--at", "2s", "-o", picture, "--size", "320x180"}).code, 0);
     }
-    EXPECT_EQ(ReadFile(folder / "bridge.png"), ReadFile(folder / "bridge.json.png"));
+    EXPECT_EQ(ReadBytes(folder / "bridge.png"), ReadBytes(folder / "bridge.json.png"));
 }
 
 TEST_F(SceneFile, ExportsGivenMomentAndSeed)
@@ -60,7 +60,7 @@ TEST_F(SceneFile, IsOverwrittenOnlyByForce)
     Write("mine");
     const Outcome outcome = Run({"export", "bridge", "-o", "a.json"});
     EXPECT_NE(outcome.code, 0);
-    EXPECT_EQ(ReadFile(folder / "a.json"), "mine");
+    EXPECT_EQ(ReadBytes(folder / "a.json"), "mine");
     EXPECT_EQ(Run({"export", "bridge", "-o", "a.json", "--force"}).code, 0);
     EXPECT_EQ(Run({"check", "a.json"}).code, 0);
 }
@@ -90,8 +90,8 @@ TEST_F(SceneFile, DrawsImagesAsOutlines)
             Run({"shot", "a.json", "--step", "0", "-o", "a.svg", "--camera", "0,0,5", "--force"})
                 .code,
             0);
-        const bool hasOutline = ReadFile(folder / "a.svg").find("polygon") != std::string::npos ||
-                                ReadFile(folder / "a.svg").find("scene") != std::string::npos;
+        const bool hasOutline = ReadBytes(folder / "a.svg").find("polygon") != std::string::npos ||
+                                ReadBytes(folder / "a.svg").find("scene") != std::string::npos;
         EXPECT_EQ(hasOutline, text.find("image") != std::string::npos);
     }
 }

@@ -67,7 +67,7 @@ protected:
     void ExpectSameAsPlain(const std::string& film) const
     {
         EXPECT_TRUE(Decode(film) == Decode("plain.mkv")) << film << " has other frames";
-        EXPECT_EQ(ReadFile(folder / (film + ".json")), ReadFile(folder / "plain.mkv.json"));
+        EXPECT_EQ(ReadBytes(folder / (film + ".json")), ReadBytes(folder / "plain.mkv.json"));
     }
 
     std::vector<std::string> Files() const
@@ -186,7 +186,7 @@ TEST_F(Snapshots, DamagedOrForeignOnesAreReportedAndReplaced)
     Record("plain.mkv", "200-299");
     Record("first.mkv", "0-199", kStates);
     const std::filesystem::path path = FileOf("0000000200");
-    const std::string whole = ReadFile(path);
+    const std::string whole = ReadBytes(path);
     SetFilm({"record", "tumbler", "--seed", "2"});
     Record("other.mkv", "0-0", {"--snapshots", "others", "--from", "4s"});
     std::string foreign;
@@ -194,7 +194,7 @@ TEST_F(Snapshots, DamagedOrForeignOnesAreReportedAndReplaced)
     {
         if (entry.path().string().ends_with("200.snapshot"))
         {
-            foreign = ReadFile(entry.path());
+            foreign = ReadBytes(entry.path());
         }
     }
     SetFilm({"record", "tumbler"});
@@ -214,7 +214,7 @@ TEST_F(Snapshots, DamagedOrForeignOnesAreReportedAndReplaced)
         {newer, "another version"},
         {"\x89PNG\r\n", "a picture"},
         {foreign, "another film"},
-        {ReadFile(FileOf("0000000100")), "another step"},
+        {ReadBytes(FileOf("0000000100")), "another step"},
         {"", "empty"},
     };
     for (const auto& [content, what] : contents)
@@ -226,7 +226,7 @@ TEST_F(Snapshots, DamagedOrForeignOnesAreReportedAndReplaced)
         EXPECT_THAT(NumbersOf(errors, "steps"), ElementsAre(200, 100));
         EXPECT_EQ(errors.find("boxreel:"), errors.rfind("boxreel:")) << "one sentence";
         ExpectSameAsPlain("film.mkv");
-        EXPECT_TRUE(ReadFile(path) == whole) << "it is whole again";
+        EXPECT_TRUE(ReadBytes(path) == whole) << "it is whole again";
     }
 }
 

@@ -3,8 +3,6 @@
 
 #include <cstdlib>
 #include <fcntl.h>
-#include <fstream>
-#include <sstream>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -62,8 +60,8 @@ Outcome Run(const char* program, const std::vector<std::string>& words,
     Outcome outcome;
     outcome.peakKilobytes = usage.ru_maxrss;
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    outcome.output = ReadFile(logs / "output");
-    outcome.errors = ReadFile(logs / "errors");
+    outcome.output = ReadBytes(logs / "output");
+    outcome.errors = ReadBytes(logs / "errors");
     return outcome;
 }
 
@@ -94,13 +92,6 @@ Variable::Variable(const char* name, const std::string& value) : m_name(name)
 Variable::~Variable()
 {
     m_before ? setenv(m_name, m_before->c_str(), 1) : unsetenv(m_name);
-}
-
-std::string ReadFile(const std::filesystem::path& file)
-{
-    std::ostringstream content;
-    content << std::ifstream(file, std::ios::binary).rdbuf();
-    return content.str();
 }
 
 } // namespace boxreel

@@ -43,6 +43,4 @@ private:
     std::optional<std::string> m_before;
 };
 
-std::string ReadFile(const std::filesystem::path& file);
-
 } // namespace boxreel

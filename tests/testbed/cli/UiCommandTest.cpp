@@ -244,7 +244,7 @@ TEST_F(UiCommand, RunsInRealTimeUntilPaused)
         std::this_thread::sleep_for(std::chrono::milliseconds(200)); // in which nothing moves
     });
     EXPECT_EQ(outcome.code, 0) << outcome.errors;
-    const std::string written = ReadFile(folder / "pyramid-1.play");
+    const std::string written = ReadBytes(folder / "pyramid-1.play");
     ASSERT_THAT(outcome.output, HasSubstr("Pyramid: step "));
     const std::string step = outcome.output.substr(14, outcome.output.find(',') - 14);
     EXPECT_GE(std::stoi(step), 2);
@@ -264,7 +264,7 @@ TEST_F(UiCommand, IsLimitedToDisplaySize)
                   0);
         Act("key Escape");
     });
-    EXPECT_THAT(ReadFile(folder / "size"),
+    EXPECT_THAT(ReadBytes(folder / "size"),
                 testing::AllOf(HasSubstr("WIDTH=1000\n"), HasSubstr("HEIGHT=640\n")));
 }
 

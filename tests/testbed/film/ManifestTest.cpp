@@ -72,7 +72,7 @@ TEST_F(ManifestFile, ThatAreMissingAreNamedWithTheRemedy)
 TEST_F(ManifestFile, ThatAreDamagedAreNamedWithTheRemedy)
 {
     ASSERT_TRUE(WriteManifest(m_folder / "a.mkv", Sample()));
-    const std::string good = ReadFile(m_folder / "a.mkv.json");
+    const std::string good = ReadBytes(m_folder / "a.mkv.json");
     const auto with = [&good](const std::string& from, const std::string& to) {
         std::string text = good;
         const std::size_t at = text.find(from);
@@ -136,8 +136,8 @@ TEST(Manifest, SayWhatDiffers)
     other.version = "1.2.4";
     EXPECT_THAT(DifferenceOf(Sample(), other), AllOf(HasSubstr("1.2.3"), HasSubstr("1.2.4")));
     other.command.back() = "401";
-    EXPECT_EQ(DifferenceOf(Sample(), other), "the commands differ: `record pyramid --frames 400` "
-                                             "and `record pyramid --frames 401`");
+    EXPECT_THAT(DifferenceOf(Sample(), other), AllOf(HasSubstr("record pyramid --frames 400"),
+                                                     HasSubstr("record pyramid --frames 401")));
 }
 
 } // namespace

@@ -3,12 +3,29 @@
 
 #include <gmock/gmock.h>
 
+#include <regex>
+#include <string>
+#include <vector>
+
 namespace boxreel
 {
 namespace
 {
 
-TEST(RenderReport, PrintsAlignedStatistics)
+using testing::ElementsAre;
+
+std::vector<double> NumbersOf(const std::string& text)
+{
+    const std::regex number("[0-9]+(\\.[0-9]+)?");
+    std::vector<double> numbers;
+    for (std::sregex_iterator i(text.begin(), text.end(), number), end; i != end; ++i)
+    {
+        numbers.push_back(std::stod(i->str()));
+    }
+    return numbers;
+}
+
+TEST(RenderReport, PrintsDrawingStatistics)
 {
     RenderTotals totals;
     totals.frames = 600;
@@ -21,29 +38,24 @@ TEST(RenderReport, PrintsAlignedStatistics)
     totals.itemsOutside = 62'040;
     totals.itemsReused = 155'100;
     totals.drawCalls = 8410;
-    EXPECT_EQ(DescribeDrawing(totals),
-              "Rendering:\n"
-              "  frames            600   38 as a whole, 412 in part, 150 unchanged\n"
-              "  pixels          9.2 %   drawn, the rest unchanged\n"
-              "  items          310200   10.0 % drawn, 70.0 % unchanged, 20.0 % outside the "
-              "picture\n"
-              "                 50.0 %   reused from the frame before\n"
-              "  draw calls       8410   14.0 a frame");
+    // 600 frames: 38 as a whole, 412 in part, 150 unchanged. Pixels drawn: 9.2 %. 310200 items:
+    // 10 % drawn, 70 % unchanged, 20 % outside the picture, 50 % reused. 8410 draw calls: 14 a
+    // frame.
+    EXPECT_THAT(NumbersOf(DescribeDrawing(totals)),
+                ElementsAre(600, 38, 412, 150, 9.2, 310200, 10.0, 70.0, 20.0, 50.0, 8410, 14.0));
 }
 
 TEST(RenderReport, PrintsSimulationStatistics)
 {
-    EXPECT_EQ(DescribeSimulation({.firstStep = 0, .steps = 600}),
-              "Simulation:\n  steps             600   from the start");
-    EXPECT_EQ(DescribeSimulation({.firstStep = 500, .steps = 100}),
-              "Simulation:\n"
-              "  steps             100   from the snapshot of step 500 on");
+    EXPECT_THAT(NumbersOf(DescribeSimulation({.firstStep = 0, .steps = 600})), ElementsAre(600));
+    EXPECT_THAT(NumbersOf(DescribeSimulation({.firstStep = 500, .steps = 100})),
+                ElementsAre(100, 500));
 }
 
 TEST(RenderReport, PrintsNoNanWithoutFrames)
 {
     EXPECT_THAT(DescribeDrawing({}), testing::Not(testing::HasSubstr("nan")));
-    EXPECT_THAT(DescribeDrawing({}), testing::HasSubstr("\n  items               0   0.0 % drawn"));
+    EXPECT_THAT(NumbersOf(DescribeDrawing({})), testing::Each(0.0));
 }
 
 } // namespace

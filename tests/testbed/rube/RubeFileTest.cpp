@@ -2,6 +2,7 @@
 #include "RubeBuilt.h"
 
 #include "../../base/Errors.h"
+#include "../../base/TemporaryFolder.h"
 
 #include <rube/RubeFile.h>
 
@@ -13,7 +14,6 @@
 #include <fstream>
 
 #include <sys/stat.h>
-#include <unistd.h>
 
 namespace boxreel
 {
@@ -202,18 +202,9 @@ TEST(RubeBuilder, KeepsItsListOfFindingsShort)
 
 // ---- Files
 
-/// A folder for one test, gone afterwards.
 class RubeFile : public testing::Test
 {
 protected:
-    RubeFile()
-        : m_folder(std::filesystem::temp_directory_path() /
-                   ("boxreel-rube-" + std::to_string(getpid())))
-    {
-        std::filesystem::create_directories(m_folder);
-    }
-    ~RubeFile() override { std::filesystem::remove_all(m_folder); }
-
     std::filesystem::path Write(const std::string& text)
     {
         const std::filesystem::path file = m_folder / "scene.json";
@@ -227,7 +218,7 @@ protected:
         return LoadRubeScene(file, leftOut);
     }
 
-    std::filesystem::path m_folder;
+    TemporaryFolder m_folder;
 };
 
 TEST_F(RubeFile, SaysHowItsSceneWantsToBeStepped)
@@ -263,7 +254,7 @@ TEST_F(RubeFile, ThatCannotBeReadIsNamed)
 {
     const std::filesystem::path absent = m_folder / "absent.json";
     EXPECT_THAT(Load(absent), Refuses(absent.string()));
-    EXPECT_THAT(Load(m_folder), Refuses(m_folder.string()));
+    EXPECT_THAT(Load(m_folder.Path()), Refuses(m_folder.Path().string()));
     const std::filesystem::path pipe = m_folder / "pipe.json";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_THAT(Load(pipe), Refuses(pipe.string()));

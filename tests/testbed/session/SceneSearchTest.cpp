@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "../../base/Errors.h"
+#include "../../base/TemporaryFolder.h"
 
 #include <session/SceneSearch.h>
 
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 namespace boxreel
@@ -79,12 +79,10 @@ TEST(SceneSearch, ReportsMissingFile)
 
 TEST(SceneSearch, AnExistingFileOfAnyNameIsReadAsAScene)
 {
-    const std::filesystem::path file =
-        std::filesystem::path(testing::TempDir()) / "scene-search-foreign.rube";
-    std::ofstream(file) << "not a scene";
-    const Result<SceneSource> source = OpenScene(file.string());
-    std::filesystem::remove(file);
-    EXPECT_THAT(source, Refuses(file.string() + ":1:2"));
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "foreign.rube";
+    WriteBytes(file, "not a scene");
+    EXPECT_THAT(OpenScene(file.string()), Refuses(file.string() + ":1:2"));
 }
 
 } // namespace

@@ -375,7 +375,7 @@ TEST_F(WorkbenchTest, WritesFiguresUnderNamesThatAreFree)
     Click("Run/PNG");
     Click("Run/SVG");
     EXPECT_THAT(folder.Names(), ElementsAre("bridge-1.png", "bridge-1.svg", "bridge-2.svg"));
-    EXPECT_THAT(ReadFile(folder / "bridge-1.svg"), HasSubstr("<title"));
+    EXPECT_THAT(ReadBytes(folder / "bridge-1.svg"), HasSubstr("<title"));
     EXPECT_THAT(bench->Message(), HasSubstr("bridge-2.svg"));
 }
 
@@ -483,7 +483,7 @@ TEST_P(WildSession, IsDoneAgainToTheLastBitByTheScriptItWrites)
         return name.ends_with(".play");
     });
     EXPECT_EQ(StateAfter(folder / *script, bench->Session().SceneStep()), State());
-    EXPECT_THAT(ReadFile(folder / *script), HasSubstr("expect state " + State()));
+    EXPECT_THAT(ReadBytes(folder / *script), HasSubstr("expect state " + State()));
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, WildSession, testing::Range(1u, 7u));
 

@@ -38,11 +38,17 @@ constexpr float32 kImpact = 1.0f;
 /// Contacts are contradictory if they approach by more than this fraction of the pusher's speed.
 constexpr double kHeld = 1e-3;
 /// They are also contradictory above this multiple of the impulse that brings the whole island to
-/// the pusher's speed and stops its weight. The speed of the weight in a kick is this many
-/// tolerances.
+/// the pusher's speed and stops its weight.
 constexpr double kMaxLoad = 10.0;
+/// The speed of the weight in a kick is this many tolerances: the inverse of kRestTolerance in
+/// SubStepSolver.cpp.
 constexpr float32 kTolerancesOfWeight = 100.0f;
-constexpr float32 kOverlap = 0.8f * b2_linearSlop; ///< what overlaps are brought to [m]
+/// Overlaps deeper than kMaxOverlap are brought to this [m]. It is less, so that rounding or a
+/// small load does not make them deeper than kMaxOverlap again at once.
+constexpr float32 kOverlap = 0.8f * b2_linearSlop;
+/// Displacements that an inactive row may violate its condition by [m]: far below the 0.15 slops
+/// between kMaxOverlap and kOverlap.
+constexpr float32 kDisplacementTolerance = 0.01f * b2_linearSlop;
 constexpr float32 kAllPushes = 1.01f; ///< limit of a row of contacts, a little above the sum
 
 /// A contact of a block as an item: one row per normal and one for the tangent.
@@ -596,7 +602,7 @@ void ContactSystem::SolveOverlaps(ContactIsland& island, SolverMemory& solver, J
         joints.FillDisplacements(std::size_t(island.joints[i]), system.Rows(count + i),
                                  system.At(count + i));
     }
-    system.Minimize(displacements, double(0.01f * b2_linearSlop));
+    system.Minimize(displacements, double(kDisplacementTolerance));
     for (std::size_t i = 0; i < count; ++i)
     {
         const Place& place = island.contacts[i];
@@ -610,7 +616,7 @@ void ContactSystem::SolveOverlaps(ContactIsland& island, SolverMemory& solver, J
             item.active |= 4;
         }
     }
-    system.Minimize(displacements, double(0.01f * b2_linearSlop));
+    system.Minimize(displacements, double(kDisplacementTolerance));
     float32 farthest = 0.0f;
     for (const BodyData* body : system.Bodies())
     {

@@ -35,6 +35,9 @@ constexpr double kFound = 2.8;
 /// by at most sqrt(1.8) / 3 = 0.45 rad in a drift. A bound, not a tuned number: from 0 to 6 the
 /// gaps of chains stay below 0.1 mm. More uses unnecessary drifts (docs/notes/tuned-constants.md).
 constexpr double kTurns = 3.0;
+/// Only half a kick follows the last drift. Impulses that carry weight then act for half of the
+/// drift's time, those that turn the links for all of it. This is the mean of both shares.
+constexpr float32 kLastShare = 0.75f;
 
 /// Relative energy error of a step: more than the truncation error of drifts that resolve all
 /// swings.
@@ -259,7 +262,7 @@ HingeTree::Outcome HingeTree::StepIn(int32 count, float32 timeStep, bool byImpul
         }
         byImpulses ? Close(time) : ClosePoses(time);
         Kick(i < count ? time : 0.5f * time);
-        const double given = double(i < count ? time : 0.75f * time);
+        const double given = double(i < count ? time : kLastShare * time);
         const double strain = Strain(given) / given;
         // An impact is not a swing: only values of two consecutive drifts count.
         outcome.squaredFrequency = std::max(outcome.squaredFrequency, std::min(strain, before));
