@@ -2,6 +2,7 @@
 
 const kSpeeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 4, 8];
 const kZoomStep = 1.25;
+const kPanStep = 0.1;   // of the height
 const kLinkDelay = 200; // [ms]
 const kRest = 120;      // until a picture is drawn exactly [ms]
 const kContactReach = 24, kBodyReach = 4, kClickReach = 3; // [CSS px]
@@ -152,9 +153,9 @@ class Player {
     const [x, y] = this.view.toWorld(view, ...this.inCanvas(this.pointer));
     return bodyAt(this.film, this.frame, x, y, kBodyReach * this.ratio / view.scale, this.hidden);
   }
-  // Beside the pointer: number, name, place and velocity.
+  // Beside the pointer, or in the corner if that is elsewhere: number, name, place and velocity.
   showBody(view) {
-    const number = this.bodyAtPointer(view);
+    const number = this.pointer ? this.bodyAtPointer(view) : this.view.followed;
     const before = number < 0 || this.number === 0 ? null : this.film.frame(this.number - 1, () => this.redraw());
     const isWaiting = number >= 0 && this.number > 0 && !before; // for the frame before
     const body = number < 0 || isWaiting ? null : describeBody(this.film, this.frame, number, before);
@@ -164,7 +165,7 @@ class Player {
     const title = document.createElement("b");
     title.textContent = `body ${body.number} ${body.name}`.trim();
     card.replaceChildren(title, this.bodyText(body));
-    const [x, y] = this.pointer;
+    const [x, y] = this.pointer ?? [0, 0];
     const box = this.canvas.getBoundingClientRect();
     card.style.left = `${Math.max(Math.min(x + 16, box.width - card.offsetWidth - 8), 0)}px`;
     card.style.top = `${Math.max(Math.min(y + 16, box.height - card.offsetHeight - 8), 0)}px`;
@@ -240,16 +241,30 @@ class Player {
     this.keepLink();
     this.redraw();
   }
+  // The next body that is in the frame, or none after the last.
+  followNext(by) {
+    if (!this.frame) return;
+    const bodies = bodiesOf(this.film, this.frame);
+    const at = bodies.indexOf(this.view.followed) + by;
+    this.follow(bodies[by < 0 && this.view.followed < 0 ? bodies.length - 1 : at] ?? -1);
+  }
+  pan(dx, dy) {
+    if (!this.frame) return;
+    this.view.pan(this.frame, kPanStep * dx * this.canvas.height, kPanStep * dy * this.canvas.height);
+    this.keepLink();
+    this.redraw();
+  }
   followPointed() {
     if (!this.frame) return;
     const body = this.bodyAtPointer(this.view.of(this.frame));
     this.follow(body === this.view.followed ? -1 : body);
   }
-  zoomToContact(x, y) {
+  // The contact next to a place of the canvas [px]; `far`: wherever it is in the picture.
+  zoomToContact(x, y, far = false) {
     if (!this.frame) return;
     const view = this.view.of(this.frame);
     const [worldX, worldY] = this.view.toWorld(view, x, y);
-    const reach = kContactReach * this.ratio / view.scale;
+    const reach = (far ? 0.5 * this.canvas.height : kContactReach * this.ratio) / view.scale;
     const stored = this.hidden.has(kContacts) ? null : contactAt(this.film, this.frame, worldX, worldY, reach);
     const contact = stored ?? touchAt(this.film, this.frame, worldX, worldY, reach);
     const [middleX, middleY] = contact ?? [worldX, worldY];
@@ -289,11 +304,13 @@ class Player {
     const time = Number.parseFloat(asked.get("t")) * (/ms$/.test(asked.get("t") ?? "") ? 0.001 : 1);
     const at = (asked.get("at") ?? "").split(",").map(Number);
     const body = Number.parseInt(asked.get("follow") ?? "-1", 10);
+    this.view.reset();
     if (at.length === 3 && at.every(Number.isFinite) && at[2] > 0) {
       this.view.choose({x: at[0], y: at[1], scale: this.view.limited(this.view.height / at[2])});
     }
-    if (Number.isFinite(time)) this.pause(this.film.frameAt(time));
-    if (body >= 0) this.follow(body);
+    this.view.follow(body);
+    this.frame = null; // the view is that of the frame asked for, which is drawn next
+    this.pause(Number.isFinite(time) ? this.film.frameAt(time) : this.number);
   }
   async copyLink() {
     const text = location.href.split("#")[0] + this.link();
@@ -360,7 +377,9 @@ class Player {
       Home: () => this.pause(0), End: () => this.pause(this.film.frames - 1),
       "[": () => this.changeSpeed(-1), "]": () => this.changeSpeed(1),
       "+": () => this.zoom(kZoomStep), "=": () => this.zoom(kZoomStep), "-": () => this.zoom(1 / kZoomStep),
-      0: () => this.resetView(), f: () => this.followPointed(), d: () => this.setTheme(1 - this.theme),
+      0: () => this.resetView(), f: () => this.followPointed(), n: () => this.followNext(1), N: () => this.followNext(-1),
+      4: () => this.pan(1, 0), 6: () => this.pan(-1, 0), 8: () => this.pan(0, 1), 2: () => this.pan(0, -1),
+      z: () => this.zoomToContact(0.5 * this.canvas.width, 0.5 * this.canvas.height, true), d: () => this.setTheme(1 - this.theme),
       l: () => $("layers").toggleAttribute("open"), r: () => $("repeat").click(), c: () => this.copyLink(),
       "?": () => $("keys").showModal(), Escape: () => $("layers").open = false,
     };

@@ -56,15 +56,13 @@ class View {
     this.followed = body;
     this.lastPlace = null;
   }
-  // Moves with the body that is followed. Call it once for each frame that is shown.
+  // Moves with the body that is followed, not with the film. Call it once for each frame that is shown.
   track(frame) {
     if (this.followed < 0) return;
     const body = describeBody(this.film, frame, this.followed);
     if (!body) return;
-    if (this.lastPlace) {
-      const view = this.of(frame);
-      this.choose({x: view.x + body.x - this.lastPlace[0], y: view.y + body.y - this.lastPlace[1], scale: view.scale});
-    }
+    const view = this.of(frame), [x, y] = this.lastPlace ?? [body.x, body.y];
+    this.choose({x: view.x + body.x - x, y: view.y + body.y - y, scale: view.scale});
     this.lastPlace = [body.x, body.y];
   }
 }
@@ -125,6 +123,15 @@ function eachShape(film, frame, visit) {
       first += 2 * item.count;
     }
   });
+}
+
+// The numbers of all bodies in a frame.
+function bodiesOf(film, frame) {
+  const found = new Set();
+  eachTrack(frame, track => {
+    if (track.owner >= 0 && (track.form.isBody || film.styles[track.style] === kShapes)) found.add(track.owner);
+  });
+  return [...found].sort((a, b) => a - b);
 }
 
 // The number of the topmost body with a shape at the point [m] or within `reach` [m] of it, or -1.

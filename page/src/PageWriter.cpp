@@ -4,9 +4,11 @@
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
+#include <base/Words.h>
 
 #include <cassert>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace boxreel
@@ -90,7 +92,7 @@ PageWriter::~PageWriter() = default;
 
 Result<PageWriter> PageWriter::Open(const std::filesystem::path& path, const PageSettings& settings)
 {
-    if (path.extension() != ".html" && path.extension() != ".HTML")
+    if (Lower(path.extension().string()) != ".html")
     {
         return Error{ErrorKind::Unusable, path.string(), "is not the name of a page",
                      "end it in .html"};
@@ -129,6 +131,13 @@ Result<void> PageWriter::Append(const DrawList& list, const Camera& camera,
                      "zoom out or move the view"};
     }
     PageEncoder& encoder = *m_impl->encoder;
+    if (camera.pixelsPerMeter > encoder.FullScale())
+    {
+        return Error{ErrorKind::Unusable, "camera",
+                     "zooms in to more than " + std::to_string(int(kPageZoom)) +
+                         " times the scale of the first frame, which is the largest zoom of a page",
+                     "begin nearer or zoom in less"};
+    }
     encoder.Add(list, camera, bodies);
     ++m_impl->facts.frames;
     for (const PageBody& body : bodies)

@@ -541,7 +541,7 @@ Command& Declare(Command& program, PlayOptions& play)
     AddFlag(command, "--for-this-renderer", play.forThisRenderer,
             "Store the references for this renderer only; needs --accept");
     AddForce(command, play.force);
-    AddFlag(command, "--resume", play.resume, "Continue stopped films");
+    AddFlag(command, "--resume", play.resume, "Continue stopped films, except pages");
     AddBackend(command, play.backend);
     command.notes = {
         {"A script:"},

@@ -325,8 +325,14 @@ TEST_P(PageLayers, AreThoseOfARenderer)
     expectNext("all layers", content.list, content.camera);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, PageLayers, testing::Values("car", "pyramid", "web"),
-                         [](const auto& shown) { return std::string(shown.param); });
+INSTANTIATE_TEST_SUITE_P(Scenes, PageLayers,
+                         testing::Values("breakable", "car", "pyramid", "revolute", "sphere-stack",
+                                         "web"),
+                         [](const auto& shown) {
+                             std::string name = shown.param;
+                             std::erase(name, '-');
+                             return name;
+                         });
 
 TEST_F(PageInBrowser, PlacesItemsOfEveryStepAsTheList)
 {
@@ -469,6 +475,45 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
 )");
     EXPECT_THAT(results, Not(HasSubstr("WRONG")));
     EXPECT_THAT(results, HasSubstr("right ? shows the keys"));
+}
+
+// The film's own camera moves with the car, so a view that is not the reader's moves too.
+TEST_F(PageInBrowser, FollowsBodyAlsoWhereTheFilmMoves)
+{
+    const std::string page = PageOf("car", "shapes", 300);
+    EXPECT_EQ(Run(page, R"(
+(async () => {
+  const player = await opened, {film, view} = player, lines = [];
+  const check = (what, isRight) => lines.push(`${isRight ? "right" : "WRONG"} ${what}`);
+  const at = async number => {
+    await film.frameLater(number);
+    player.show(number);
+    player.draw();
+    const body = describeBody(film, film.frame(number), view.followed), seen = view.of(film.frame(number));
+    return [(body.x - seen.x) * seen.scale, (body.y - seen.y) * seen.scale];
+  };
+  const near = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]) < 0.01;
+  const moves = film.viewOf(await film.frameLater(300)).x - film.viewOf(await film.frameLater(0)).x;
+  check("the film moves", Math.abs(moves) > 5);
+  player.follow(bodiesOf(film, film.frame(0)).at(-1));
+  const start = await at(0);
+  check("forward", near(await at(300), start));
+  check("back", near(await at(0), start));
+  location.hash = "#t=2s&at=0,0,20&follow=" + view.followed;
+  player.openLink();
+  await film.frameLater(film.frameAt(2));
+  player.draw();
+  check("a link's view is the one it names", view.own.x === 0 && view.own.y === 0 && Math.abs(view.own.height - 20) < 1e-6);
+  location.hash = "#t=1s";
+  player.openLink();
+  check("a link without a view has the film's", view.own === null && view.followed === -1);
+  player.followNext(-1);
+  check("keys go backwards", view.followed === bodiesOf(film, player.frame ?? film.frame(0)).at(-1) || player.frame === null);
+  leave(lines.join("\n"));
+})().catch(error => leave(`WRONG ${error.stack}`));
+)"),
+              "right the film moves\nright forward\nright back\nright a link's view is the one it "
+              "names\nright a link without a view has the film's\nright keys go backwards\n");
 }
 
 TEST_F(PageInBrowser, DescribesBodiesAsTheWorldHasThem)

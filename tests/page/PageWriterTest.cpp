@@ -261,6 +261,11 @@ TEST_F(PageWriterTest, RefusesCamerasThatCannotBeDrawn)
     other.centerX = 1e13;
     EXPECT_FALSE(writer.Append(ListAt(0), other));
     EXPECT_TRUE(writer.Append(ListAt(0), kCamera));
+    other = kCamera;
+    other.pixelsPerMeter = 1.01 * kPageZoom * kCamera.pixelsPerMeter;
+    EXPECT_FALSE(writer.Append(ListAt(1), other)) << "places would be less exact than promised";
+    other.pixelsPerMeter = kPageZoom * kCamera.pixelsPerMeter;
+    EXPECT_TRUE(writer.Append(ListAt(1), other));
 }
 
 TEST_F(PageWriterTest, LeavesThePageSoFarWhenSuspended)
