@@ -16,6 +16,9 @@ os.environ["BOXREEL_SIGNATURES"] = "1"  # before the module is loaded: its texts
 HEAD = '# Made by python/stubs.py.\nfrom typing import Any, Iterator, Sequence\n'
 PLAIN = {"bool", "int", "float", "str", "bytes", "None", "list", "tuple", "dict"}
 SIGNATURE = re.compile(r"^(?:\w+)?\((.*)\)(?: -> (.+?))?$")
+LISTS = {("b2World", "bodies"): "list[b2Body]", ("b2World", "joints"): "list[b2Joint]", ("b2World", "contacts"): "list[b2Contact]",
+         ("b2Body", "fixtures"): "list[b2Fixture]", ("b2Body", "joints"): "list[b2JointEdge]",
+         ("b2Body", "contacts"): "list[b2ContactEdge]"}
 OPERATORS = {"__init__", "__len__", "__getitem__", "__setitem__", "__iter__", "__eq__", "__ne__", "__neg__", "__pos__", "__add__",
              "__radd__", "__sub__", "__rsub__", "__mul__", "__rmul__", "__truediv__", "__iadd__", "__isub__", "__imul__", "__itruediv__",
              "__abs__", "__bool__", "__contains__", "__hash__", "__enter__", "__exit__", "__call__"}
@@ -72,7 +75,9 @@ class Writer:
                     parameters.append("*")
                 is_self = is_method and not parameters
                 parameters.append("self" if is_self else f"{stars}{one.name}: Any{' = ...' if one.default is not one.empty else ''}")
-            return f"({', '.join(parameters)}) -> {'None' if function.__name__ == '__init__' else 'Any'}", text
+            written = getattr(function, "__annotations__", {}).get("return")
+            returned = "None" if function.__name__ == "__init__" else written.__name__ if written else "Any"
+            return f"({', '.join(parameters)}) -> {returned}", text
         except (TypeError, ValueError):
             return f"({'self, ' * is_method}*args: Any, **kwargs: Any) -> Any", text
 
@@ -85,11 +90,12 @@ class Writer:
         body = f'\n{indent}    """{text}"""\n{indent}    ...' if text and '"""' not in text and "\\" not in text else " ..."
         self.lines.append(f"{indent}def {name}{signature}:{body}")
 
-    def property(self, name, value):
+    def property(self, name, value, owner):
         first = (inspect.getdoc(value.fget) or "").splitlines()
         found = SIGNATURE.match(first[0]) if first else None
         written = getattr(value.fget, "__annotations__", {}).get("return")  # of a property in Python
         kind = written.__name__ if written else self.type_of(found[2]) if found and found[2] else "Any"
+        kind = LISTS.get((owner, name), "Any" if owner == "b2Color" and kind == "list" else kind)  # which has a member `list`
         text = re.sub(r"^\(.*?\) -> \S+\s*", "", inspect.getdoc(value) or "", flags=re.DOTALL).replace("\n", " ").strip()
         self.lines.append(f"    @property\n    def {name}(self) -> {kind}:" + (f'\n        """{text}"""\n        ...' if text else " ..."))
         if value.fset:
@@ -116,7 +122,7 @@ class Writer:
             if key.startswith("_") and key not in OPERATORS or key in fields:
                 continue
             if isinstance(value, property):
-                self.property(key, value)
+                self.property(key, value, name)
             elif key == "__hash__" or inspect.isclass(value):
                 continue
             elif callable(value) or isinstance(value, (staticmethod, classmethod)):
@@ -130,6 +136,7 @@ class Writer:
 
     def text(self):
         done = set()
+        self.lines += [f"{name}: str" for name in ("__version__",) if hasattr(self.module, name)]
         for name, value in sorted(self.public.items(), key=lambda item: (len(item[1].__mro__) if inspect.isclass(item[1]) else 99, item[0])):
             if inspect.isclass(value):
                 if value in done:
@@ -155,8 +162,9 @@ def main():
     (here / "Box2D/__init__.pyi").write_text(HEAD + Writer(Box2D).text(), encoding="utf-8")
     names = [(Box2D.b2._short(full), full) for full in Box2D.__all__ if Box2D.b2._short(full) in Box2D.b2.__all__]
     names += [("error", "b2Error"), ("globals_", "b2Globals"), ("globals", "b2Globals")]
-    (here / "Box2D/b2.pyi").write_text("# Made by python/stubs.py.\n" + "".join(
-        f"from . import {full} as {short}\n" for short, full in names), encoding="utf-8")
+    # Assignments, because an import under another name is not exported.
+    (here / "Box2D/b2.pyi").write_text("# Made by python/stubs.py.\nimport Box2D as _box2d\n\n" + "".join(
+        f"{short} = _box2d.{full}\n" for short, full in dict(names).items()), encoding="utf-8")
     ours = Writer(boxreel, ("b2World", "b2Body"))
     (here / "boxreel/__init__.pyi").write_text(HEAD + "from Box2D import b2Body, b2World\n" + ours.text(), encoding="utf-8")
     for package in ("Box2D", "boxreel"):

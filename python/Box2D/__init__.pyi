@@ -1,5 +1,6 @@
 # Made by python/stubs.py.
 from typing import Any, Iterator, Sequence
+__version__: str
 
 class b2BroadPhase:
     """Numbers of the broad phase of a world."""
@@ -169,6 +170,33 @@ class b2AABB:
     def __eq__(self, other: object) -> bool: ...
     def copy(self) -> b2AABB:
         """Returns a copy."""
+        ...
+    def GetLowerBound(self) -> Any:
+        """Lower left corner [m]."""
+        ...
+    def SetLowerBound(self, value: Any) -> Any:
+        """Lower left corner [m]."""
+        ...
+    def GetUpperBound(self) -> Any:
+        """Upper right corner [m]."""
+        ...
+    def SetUpperBound(self, value: Any) -> Any:
+        """Upper right corner [m]."""
+        ...
+    def GetValid(self) -> Any:
+        """True if the bounds are sorted and finite."""
+        ...
+    def IsValid(self) -> Any:
+        """True if the bounds are sorted and finite."""
+        ...
+    def GetCenter(self) -> Any:
+        """Centre [m]."""
+        ...
+    def GetExtents(self) -> Any:
+        """Half the width and half the height [m]."""
+        ...
+    def GetPerimeter(self) -> Any:
+        """Perimeter [m]."""
         ...
 
 class b2Body:
@@ -341,7 +369,7 @@ class b2Body:
         """Returns the velocity [m/s] of a point of the body [m]."""
         ...
     @property
-    def fixtures(self) -> list:
+    def fixtures(self) -> list[b2Fixture]:
         """The fixtures, in the order of creation."""
         ...
     @property
@@ -364,22 +392,22 @@ class b2Body:
         ...
     def __iter__(self) -> Any: ...
     def __contains__(self, arg0: Any, /) -> bool: ...
-    def CreateFixture(self, defn: Any = ..., density: Any = ..., **keywords: Any) -> Any:
+    def CreateFixture(self, defn: Any = ..., density: Any = ..., **keywords: Any) -> b2Fixture:
         """Attaches a fixture, by a b2FixtureDef, by a shape and a density [kg/m^2], or by keywords. Returns it."""
         ...
-    def CreatePolygonFixture(self, **keywords: Any) -> Any:
+    def CreatePolygonFixture(self, **keywords: Any) -> b2Fixture:
         """Attaches a b2PolygonShape: box, vertices, radius, and the fields of b2FixtureDef."""
         ...
-    def CreateCircleFixture(self, **keywords: Any) -> Any:
+    def CreateCircleFixture(self, **keywords: Any) -> b2Fixture:
         """Attaches a b2CircleShape: pos, radius, and the fields of b2FixtureDef."""
         ...
-    def CreateEdgeFixture(self, **keywords: Any) -> Any:
+    def CreateEdgeFixture(self, **keywords: Any) -> b2Fixture:
         """Attaches a b2EdgeShape: vertices, all_vertices, vertex0, vertex1, vertex2, vertex3, radius, and the fields of b2FixtureDef."""
         ...
-    def CreateLoopFixture(self, **keywords: Any) -> Any:
+    def CreateLoopFixture(self, **keywords: Any) -> b2Fixture:
         """Attaches a b2ChainShape: vertices, vertices_loop, vertices_chain, radius, and the fields of b2FixtureDef."""
         ...
-    def CreateChainFixture(self, **keywords: Any) -> Any:
+    def CreateChainFixture(self, **keywords: Any) -> b2Fixture:
         """Attaches an open chain: vertices, and the fields of b2FixtureDef."""
         ...
     def CreateEdgeChain(self, edge_list: Any) -> Any:
@@ -389,11 +417,11 @@ class b2Body:
         """Attaches one or several shapes with the material of `shapeFixture`. Returns the fixture, or a list."""
         ...
     @property
-    def joints(self) -> Any:
+    def joints(self) -> list[b2JointEdge]:
         """The joints, as a list of b2JointEdge."""
         ...
     @property
-    def contacts(self) -> Any:
+    def contacts(self) -> list[b2ContactEdge]:
         """The contacts, as a list of b2ContactEdge."""
         ...
     @property
@@ -472,6 +500,9 @@ class b2Body:
         """b2_staticBody, b2_kinematicBody or b2_dynamicBody."""
         ...
     def GetBullet(self) -> Any:
+        """True for continuous collision against dynamic bodies too."""
+        ...
+    def IsBullet(self) -> Any:
         """True for continuous collision against dynamic bodies too."""
         ...
     def SetBullet(self, value: Any) -> Any:
@@ -646,13 +677,13 @@ class b2Color:
         """Returns a copy."""
         ...
     @property
-    def list(self) -> list:
+    def list(self) -> Any:
         """Red, green and blue as a list."""
         ...
     @list.setter
     def list(self, value: Any) -> None: ...
     @property
-    def bytes(self) -> list:
+    def bytes(self) -> Any:
         """Red, green and blue from 0 to 255, as a list."""
         ...
     def Set(self, r: Any, g: Any, b: Any, a: Any = ...) -> None:
@@ -1746,6 +1777,18 @@ class b2Shape:
     def ComputeMass(self, density: Any) -> b2MassData:
         """Returns the mass data for a density [kg/m^2]."""
         ...
+    def GetType(self) -> Any:
+        """One of e_circle, e_edge, e_polygon and e_chain."""
+        ...
+    def GetChildCount(self) -> Any:
+        """Number of edges of a chain; 1 for other shapes."""
+        ...
+    def GetRadius(self) -> Any:
+        """Radius of a circle, or of the skin of another shape [m]."""
+        ...
+    def SetRadius(self, value: Any) -> Any:
+        """Radius of a circle, or of the skin of another shape [m]."""
+        ...
 
 class b2Sweep:
     """The motion of a body during a step."""
@@ -2188,15 +2231,15 @@ class b2World:
         """Draws the world with the renderer."""
         ...
     @property
-    def bodies(self) -> list:
+    def bodies(self) -> list[b2Body]:
         """The bodies, in the order of creation."""
         ...
     @property
-    def joints(self) -> list:
+    def joints(self) -> list[b2Joint]:
         """The joints, in the order of creation."""
         ...
     @property
-    def contacts(self) -> list:
+    def contacts(self) -> list[b2Contact]:
         """The contacts, touching or not."""
         ...
     @property
@@ -2217,52 +2260,52 @@ class b2World:
     def contacts_gen(self) -> Any:
         """A generator of contacts."""
         ...
-    def CreateBody(self, defn: Any = ..., **keywords: Any) -> Any:
+    def CreateBody(self, defn: Any = ..., **keywords: Any) -> b2Body:
         """Creates a body from a b2BodyDef or from keywords: its fields, fixtures, shapes, shapeFixture, and mass data."""
         ...
-    def CreateStaticBody(self, defn: Any = ..., **keywords: Any) -> Any:
+    def CreateStaticBody(self, defn: Any = ..., **keywords: Any) -> b2Body:
         """Creates a static body from a b2BodyDef or from keywords; see CreateBody."""
         ...
-    def CreateKinematicBody(self, defn: Any = ..., **keywords: Any) -> Any:
+    def CreateKinematicBody(self, defn: Any = ..., **keywords: Any) -> b2Body:
         """Creates a kinematic body from a b2BodyDef or from keywords; see CreateBody."""
         ...
-    def CreateDynamicBody(self, defn: Any = ..., **keywords: Any) -> Any:
+    def CreateDynamicBody(self, defn: Any = ..., **keywords: Any) -> b2Body:
         """Creates a dynamic body from a b2BodyDef or from keywords; see CreateBody."""
         ...
-    def CreateJoint(self, defn: Any = ..., type: Any = ..., **keywords: Any) -> Any:
+    def CreateJoint(self, defn: Any = ..., type: Any = ..., **keywords: Any) -> b2Joint:
         """Creates a joint from a definition, or from its class `type` and keywords."""
         ...
-    def CreateRevoluteJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
+    def CreateRevoluteJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> b2RevoluteJoint:
         """Creates a joint from the keywords of b2RevoluteJointDef."""
         ...
-    def CreatePrismaticJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
+    def CreatePrismaticJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> b2PrismaticJoint:
         """Creates a joint from the keywords of b2PrismaticJointDef."""
         ...
-    def CreateDistanceJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
+    def CreateDistanceJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> b2DistanceJoint:
         """Creates a joint from the keywords of b2DistanceJointDef."""
         ...
-    def CreatePulleyJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
+    def CreatePulleyJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> b2PulleyJoint:
         """Creates a joint from the keywords of b2PulleyJointDef."""
         ...
-    def CreateMouseJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
+    def CreateMouseJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> b2MouseJoint:
         """Creates a joint from the keywords of b2MouseJointDef."""
         ...
-    def CreateGearJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
+    def CreateGearJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> b2GearJoint:
         """Creates a joint from the keywords of b2GearJointDef."""
         ...
-    def CreateWheelJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
+    def CreateWheelJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> b2WheelJoint:
         """Creates a joint from the keywords of b2WheelJointDef."""
         ...
-    def CreateWeldJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
+    def CreateWeldJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> b2WeldJoint:
         """Creates a joint from the keywords of b2WeldJointDef."""
         ...
-    def CreateFrictionJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
+    def CreateFrictionJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> b2FrictionJoint:
         """Creates a joint from the keywords of b2FrictionJointDef."""
         ...
-    def CreateRopeJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
+    def CreateRopeJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> b2RopeJoint:
         """Creates a joint from the keywords of b2RopeJointDef."""
         ...
-    def CreateMotorJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> Any:
+    def CreateMotorJoint(self, bodyA: Any = ..., bodyB: Any = ..., **keywords: Any) -> b2MotorJoint:
         """Creates a joint from the keywords of b2MotorJointDef."""
         ...
     @property
@@ -2534,6 +2577,48 @@ class b2ChainShape(b2Shape):
         """Returns a copy."""
         ...
     def __eq__(self, other: object) -> bool: ...
+    def GetVertices(self) -> Any:
+        """The vertices [m]. Setting them makes a closed loop."""
+        ...
+    def SetVertices(self, value: Any) -> Any:
+        """The vertices [m]. Setting them makes a closed loop."""
+        ...
+    def GetVertices_loop(self) -> Any:
+        """The vertices [m]. Setting them makes a closed loop."""
+        ...
+    def SetVertices_loop(self, value: Any) -> Any:
+        """The vertices [m]. Setting them makes a closed loop."""
+        ...
+    def GetVertices_chain(self) -> Any:
+        """The vertices [m]. Setting them makes an open chain."""
+        ...
+    def SetVertices_chain(self, value: Any) -> Any:
+        """The vertices [m]. Setting them makes an open chain."""
+        ...
+    def GetVertexCount(self) -> Any:
+        """Number of vertices; a loop stores its first one twice."""
+        ...
+    def GetEdges(self) -> Any:
+        """The edges, as a list of b2EdgeShape."""
+        ...
+    def GetPrevVertex(self) -> Any:
+        """The vertex before the first [m]."""
+        ...
+    def SetPrevVertex(self, value: Any) -> Any:
+        """The vertex before the first [m]."""
+        ...
+    def GetNextVertex(self) -> Any:
+        """The vertex after the last [m]."""
+        ...
+    def SetNextVertex(self, value: Any) -> Any:
+        """The vertex after the last [m]."""
+        ...
+    def CreateChain(self, vertices: Any) -> Any:
+        """Sets the points of an open chain [m]."""
+        ...
+    def CreateLoop(self, vertices: Any) -> Any:
+        """Sets the points of a closed chain [m]."""
+        ...
 
 class b2CircleShape(b2Shape):
     """A solid circle: radius=, pos=."""
@@ -2556,6 +2641,18 @@ class b2CircleShape(b2Shape):
         """Returns a copy."""
         ...
     def __eq__(self, other: object) -> bool: ...
+    def GetPos(self) -> Any:
+        """Centre [m]."""
+        ...
+    def SetPos(self, value: Any) -> Any:
+        """Centre [m]."""
+        ...
+    def GetVertices(self) -> Any:
+        """The centre, in a list [m]."""
+        ...
+    def GetVertexCount(self) -> Any:
+        """Always 1."""
+        ...
 
 class b2DistanceJoint(b2Joint):
     """Keeps two anchors at a distance."""
@@ -2719,6 +2816,60 @@ class b2EdgeShape(b2Shape):
         """Returns a copy."""
         ...
     def __eq__(self, other: object) -> bool: ...
+    def GetVertex0(self) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def SetVertex0(self, value: Any) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def GetVertex1(self) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def SetVertex1(self, value: Any) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def GetVertex2(self) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def SetVertex2(self, value: Any) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def GetVertex3(self) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def SetVertex3(self, value: Any) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def GetHasVertex0(self) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def SetHasVertex0(self, value: Any) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def GetHasVertex3(self) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def SetHasVertex3(self, value: Any) -> Any:
+        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+        ...
+    def GetVertices(self) -> Any:
+        """The two ends [m]. May be set with those of the neighbours: 3 or 4 points."""
+        ...
+    def SetVertices(self, value: Any) -> Any:
+        """The two ends [m]. May be set with those of the neighbours: 3 or 4 points."""
+        ...
+    def GetAll_vertices(self) -> Any:
+        """The vertex before, the two ends, and the vertex after [m]."""
+        ...
+    def SetAll_vertices(self, value: Any) -> Any:
+        """The vertex before, the two ends, and the vertex after [m]."""
+        ...
+    def GetVertexCount(self) -> Any:
+        """Always 2."""
+        ...
+    def Set(self, v1: Any, v2: Any) -> Any:
+        """Sets both ends [m]."""
+        ...
 
 class b2FixtureFilter(b2Filter):
     """The filter of a fixture. What is written reaches the fixture."""
@@ -3004,6 +3155,39 @@ class b2PolygonShape(b2Shape):
         """Sets the vertices [m]."""
         ...
     def __eq__(self, other: object) -> bool: ...
+    def GetVertices(self) -> Any:
+        """The vertices, counter-clockwise [m]. Setting them takes their convex hull."""
+        ...
+    def SetVertices(self, value: Any) -> Any:
+        """The vertices, counter-clockwise [m]. Setting them takes their convex hull."""
+        ...
+    def GetBox(self) -> Any:
+        """Half-width and half-height [m], and optionally a centre [m] and an angle [rad]."""
+        ...
+    def SetBox(self, value: Any) -> Any:
+        """Half-width and half-height [m], and optionally a centre [m] and an angle [rad]."""
+        ...
+    def GetNormals(self) -> Any:
+        """Outward unit normals of the edges."""
+        ...
+    def GetCentroid(self) -> Any:
+        """Centroid of the area [m]."""
+        ...
+    def GetVertexCount(self) -> Any:
+        """Number of vertices."""
+        ...
+    def GetValid(self) -> Any:
+        """True if the polygon is convex and has a size."""
+        ...
+    def IsValid(self) -> Any:
+        """True if the polygon is convex and has a size."""
+        ...
+    def GetVertex(self, index: Any) -> Any:
+        """Returns a vertex [m]."""
+        ...
+    def Validate(self) -> Any:
+        """True if the polygon is convex and has an area."""
+        ...
 
 class b2PrismaticJoint(b2Joint):
     """A slider: body B moves along an axis of body A."""

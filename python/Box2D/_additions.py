@@ -57,7 +57,7 @@ def _as_list(value):
 
 # ---- Bodies
 
-def _create_fixture(self, defn=None, density=None, **keywords):
+def _create_fixture(self, defn=None, density=None, **keywords) -> b2Fixture:
     """Attaches a fixture, by a b2FixtureDef, by a shape and a density [kg/m^2], or by keywords. Returns it."""
     if isinstance(defn, b2Shape):
         keywords["shape"] = defn
@@ -89,11 +89,12 @@ def _shape_fixture(shape_class, *names):
             shape = shape_class(**{name: keywords.pop(name) for name in names if name in keywords})
         return _create_fixture(self, shape=shape, **keywords)
 
+    create.__annotations__ = {"return": b2Fixture}
     create.__doc__ = f"Attaches a {shape_class.__name__}: {', '.join(names)}, and the fields of b2FixtureDef."
     return create
 
 
-def _create_chain_fixture(self, **keywords):
+def _create_chain_fixture(self, **keywords) -> b2Fixture:
     """Attaches an open chain: vertices, and the fields of b2FixtureDef."""
     if "vertices" in keywords:
         keywords["vertices_chain"] = keywords.pop("vertices")
@@ -186,7 +187,7 @@ def _world_init(self, gravity=(0, -10), doSleep=True, **keywords):
         setattr(self, name, value)
 
 
-def _create_body(self, defn=None, **keywords):
+def _create_body(self, defn=None, **keywords) -> b2Body:
     """Creates a body from a b2BodyDef or from keywords: its fields, fixtures, shapes, shapeFixture, and mass data."""
     mass = {name: keywords.pop(name) for name in ("massData", "localCenter", "inertia", "mass") if name in keywords}
     if defn is None:
@@ -210,7 +211,7 @@ def _create_body(self, defn=None, **keywords):
 
 
 def _create_typed_body(number, word):
-    def create(self, defn=None, **keywords):
+    def create(self, defn=None, **keywords) -> b2Body:
         if not isinstance(defn, b2BodyDef):
             return _create_body(self, defn, type=number, **keywords)
         defn = copy.copy(defn)
@@ -221,7 +222,7 @@ def _create_typed_body(number, word):
     return create
 
 
-def _create_joint(self, defn=None, type=None, **keywords):
+def _create_joint(self, defn=None, type=None, **keywords) -> b2Joint:
     """Creates a joint from a definition, or from its class `type` and keywords."""
     if defn is None:
         if type is None:
@@ -252,6 +253,7 @@ def _create_named_joint(name, definition):
                 keywords[key] = body
         return _create_joint(self, definition(**keywords))
 
+    create.__annotations__ = {"return": getattr(_boxreel, name[:-3])}
     create.__doc__ = f"Creates a joint from the keywords of {name}."
     return create
 
@@ -479,7 +481,7 @@ def _add_accessors(cls):
         if issubclass(cls, b2Joint):
             word = _CPP_NAMES.get(name, word)
         accessors = {"Get" + word: _getter(member.fget, member.__doc__)}
-        if (member.__doc__ or "").startswith("True if") or name in ("enabled", "locked", "awake", "active"):
+        if (member.__doc__ or "").startswith("True if") or name in ("enabled", "locked", "awake", "active", "bullet", "valid"):
             accessors["Is" + word] = _getter(member.fget, member.__doc__)
         if member.fset is not None:
             accessors["Set" + word] = _setter(member.fset, member.__doc__)
@@ -506,7 +508,43 @@ def _setter(function, doc):
     return put
 
 
-for _class in (b2BroadPhase, b2World, b2Body, b2Fixture, b2Contact, b2Joint, *b2Joint.__subclasses__()):
+for _class in (b2BroadPhase, b2World, b2Body, b2Fixture, b2Contact, b2Joint, *b2Joint.__subclasses__(), _boxreel.b2AABB,
+               b2Shape, b2CircleShape, b2EdgeShape, b2PolygonShape, b2ChainShape):
     _add_accessors(_class)
+
+
+def _vertex(self, index):
+    """Returns a vertex [m]."""
+    vertices = self.vertices
+    if not isinstance(index, int) or not 0 <= index < len(vertices):
+        raise IndexError(f"index: the shape has {len(vertices)} vertices, not one of {index!r}")
+    return _boxreel.b2Vec2(vertices[index])
+
+
+def _create_chain(self, vertices):
+    """Sets the points of an open chain [m]."""
+    self.vertices_chain = vertices
+
+
+def _create_loop(self, vertices):
+    """Sets the points of a closed chain [m]."""
+    self.vertices_loop = vertices
+
+
+def _set_edge(self, v1, v2):
+    """Sets both ends [m]."""
+    self.vertices = [v1, v2]
+
+
+def _validate(self):
+    """True if the polygon is convex and has an area."""
+    return self.valid
+
+
+b2PolygonShape.GetVertex = _vertex
+b2PolygonShape.Validate = _validate
+b2ChainShape.CreateChain = _create_chain
+b2ChainShape.CreateLoop = _create_loop
+b2EdgeShape.Set = _set_edge
 
 __all__ = ["b2BroadPhase", "b2JointEdge", "b2ContactEdge", "b2ContactManager"]

@@ -94,6 +94,9 @@ class b2Draw(_Callback):
             return
         if not isinstance(value, dict):
             raise TypeError(f"flags: expected bits or a dictionary of names, not '{type(value).__name__}'")
+        for name in value:
+            if name not in _FLAGS and name != "convertVertices":
+                raise TypeError(f"flags: there is no flag '{name}'{_boxreel._hint(name, list(_FLAGS))}")
         self._bits = sum(bit for name, bit in _FLAGS.items() if value.get(name, False))
         if "convertVertices" in value:
             self._converts = bool(value["convertVertices"])

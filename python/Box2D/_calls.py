@@ -29,7 +29,7 @@ def checked(function, name, is_method):
         owner = "" if not is_method or not arguments else arguments[0]
         owner = owner.__name__ if isinstance(owner, type) else type(owner).__name__ if is_method else ""
         full = owner if name in ("__init__", "__new__") else f"{owner}.{name}" if owner else name
-        _refuse(full, names, arguments[is_method:], keywords)
+        _refuse(full, names, *arguments[is_method:], **keywords)
 
     return call
 

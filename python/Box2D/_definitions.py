@@ -22,7 +22,7 @@ class _Definition:
         """Returns all arguments by name."""
         places = dict(zip(self._places, values))
         if len(values) > len(self._places) or places.keys() & keywords.keys():
-            _refuse(type(self).__name__, list(self._places or self._fields), values, keywords)
+            _refuse(type(self).__name__, list(self._places or self._fields), *values, **keywords)
         return {**places, **keywords}
 
     @classmethod

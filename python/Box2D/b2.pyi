@@ -1,173 +1,173 @@
 # Made by python/stubs.py.
-from . import b2Error as error
-from . import b2TypeError as typeError
-from . import b2_pi as pi
-from . import b2_epsilon as epsilon
-from . import b2_maxFloat as maxFloat
-from . import b2_maxManifoldPoints as maxManifoldPoints
-from . import b2_maxPolygonVertices as maxPolygonVertices
-from . import b2_aabbExtension as aabbExtension
-from . import b2_aabbMultiplier as aabbMultiplier
-from . import b2_linearSlop as linearSlop
-from . import b2_angularSlop as angularSlop
-from . import b2_polygonRadius as polygonRadius
-from . import b2_maxSubSteps as maxSubSteps
-from . import b2_maxTOIContacts as maxTOIContacts
-from . import b2_velocityThreshold as velocityThreshold
-from . import b2_maxLinearCorrection as maxLinearCorrection
-from . import b2_maxAngularCorrection as maxAngularCorrection
-from . import b2_maxTranslation as maxTranslation
-from . import b2_maxTranslationSquared as maxTranslationSquared
-from . import b2_maxRotation as maxRotation
-from . import b2_maxRotationSquared as maxRotationSquared
-from . import b2_baumgarte as baumgarte
-from . import b2_toiBaugarte as toiBaugarte
-from . import b2_timeToSleep as timeToSleep
-from . import b2_linearSleepTolerance as linearSleepTolerance
-from . import b2_angularSleepTolerance as angularSleepTolerance
-from . import b2_minPulleyLength as minPulleyLength
-from . import b2_chunkSize as chunkSize
-from . import b2_chunkArrayIncrement as chunkArrayIncrement
-from . import b2_maxBlockSize as maxBlockSize
-from . import b2_blockSizes as blockSizes
-from . import b2_stackSize as stackSize
-from . import b2_maxStackEntries as maxStackEntries
-from . import b2_nullFeature as nullFeature
-from . import b2_staticBody as staticBody
-from . import b2_kinematicBody as kinematicBody
-from . import b2_dynamicBody as dynamicBody
-from . import b2_nullState as nullState
-from . import b2_addState as addState
-from . import b2_persistState as persistState
-from . import b2_removeState as removeState
-from . import e_unknownJoint as e_unknownJoint
-from . import e_revoluteJoint as e_revoluteJoint
-from . import e_prismaticJoint as e_prismaticJoint
-from . import e_distanceJoint as e_distanceJoint
-from . import e_pulleyJoint as e_pulleyJoint
-from . import e_mouseJoint as e_mouseJoint
-from . import e_gearJoint as e_gearJoint
-from . import e_wheelJoint as e_wheelJoint
-from . import e_weldJoint as e_weldJoint
-from . import e_frictionJoint as e_frictionJoint
-from . import e_ropeJoint as e_ropeJoint
-from . import e_motorJoint as e_motorJoint
-from . import e_inactiveLimit as e_inactiveLimit
-from . import e_atLowerLimit as e_atLowerLimit
-from . import e_atUpperLimit as e_atUpperLimit
-from . import e_equalLimits as e_equalLimits
-from . import b2Vec2 as vec2
-from . import b2Vec3 as vec3
-from . import b2Mat22 as mat22
-from . import b2Mat33 as mat33
-from . import b2Rot as rot
-from . import b2Transform as transform
-from . import b2Sweep as sweep
-from . import b2Color as color
-from . import b2Mul as mul
-from . import b2MulT as mulT
-from . import b2Cross as cross
-from . import b2Dot as dot
-from . import b2DistanceSquared as distanceSquared
-from . import b2Mul22 as mul22
-from . import b2IsValid as isValid
-from . import b2Sqrt as sqrt
-from . import b2InvSqrt as invSqrt
-from . import b2Atan2 as atan2
-from . import b2MixFriction as mixFriction
-from . import b2MixRestitution as mixRestitution
-from . import b2NextPowerOfTwo as nextPowerOfTwo
-from . import b2IsPowerOfTwo as isPowerOfTwo
-from . import b2Shape as shape
-from . import b2CircleShape as circleShape
-from . import b2EdgeShape as edgeShape
-from . import b2PolygonShape as polygonShape
-from . import b2ChainShape as chainShape
-from . import b2RayCastInput as rayCastInput
-from . import b2RayCastOutput as rayCastOutput
-from . import b2AABB as AABB
-from . import b2MassData as massData
-from . import b2Filter as filter
-from . import b2ContactFeature as contactFeature
-from . import b2ContactID as contactID
-from . import b2ManifoldPoint as manifoldPoint
-from . import b2Manifold as manifold
-from . import b2WorldManifold as worldManifold
-from . import b2ContactImpulse as contactImpulse
-from . import b2GetPointStates as getPointStates
-from . import b2CollideCircles as collideCircles
-from . import b2CollidePolygonAndCircle as collidePolygonAndCircle
-from . import b2CollidePolygons as collidePolygons
-from . import b2CollideEdgeAndCircle as collideEdgeAndCircle
-from . import b2CollideEdgeAndPolygon as collideEdgeAndPolygon
-from . import b2TestOverlap as testOverlap
-from . import b2Contact as contact
-from . import b2Body as body
-from . import b2Fixture as fixture
-from . import b2Joint as joint
-from . import b2RevoluteJoint as revoluteJoint
-from . import b2WheelJoint as wheelJoint
-from . import b2PrismaticJoint as prismaticJoint
-from . import b2DistanceJoint as distanceJoint
-from . import b2RopeJoint as ropeJoint
-from . import b2PulleyJoint as pulleyJoint
-from . import b2MouseJoint as mouseJoint
-from . import b2GearJoint as gearJoint
-from . import b2WeldJoint as weldJoint
-from . import b2FrictionJoint as frictionJoint
-from . import b2MotorJoint as motorJoint
-from . import b2Profile as profile
-from . import b2World as world
-from . import b2BodyDef as bodyDef
-from . import b2FixtureDef as fixtureDef
-from . import b2JointDef as jointDef
-from . import b2RevoluteJointDef as revoluteJointDef
-from . import b2PrismaticJointDef as prismaticJointDef
-from . import b2DistanceJointDef as distanceJointDef
-from . import b2PulleyJointDef as pulleyJointDef
-from . import b2MouseJointDef as mouseJointDef
-from . import b2GearJointDef as gearJointDef
-from . import b2WheelJointDef as wheelJointDef
-from . import b2WeldJointDef as weldJointDef
-from . import b2FrictionJointDef as frictionJointDef
-from . import b2RopeJointDef as ropeJointDef
-from . import b2MotorJointDef as motorJointDef
-from . import b2ContactListener as contactListener
-from . import b2ContactFilter as contactFilter
-from . import b2DestructionListener as destructionListener
-from . import b2QueryCallback as queryCallback
-from . import b2RayCastCallback as rayCastCallback
-from . import b2Draw as draw
-from . import b2DrawExtended as drawExtended
-from . import b2BroadPhase as broadPhase
-from . import b2JointEdge as jointEdge
-from . import b2ContactEdge as contactEdge
-from . import b2ContactManager as contactManager
-from . import b2DistanceProxy as distanceProxy
-from . import b2DistanceInput as distanceInput
-from . import b2DistanceOutput as distanceOutput
-from . import b2DistanceResult as distanceResult
-from . import b2TOIInput as TOIInput
-from . import b2TOIOutput as TOIOutput
-from . import b2ContactPoint as contactPoint
-from . import b2ClipVertex as clipVertex
-from . import b2Version as version
-from . import b2Distance as distance
-from . import b2TimeOfImpact as timeOfImpact
-from . import b2CheckPolygon as checkPolygon
-from . import b2BodyCompare as bodyCompare
-from . import b2FixtureCompare as fixtureCompare
-from . import b2JointCompare as jointCompare
-from . import b2ShapeCompare as shapeCompare
-from . import b2Random as random
-from . import RAND_LIMIT as RAND_LIMIT
-from . import b2BoundVec2 as boundVec2
-from . import b2FixtureFilter as fixtureFilter
-from . import b2_version as version
-from . import b2LoopShape as loopShape
-from . import b2DebugDraw as debugDraw
-from . import b2Vec2Array as vec2Array
-from . import b2Clamp as clamp
-from . import b2Error as error
-from . import b2Globals as globals_
-from . import b2Globals as globals
+import Box2D as _box2d
+
+error = _box2d.b2Error
+typeError = _box2d.b2TypeError
+pi = _box2d.b2_pi
+epsilon = _box2d.b2_epsilon
+maxFloat = _box2d.b2_maxFloat
+maxManifoldPoints = _box2d.b2_maxManifoldPoints
+maxPolygonVertices = _box2d.b2_maxPolygonVertices
+aabbExtension = _box2d.b2_aabbExtension
+aabbMultiplier = _box2d.b2_aabbMultiplier
+linearSlop = _box2d.b2_linearSlop
+angularSlop = _box2d.b2_angularSlop
+polygonRadius = _box2d.b2_polygonRadius
+maxSubSteps = _box2d.b2_maxSubSteps
+maxTOIContacts = _box2d.b2_maxTOIContacts
+velocityThreshold = _box2d.b2_velocityThreshold
+maxLinearCorrection = _box2d.b2_maxLinearCorrection
+maxAngularCorrection = _box2d.b2_maxAngularCorrection
+maxTranslation = _box2d.b2_maxTranslation
+maxTranslationSquared = _box2d.b2_maxTranslationSquared
+maxRotation = _box2d.b2_maxRotation
+maxRotationSquared = _box2d.b2_maxRotationSquared
+baumgarte = _box2d.b2_baumgarte
+toiBaugarte = _box2d.b2_toiBaugarte
+timeToSleep = _box2d.b2_timeToSleep
+linearSleepTolerance = _box2d.b2_linearSleepTolerance
+angularSleepTolerance = _box2d.b2_angularSleepTolerance
+minPulleyLength = _box2d.b2_minPulleyLength
+chunkSize = _box2d.b2_chunkSize
+chunkArrayIncrement = _box2d.b2_chunkArrayIncrement
+maxBlockSize = _box2d.b2_maxBlockSize
+blockSizes = _box2d.b2_blockSizes
+stackSize = _box2d.b2_stackSize
+maxStackEntries = _box2d.b2_maxStackEntries
+nullFeature = _box2d.b2_nullFeature
+staticBody = _box2d.b2_staticBody
+kinematicBody = _box2d.b2_kinematicBody
+dynamicBody = _box2d.b2_dynamicBody
+nullState = _box2d.b2_nullState
+addState = _box2d.b2_addState
+persistState = _box2d.b2_persistState
+removeState = _box2d.b2_removeState
+e_unknownJoint = _box2d.e_unknownJoint
+e_revoluteJoint = _box2d.e_revoluteJoint
+e_prismaticJoint = _box2d.e_prismaticJoint
+e_distanceJoint = _box2d.e_distanceJoint
+e_pulleyJoint = _box2d.e_pulleyJoint
+e_mouseJoint = _box2d.e_mouseJoint
+e_gearJoint = _box2d.e_gearJoint
+e_wheelJoint = _box2d.e_wheelJoint
+e_weldJoint = _box2d.e_weldJoint
+e_frictionJoint = _box2d.e_frictionJoint
+e_ropeJoint = _box2d.e_ropeJoint
+e_motorJoint = _box2d.e_motorJoint
+e_inactiveLimit = _box2d.e_inactiveLimit
+e_atLowerLimit = _box2d.e_atLowerLimit
+e_atUpperLimit = _box2d.e_atUpperLimit
+e_equalLimits = _box2d.e_equalLimits
+vec2 = _box2d.b2Vec2
+vec3 = _box2d.b2Vec3
+mat22 = _box2d.b2Mat22
+mat33 = _box2d.b2Mat33
+rot = _box2d.b2Rot
+transform = _box2d.b2Transform
+sweep = _box2d.b2Sweep
+color = _box2d.b2Color
+mul = _box2d.b2Mul
+mulT = _box2d.b2MulT
+cross = _box2d.b2Cross
+dot = _box2d.b2Dot
+distanceSquared = _box2d.b2DistanceSquared
+mul22 = _box2d.b2Mul22
+isValid = _box2d.b2IsValid
+sqrt = _box2d.b2Sqrt
+invSqrt = _box2d.b2InvSqrt
+atan2 = _box2d.b2Atan2
+mixFriction = _box2d.b2MixFriction
+mixRestitution = _box2d.b2MixRestitution
+nextPowerOfTwo = _box2d.b2NextPowerOfTwo
+isPowerOfTwo = _box2d.b2IsPowerOfTwo
+shape = _box2d.b2Shape
+circleShape = _box2d.b2CircleShape
+edgeShape = _box2d.b2EdgeShape
+polygonShape = _box2d.b2PolygonShape
+chainShape = _box2d.b2ChainShape
+rayCastInput = _box2d.b2RayCastInput
+rayCastOutput = _box2d.b2RayCastOutput
+AABB = _box2d.b2AABB
+massData = _box2d.b2MassData
+filter = _box2d.b2Filter
+contactFeature = _box2d.b2ContactFeature
+contactID = _box2d.b2ContactID
+manifoldPoint = _box2d.b2ManifoldPoint
+manifold = _box2d.b2Manifold
+worldManifold = _box2d.b2WorldManifold
+contactImpulse = _box2d.b2ContactImpulse
+getPointStates = _box2d.b2GetPointStates
+collideCircles = _box2d.b2CollideCircles
+collidePolygonAndCircle = _box2d.b2CollidePolygonAndCircle
+collidePolygons = _box2d.b2CollidePolygons
+collideEdgeAndCircle = _box2d.b2CollideEdgeAndCircle
+collideEdgeAndPolygon = _box2d.b2CollideEdgeAndPolygon
+testOverlap = _box2d.b2TestOverlap
+contact = _box2d.b2Contact
+body = _box2d.b2Body
+fixture = _box2d.b2Fixture
+joint = _box2d.b2Joint
+revoluteJoint = _box2d.b2RevoluteJoint
+wheelJoint = _box2d.b2WheelJoint
+prismaticJoint = _box2d.b2PrismaticJoint
+distanceJoint = _box2d.b2DistanceJoint
+ropeJoint = _box2d.b2RopeJoint
+pulleyJoint = _box2d.b2PulleyJoint
+mouseJoint = _box2d.b2MouseJoint
+gearJoint = _box2d.b2GearJoint
+weldJoint = _box2d.b2WeldJoint
+frictionJoint = _box2d.b2FrictionJoint
+motorJoint = _box2d.b2MotorJoint
+profile = _box2d.b2Profile
+world = _box2d.b2World
+bodyDef = _box2d.b2BodyDef
+fixtureDef = _box2d.b2FixtureDef
+jointDef = _box2d.b2JointDef
+revoluteJointDef = _box2d.b2RevoluteJointDef
+prismaticJointDef = _box2d.b2PrismaticJointDef
+distanceJointDef = _box2d.b2DistanceJointDef
+pulleyJointDef = _box2d.b2PulleyJointDef
+mouseJointDef = _box2d.b2MouseJointDef
+gearJointDef = _box2d.b2GearJointDef
+wheelJointDef = _box2d.b2WheelJointDef
+weldJointDef = _box2d.b2WeldJointDef
+frictionJointDef = _box2d.b2FrictionJointDef
+ropeJointDef = _box2d.b2RopeJointDef
+motorJointDef = _box2d.b2MotorJointDef
+contactListener = _box2d.b2ContactListener
+contactFilter = _box2d.b2ContactFilter
+destructionListener = _box2d.b2DestructionListener
+queryCallback = _box2d.b2QueryCallback
+rayCastCallback = _box2d.b2RayCastCallback
+draw = _box2d.b2Draw
+drawExtended = _box2d.b2DrawExtended
+broadPhase = _box2d.b2BroadPhase
+jointEdge = _box2d.b2JointEdge
+contactEdge = _box2d.b2ContactEdge
+contactManager = _box2d.b2ContactManager
+distanceProxy = _box2d.b2DistanceProxy
+distanceInput = _box2d.b2DistanceInput
+distanceOutput = _box2d.b2DistanceOutput
+distanceResult = _box2d.b2DistanceResult
+TOIInput = _box2d.b2TOIInput
+TOIOutput = _box2d.b2TOIOutput
+contactPoint = _box2d.b2ContactPoint
+clipVertex = _box2d.b2ClipVertex
+version = _box2d.b2_version
+distance = _box2d.b2Distance
+timeOfImpact = _box2d.b2TimeOfImpact
+checkPolygon = _box2d.b2CheckPolygon
+bodyCompare = _box2d.b2BodyCompare
+fixtureCompare = _box2d.b2FixtureCompare
+jointCompare = _box2d.b2JointCompare
+shapeCompare = _box2d.b2ShapeCompare
+random = _box2d.b2Random
+RAND_LIMIT = _box2d.RAND_LIMIT
+boundVec2 = _box2d.b2BoundVec2
+fixtureFilter = _box2d.b2FixtureFilter
+loopShape = _box2d.b2LoopShape
+debugDraw = _box2d.b2DebugDraw
+vec2Array = _box2d.b2Vec2Array
+clamp = _box2d.b2Clamp
+globals_ = _box2d.b2Globals
+globals = _box2d.b2Globals

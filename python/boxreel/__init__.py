@@ -104,7 +104,7 @@ def shot(world, path, size=(1280, 720), *, camera=None, theme="classic", scale=1
         view = _boxreel._camera(camera, world, width, height)
         _boxreel._figure(world, path, view, theme, scale, layers, trails, overwrite)
     else:
-        raise ValueError(f"{path}: unsupported extension; use .png, .svg or .pdf")
+        _boxreel._error(path, "has an unsupported extension", "use .png, .svg or .pdf")
 
 
 class Film:
@@ -261,8 +261,7 @@ def dump(world, path):
     _require_world(world)
     names = {body.number: str(body.name) for body in world.bodies if hasattr(body, "name")}
     text, left_out = _boxreel._rube_text(world, names)
-    with open(_path_of(path), "w", encoding="utf-8") as file:
-        file.write(text)
+    _boxreel._write_text(_path_of(path), text)
     return left_out
 
 

@@ -1,6 +1,7 @@
 # Made by python/stubs.py.
 from typing import Any, Iterator, Sequence
 from Box2D import b2Body, b2World
+__version__: str
 
 class Comparison:
     """The result of compare. True if the pictures are equal within the limits."""

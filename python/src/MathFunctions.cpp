@@ -8,9 +8,30 @@ namespace boxreel::python
 namespace
 {
 
+/// Returns a new reference, or passes on the exception that was set instead of it.
+py::object Owned(PyObject* result)
+{
+    if (result == nullptr)
+    {
+        throw py::error_already_set();
+    }
+    return py::reinterpret_steal<py::object>(result);
+}
+
 py::object Product(py::handle a, py::handle b)
 {
-    return py::reinterpret_steal<py::object>(PyNumber_Multiply(a.ptr(), b.ptr()));
+    if (!py::isinstance<b2Transform>(a) && !py::isinstance<b2Rot>(a) &&
+        !py::isinstance<b2Mat22>(a) && !py::isinstance<b2Mat33>(a))
+    {
+        ThrowType("a", "a b2Transform, b2Rot, b2Mat22 or b2Mat33", a);
+    }
+    return Owned(PyNumber_Multiply(a.ptr(), b.ptr()));
+}
+
+py::object Absolute(py::handle a)
+{
+    const bool isVector = !IsNumber(a) && !py::isinstance<b2Mat22>(a);
+    return isVector ? py::cast(b2Abs(From<b2Vec2>(a, "a"))) : Owned(PyNumber_Absolute(a.ptr()));
 }
 
 /// Returns inverse(a) b for transforms and rotations, and transpose(a) b for matrices.
@@ -39,9 +60,9 @@ py::object InverseProduct(py::handle a, py::handle b)
 
 py::object Cross(py::handle a, py::handle b)
 {
-    if (py::isinstance<b2Vec3>(a))
+    if (py::isinstance<b2Vec3>(a) || py::isinstance<b2Vec3>(b))
     {
-        return py::cast(b2Cross(a.cast<b2Vec3&>(), From<b2Vec3>(b, "b")));
+        return py::cast(b2Cross(From<b2Vec3>(a, "a"), From<b2Vec3>(b, "b")));
     }
     if (IsNumber(a))
     {
@@ -65,8 +86,9 @@ void BindMathFunctions(py::module_& module)
     module.def(
         "b2Dot",
         [](py::handle a, py::handle b) {
-            return py::isinstance<b2Vec3>(a) ? b2Dot(a.cast<b2Vec3&>(), From<b2Vec3>(b, "b"))
-                                             : b2Dot(From<b2Vec2>(a, "a"), From<b2Vec2>(b, "b"));
+            return py::isinstance<b2Vec3>(a) || py::isinstance<b2Vec3>(b)
+                       ? b2Dot(From<b2Vec3>(a, "a"), From<b2Vec3>(b, "b"))
+                       : b2Dot(From<b2Vec2>(a, "a"), From<b2Vec2>(b, "b"));
         },
         py::arg("a"), py::arg("b"), "Returns the dot product.");
     module.def(
@@ -78,10 +100,8 @@ void BindMathFunctions(py::module_& module)
     module.def("_point_distance", [](py::handle a, py::handle b) {
         return b2Distance(From<b2Vec2>(a, "a"), From<b2Vec2>(b, "b"));
     });
-    module.def(
-        "b2Abs",
-        [](py::handle a) { return py::reinterpret_steal<py::object>(PyNumber_Absolute(a.ptr())); },
-        py::arg("a"), "Returns the absolute value of a number, or of each component.");
+    module.def("b2Abs", Absolute, py::arg("a"),
+               "Returns the absolute value of a number, or of each component.");
     module.def(
         "b2Mul22", [](const b2Mat33& m, py::handle v) { return b2Mul22(m, From<b2Vec2>(v, "v")); },
         py::arg("A"), py::arg("v"), "Returns the upper left block of A times v.");

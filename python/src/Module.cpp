@@ -3,6 +3,7 @@
 
 #include "Convert.h"
 
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <cstdlib>
@@ -109,6 +110,14 @@ void BindConstants(py::module_& module)
 PYBIND11_MODULE(_boxreel, module)
 {
     using namespace boxreel::python;
+    // NumPy is loaded here, where no other thread can be inside: pybind11 would do it at the first
+    // array, in a function that other threads then wait for with the interpreter's lock.
+    try
+    {
+        (void)py::detail::npy_api::get();
+    }
+    catch (const py::error_already_set&) // not installed: what returns arrays says so
+    {}
     module.doc() = "The engine and the toolkit, for the packages Box2D and boxreel.";
     InstallMisuse(module);
     BindConstants(module);

@@ -472,6 +472,13 @@ void BindPictures(py::module_& module)
         const std::vector<std::uint8_t> png = Need(bytes);
         return py::bytes(reinterpret_cast<const char*>(png.data()), png.size());
     });
+    module.def("_write_text", [](const std::string& path, const std::string& text) {
+        Need(WriteWhole(path, text, true));
+    });
+    module.def("_error", [](const std::string& culprit, const std::string& problem,
+                            const std::string& remedy) {
+        ThrowError({ErrorKind::Unusable, culprit, problem, remedy});
+    });
     module.def("_write_png", [](const std::string& path, py::handle pixels, bool overwrite) {
         const Frame frame = FrameFrom(pixels);
         const Result<void> result = [&] {

@@ -107,6 +107,10 @@ void SetVertices(Chain& self, py::handle value, bool isLoop)
 {
     const std::vector<b2Vec2> points = From<std::vector<b2Vec2>>(value, "vertices");
     const int32 count = static_cast<int32>(points.size());
+    if (isLoop && count < 3)
+    {
+        ThrowMisuse("vertices: a loop has at least 3 points; got " + std::to_string(count));
+    }
     self.Change([&](b2ChainShape& chain) {
         chain.Clear();
         if (isLoop && count > 2)

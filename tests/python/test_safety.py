@@ -93,7 +93,11 @@ class Arguments(unittest.TestCase):
                            (lambda: body.fixtures[0].RayCast(3), "^b2Fixture.RayCast: input: .*, not 'int'$"),
                            (lambda: body.fixtures[0].RayCast(p1=(0, 0)), "^b2Fixture.RayCast: .*p2 is missing$"),
                            (lambda: world.CreateJoint(type=3), "^type: expected a class of joint definitions, not 3$"),
-                           (lambda: Box2D.b2Body(), "^b2Body: ")):
+                           (lambda: Box2D.b2Body(), "^b2Body: "),
+                           (lambda: boxreel.film("a.mp4", fpss=3), "^film: .*, not \\('str', fpss='int'\\).*'fpss'"),
+                           (lambda: Box2D.b2Abs("a"), "^a: expected a b2Vec2"),
+                           (lambda: Box2D.b2Mul("a", "b"), "^a: expected a b2Transform"),
+                           (lambda: setattr(Box2D.b2Draw(), "flags", {"drawShape": True}), "did you mean 'drawShapes'")):
             with self.assertRaisesRegex(TypeError, text):
                 call()
 
@@ -368,6 +372,22 @@ class Reentrance(unittest.TestCase):
                    "threading.Thread(target=run, daemon=True).start()\ntime.sleep(0.2)\n")
         for _ in range(3):
             self.assertEqual(subprocess.run([sys.executable, "-c", program], timeout=60).returncode, 0)
+
+    def test_first_arrays_may_come_from_several_threads(self):
+        program = """
+import threading
+from Box2D import b2World
+import boxreel
+worlds = [b2World() for _ in range(4)]
+for call in (lambda world: world.poses(), lambda world: boxreel.render(world, (64, 36))):
+    threads = [threading.Thread(target=call, args=(world,), daemon=True) for world in worlds]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(20)
+    assert not any(thread.is_alive() for thread in threads)
+"""
+        subprocess.run([sys.executable, "-c", program], check=True, timeout=120)
 
     def test_forked_process_leaves_the_film_of_its_parent(self):
         program = ("import os, sys, Box2D, boxreel\n"

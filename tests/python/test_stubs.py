@@ -23,11 +23,12 @@ def names_in(statements):
         if isinstance(one, (ast.ClassDef, ast.FunctionDef)):
             found.add(one.name)
         elif isinstance(one, ast.AnnAssign):
-            found.add(one.target.id)
+            if not one.target.id.startswith("_"):
+                found.add(one.target.id)
         elif isinstance(one, ast.Assign):
             found.update(target.id for target in one.targets)
         elif isinstance(one, ast.ImportFrom):
-            found.update(alias.asname for alias in one.names if alias.asname)
+            found.update(alias.asname for alias in one.names if alias.asname == alias.name)  # else not exported
     return found
 
 

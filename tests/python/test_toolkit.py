@@ -101,7 +101,7 @@ class Pictures(InFolder):
             boxreel.shot(world, self.path(name), (320, 180), theme="print", trails=[[(0, 0), (1, 2), (3, 2)]])
             with open(self.path(name), "rb") as file:
                 self.assertIn(start, file.read(400))
-        with self.assertRaises(ValueError):
+        with self.assertRaises(boxreel.Error):
             boxreel.shot(world, self.path("a.bmp"))
         with self.assertRaises(boxreel.Error):
             boxreel.shot(world, self.path("a.svg"), overwrite=False)

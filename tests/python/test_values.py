@@ -14,6 +14,26 @@ from Box2D import (b2AABB, b2ChainShape, b2CircleShape, b2Color, b2EdgeShape, b2
 class OldNames(unittest.TestCase):
     """What programs of the 2.3 module rely on beside the values themselves."""
 
+    def test_functions_take_tuples(self):
+        self.assertEqual(tuple(Box2D.b2Abs((-1, 2))), (1, 2))
+        self.assertEqual(Box2D.b2Dot((1, 2, 3), Box2D.b2Vec3(1, 2, 3)), 14)
+        self.assertEqual(tuple(Box2D.b2Cross((1, 0, 0), Box2D.b2Vec3(0, 1, 0))), (0, 0, 1))
+
+    def test_shapes_have_the_functions_of_cpp(self):
+        chain = Box2D.b2ChainShape()
+        chain.CreateLoop([(0, 0), (1, 0), (0, 1)])
+        self.assertEqual(chain.GetChildCount(), 3)
+        with self.assertRaises(Box2D.b2Error):
+            chain.CreateLoop([(0, 0), (1, 0)])
+        box = Box2D.b2PolygonShape(box=(1, 2))
+        self.assertEqual((box.GetVertexCount(), abs(box.GetVertex(0).x), box.Validate()), (4, 1, True))
+        with self.assertRaises(IndexError):
+            box.GetVertex(4)
+        edge = Box2D.b2EdgeShape()
+        edge.Set((0, 0), (3, 4))
+        self.assertEqual(tuple(edge.vertex2), (3, 4))
+        self.assertEqual(tuple(Box2D.b2AABB(lowerBound=(0, 0), upperBound=(2, 4)).GetCenter()), (1, 2))
+
     def test_counters_are_read_and_set(self):
         Box2D.b2Globals.b2_gjkCalls = 0
         Box2D.b2Distance(shapeA=b2CircleShape(radius=1), shapeB=b2CircleShape(radius=1, pos=(5, 0)),
