@@ -96,7 +96,7 @@ def drawing_rows(results):
     """Our frames beside Cairo's, which knows nothing of the frame before: it draws all of it."""
     sound = [one for one in case_of(results, "1500-720p")["methods"] if not one["wrong"] and one["threads"] == "0"]
     ours = next((one for one in sound if one["ours"]), None)
-    cairo = next((one for one in sound if re.fullmatch(r"Cairo [\d.]+", one["method"])), None)
+    cairo = next((one for one in sound if one["program"] == "boxreel_render_bench_cairo" and one["usual"]), None)
     for key, task, work in (("frame", "a frame of 1500 shapes, 1280 x 720", "full"),
                             ("frame changed", "the same where 5 % of it changes, in one place", "together")):
         if ours and cairo:
@@ -125,7 +125,7 @@ def comparing_rows(results):
                              ("process", "files compared", "two PNG files of 1280 x 720 compared, a process each")):
         for one in methods:
             both = [toolkit.times(method, clock) for method in (ours, one)]
-            if not one["ours"] and "," not in one["method"] and all(both):
+            if not one["ours"] and one["usual"] and all(both):
                 yield key, task, statistics.median(both[0]), one["method"], statistics.median(both[1])
 
 
@@ -174,7 +174,7 @@ def short_table(figures):
     rows = []
     for name in SHORT_SCENES:
         result = case_of(figures["engine"], name)
-        peer = next((one for one in result["methods"] if one["method"].startswith(engine.GOAL_PEER)), {})
+        peer = next((one for one in result["methods"] if one["program"] == engine.GOAL_PROGRAM), {})
         if peer.get("cpuTimes") and result["methods"][0]["verdict"] == "sound":
             rows.append(["a step: " + result["what"], time_text(result["methods"][0]["cpu"]),
                          f"{peer['method']}: {time_text(peer['cpu'])}", times_text(peer["cpuTimes"])])
@@ -345,7 +345,7 @@ def sub_steps_chart(results):
     points = []
     for name, words in SUB_STEPS_CHARTED.items():
         result = case_of(results, name)
-        peer = next(one for one in result["runs"] if one["engine"].startswith(engine.GOAL_PEER)
+        peer = next(one for one in result["runs"] if one["program"] == engine.GOAL_PROGRAM
                     and [one[key] for key in accuracy.SETTINGS] == [8, 3, 60, 1])
         ours = accuracy.engines_of(result)[0]
         for one in sorted(result["runs"], key=lambda one: one["subSteps"]):

@@ -42,6 +42,7 @@ struct Method
     MakePainter make;
     MakePainter makeFloor;             ///< only clears and reads; empty: not measured
     bool drawsOnlyWhatChanged = false; ///< else one time holds for all changes
+    bool isUsual = true;               ///< with the settings that the program has by itself
 };
 
 /// Those of this program.

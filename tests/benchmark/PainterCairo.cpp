@@ -151,7 +151,8 @@ Method MethodOf(const char* name, cairo_antialias_t quality)
                     std::make_unique<CairoPainter>(width, height, quality));
             },
             {},
-            false};
+            false,
+            quality == CAIRO_ANTIALIAS_DEFAULT};
 }
 
 } // namespace

@@ -123,12 +123,12 @@ std::vector<Film> FilmsOf(const RecordCase& info, const std::string& program,
     addOurs("movingStart", "  the first of these", info.movingFrames > 0 ? 1 : 0, 0.0);
     addOurs("long", "  a longer film", info.longFrames, info.from);
     const Words take = TakeWords(info, info.frames);
-    Film& encoding = add("encodeOnly", "ffmpeg, which only encodes", info.frames);
+    Film& encoding = add("encodeOnly", "ffmpeg {version}, which only encodes", info.frames);
     encoding.words =
         Joined(Joined({helper, "encode"}, take), {folder + "/frames.raw", encoding.path});
     if (!info.isPictures)
     {
-        Film& immediate = add("immediate", "immediate mode | ffmpeg", info.frames);
+        Film& immediate = add("immediate", "immediate mode | ffmpeg {version}", info.frames);
         immediate.words = Joined(Joined({helper, "immediate"}, take), {immediate.path});
     }
     return films;

@@ -249,8 +249,10 @@ int PrintErrors(const RenderCase& one)
             return Fail(drawn.GetError());
         }
         const EdgeError error = Compare((*painter)->Picture(), truth);
-        std::printf("{\"method\":\"%s\",\"rms\":%.4g,\"most\":%.4g,\"edgePixels\":%zu}\n",
-                    method.name.c_str(), error.rms, error.maximum, error.edgePixels);
+        std::printf("{\"method\":\"%s\",\"usual\":%s,\"rms\":%.4g,\"most\":%.4g,"
+                    "\"edgePixels\":%zu}\n",
+                    method.name.c_str(), method.isUsual ? "true" : "false", error.rms,
+                    error.maximum, error.edgePixels);
     }
     return 0;
 }

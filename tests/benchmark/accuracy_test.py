@@ -25,7 +25,8 @@ esac"""
 
 def one(engine: str = "boxreel", steps: int = 1, error: float | None = 1e-5, **more: object) -> dict:
     """A run with the usual settings."""
-    return {"engine": engine, "velocityIterations": 8, "positionIterations": 3, "hz": 60, "subSteps": steps, "error": error,
+    program = "boxreel_bench_box2d" if "Box2D" in engine else "boxreel_bench"
+    return {"program": program, "engine": engine, "velocityIterations": 8, "positionIterations": 3, "hz": 60, "subSteps": steps, "error": error,
             "cpu": 1e-6, "held": True, "ending": "", "remarks": {}, **more}
 
 

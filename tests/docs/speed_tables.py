@@ -55,8 +55,8 @@ assert [row[3:] for row in speed.recording_rows(cases)] == [("ffmpeg 5, which on
 films[0]["verdict"] = "grey"
 assert not list(speed.recording_rows(cases))
 works = {work: {"cpu": 0.01} for work in ("full", "together")}
-drawn = [{"method": name, "ours": name == "boxreel", "threads": "0", "wrong": "", "works": works}
-         for name in ("boxreel", "Cairo 1.16.0")]
+drawn = [{"method": name, "program": program, "usual": True, "ours": name == "boxreel", "threads": "0", "wrong": "", "works": works}
+         for name, program in (("boxreel", "boxreel_render_bench"), ("Cairo 1.16.0", "boxreel_render_bench_cairo"))]
 cases = [{"case": "1500-720p", "methods": drawn}]
 assert [row[0] for row in speed.drawing_rows(cases)] == ["frame", "frame changed"]
 drawn[1]["wrong"] = "empty"

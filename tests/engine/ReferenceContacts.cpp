@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ReferenceContacts.h"
+#include <Dynamics/Solver/ContactPoints.h>
+#include <Dynamics/Solver/OverlapSolver.h>
 
 #include <Dynamics/Solver/Restitution.h>
 #include <Dynamics/State/World.h>

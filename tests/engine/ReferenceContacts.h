@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Dynamics/Solver/OverlapPush.h>
+#include <Dynamics/Solver/OverlapSolver.h>
 #include <Dynamics/State/Solver.h>
 
 #include <Box2D/Common/Array.h>

@@ -4,6 +4,7 @@
 
 #include <Common/WideInstructions.h>
 #include <Dynamics/Solver/ContactBlocks.h>
+#include <Dynamics/Solver/OverlapSolver.h>
 
 #include <gtest/gtest.h>
 

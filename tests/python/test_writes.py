@@ -85,7 +85,7 @@ class Vectors(unittest.TestCase):
         box.upperBound.y = 5
         self.assertEqual(box.center, (0.5, 2.5))
 
-    def test_a_position_that_a_program_computes_with_moves_no_body(self):
+    def test_computing_with_a_position_moves_no_body(self):
         world = b2World()
         body = world.CreateDynamicBody(position=(1, 2))
         place = body.position
@@ -168,7 +168,7 @@ class FixtureShapes(unittest.TestCase):
         self.world.QueryAABB(lambda fixture: found.append(fixture) or True, b2AABB(lowerBound=(49, 0), upperBound=(52, 1)))
         self.assertEqual(found, [self.fixture])
 
-    def test_grown_shapes_meet_although_no_body_has_moved(self):
+    def test_grown_shapes_meet_without_motion(self):
         world = b2World(gravity=(0, 0))
         listener = world.contactListener = Listener()
         balls = [world.CreateDynamicBody(position=(x, 0), allowSleep=False) for x in (0, 3)]
@@ -221,7 +221,7 @@ class FixtureShapes(unittest.TestCase):
         step(self.world, 30)
         self.assertEqual((len(errors), self.fixture.shape.radius), (2, 1))
 
-    def test_a_listener_inside_the_change_of_a_chain_changes_nothing(self):
+    def test_listeners_cannot_change_a_chain(self):
         listener = self.world.contactListener = Listener()
         self.ground.fixtures[0].shape.vertices = [(-20, -9), (20, -9)]
         chain = self.world.CreateStaticBody().CreateChainFixture(vertices=[(-9, 0), (0, 0), (9, 0)])
@@ -258,7 +258,7 @@ class FixtureShapes(unittest.TestCase):
         other.shape.radius = 4
         self.assertEqual(shape.radius, 1)
 
-    def test_copies_of_worlds_and_snapshots_have_the_change(self):
+    def test_copies_and_snapshots_have_the_change(self):
         self.fixture.shape.radius = 2
         twin = copy.deepcopy(self.world)
         self.assertEqual(twin.bodies[1].fixtures[0].shape.radius, 2)

@@ -7,8 +7,8 @@ from typing import Iterator
 
 from . import charts
 from .common import (
-    GOALS, TEXTS, Benchmark, Result, attempt, is_met, is_number, note, objects, run, table, time_text, times_text)
-from .engine import GOAL_PEER, PEERS
+    GOALS, TEXTS, Benchmark, Result, attempt, goal_text, is_met, is_number, note, objects, run, table, time_text, times_text)
+from .engine import GOAL_PROGRAM, PEERS
 
 SETTINGS = ("velocityIterations", "positionIterations", "hz", "subSteps")
 SWEEP = (((4, 2), (8, 3), (20, 10), (50, 20)), (60, 120, 240, 480), (1, 2, 4, 8, 16))
@@ -16,7 +16,7 @@ LONG = 0.3  # [s]; what takes longer by itself is timed once, for a sweep takes 
 VARIED = {"subSteps": ("-", " sub-steps"), "hz": ("--", " Hz"), "velocityIterations": (":", "")}  # strokes, and units
 
 
-def goals_of(result: Result) -> dict[str, str]:
+def goals_of(result: Result) -> dict[str, list]:
     """Those of a case; without a goal every error is small enough."""
     return GOALS["accuracy"].get(result["case"], {})
 
@@ -50,10 +50,10 @@ def summary(results: list[Result], steps: int, with_goals: bool = True) -> str:
             timed = "failure" not in one and "failure" not in ours
             cells += [time_text(one["cpu"]), times_text(one["cpu"] / ours["cpu"])] if timed else ["", ""]
         del cells[2]  # ours over ours
-        slower = any(one["engine"].startswith(GOAL_PEER) and one["cpu"] < ours.get("cpu", 0.0)
+        slower = any(one.get("program") == GOAL_PROGRAM and one["cpu"] < ours.get("cpu", 0.0)
                      for one in peers if "failure" not in one)
         said = ours.get("verdict", "not run")
-        rows.append([result["case"], goals_of(result).get("error", "")[3:], result["unit"], *cells,
+        rows.append([result["case"], f"{goals_of(result)['error'][1]:g}" if "error" in goals_of(result) else "", result["unit"], *cells,
                      "goal met" + ", slower" * slower if said == "goal met" else f"goal not met {said}"])
     if with_goals:
         return table("<>>>>" + ">>>" * len(others) + "<", rows)
@@ -114,9 +114,9 @@ class Accuracy(Benchmark):
         Settings are compared by the CPU time for 1/60 s, however many steps that takes.
         """
         for one in result["runs"]:
-            missed = [f"{figure} {one['remarks'].get(figure)} ({goal})" for figure, goal in goals_of(result).items()
+            missed = [f"{figure} {one['remarks'].get(figure)} ({goal_text(goal)})" for figure, goal in goals_of(result).items()
                       if figure != "error" and not ending(one) and not is_met(goal, one["remarks"].get(figure))]
-            is_small = not ending(one) and is_met(goals_of(result).get("error", "<= inf"), one["error"])
+            is_small = not ending(one) and is_met(goals_of(result).get("error", ["<=", math.inf]), one["error"])
             one["verdict"] = ending(one) or ", ".join(missed) or ("goal met" if is_small else "")
             if "failure" not in one:
                 one["cpuOfFrame"] = one["cpu"] * one["hz"] / 60.0
@@ -130,7 +130,7 @@ class Accuracy(Benchmark):
             if all(ending(one) for one in result["runs"]):
                 note(f"no run of '{result['case']}' held, so there is nothing to draw")
                 continue
-            goal = float(goals_of(result).get("error", "<= 0")[3:])
+            _, goal = goals_of(result).get("error", ["<=", 0.0])
             floor = 10.0 ** math.floor(math.log10(goal) - 3.5) if goal > 0.0 else 0.5  # nothing has no logarithm
             texts = TEXTS["accuracy"] | {"title": result["case"], "subtitle": result["what"]}
             texts["y"] = texts["y"].format(result["unit"])

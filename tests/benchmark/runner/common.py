@@ -17,7 +17,7 @@ from typing import Any
 
 UNUSABLE, ABSENT, FAILED = 1, 3, 4  # exit codes, the same as the program's
 Result = dict[str, Any]  # of a case: its name, what it is, and "methods", ours first
-# Bounds of figures by benchmark and case, such as "<= 5"; what is written on charts and in tables.
+# Bounds of figures by benchmark and case, such as ["<=", 5]; what is written on charts and in tables.
 GOALS, TEXTS = (json.loads(Path(__file__).with_name(name).read_text("utf-8")) for name in ("goals.json", "texts.json"))
 note = functools.partial(print, "bench:", file=sys.stderr, flush=True)  # prints a line about the progress
 TEXTS["curve"] = TEXTS["engine"] | TEXTS["curve"]  # the same table
@@ -102,10 +102,10 @@ def objects(output: str) -> list[Result]:
 def attempt(path: Path, *words: Any) -> Result:
     """The last figures that the program of an engine prints, or `failure`: the others are measured all the same."""
     try:
-        return {"engine": path.name, **objects(run([path, *words]).output)[-1]}
+        return {"program": path.name, "engine": path.name, **objects(run([path, *words]).output)[-1]}
     except Problem as problem:
         note(f"{path.name}: {problem}")
-        return {"engine": path.name, "failure": "failed"}
+        return {"program": path.name, "engine": path.name, "failure": "failed"}
 
 
 def version_of(pattern: str, *words: str) -> str | None:
@@ -145,10 +145,15 @@ def median_of(values: list) -> Any:
     return statistics.median(numbers) if numbers else values[0]
 
 
-def is_met(goal: str, value: float | None) -> bool:
-    """Whether a figure meets a goal such as "<= 5"; what is None or no number meets none."""
-    bound = float(goal[3:])
-    return is_number(value) and (value >= bound if goal.startswith(">=") else value <= bound)
+def is_met(goal: list, value: float | None) -> bool:
+    """Whether a figure meets a goal such as ["<=", 5]; what is None or not a number meets none."""
+    way, bound = goal
+    return is_number(value) and (value >= bound if way == ">=" else value <= bound)
+
+
+def goal_text(goal: list) -> str:
+    """<= 5"""
+    return f"{goal[0]} {goal[1]:g}"
 
 
 def read_results(path: str, kinds: dict[str, Benchmark]) -> tuple[Benchmark, list[Result]]:
@@ -253,7 +258,7 @@ def columns_table(columns: list[list[str]], results: list[Result], key: str = "m
 
 def goal_table(name: str, results: list[Result]) -> str:
     """A line for each goal whose figure is in the `reached` of its case."""
-    rows = [[result["case"], figure, digits(result["reached"][figure]), goal,
+    rows = [[result["case"], figure, digits(result["reached"][figure]), goal_text(goal),
              "met" if is_met(goal, result["reached"][figure]) else "MISSED"]
             for result in results for figure, goal in GOALS.get(name, {}).get(result["case"], {}).items()
             if figure in result.get("reached", {})]

@@ -7,7 +7,7 @@ from .common import GOALS, TEXTS, Benchmark, Result, attempt, median_of, table, 
 
 PEERS = {"boxreel_bench_box2d": "libbox2d-dev", "boxreel_bench_chipmunk": "libchipmunk-dev"}
 STROKES = {"static": "-", "asleep": "--", "asleep4": ":"}  # of the kinds of curves
-GOAL_PEER = "Box2D 2.4"  # whose times goals are against, in any of its versions
+GOAL_PEER, GOAL_PROGRAM = "Box2D 2.4", "boxreel_bench_box2d"  # whose times goals are against, in any of its versions
 
 
 def judge_alone(figures: Result) -> str:
@@ -26,7 +26,7 @@ def judge_beside(result: Result, ours: Result, peers: list[Result]) -> str:
             return wrong.format(**result)
     share, least = GOALS["likeness"]["overlap"]
     deepest = min((peer["overlap"] + max(least, share * peer["overlap"])
-                   for peer in peers if peer["method"].startswith(GOAL_PEER)), default=float("inf"))
+                   for peer in peers if peer["program"] == GOAL_PROGRAM), default=float("inf"))
     return "sound" if moving or ours["overlap"] <= deepest else "deep overlaps"
 
 
@@ -71,7 +71,7 @@ class Engine(Benchmark):
                 one["speedUp"] = single["mean"] / one["mean"]
         reached = {f"speed-up of {one['threads']} threads": one["speedUp"] for one in sound if "speedUp" in one}
         reached |= {f"times faster than {GOAL_PEER}": one.get("cpuTimes")
-                    for one in methods if one["method"].startswith(GOAL_PEER)}
+                    for one in methods if one["program"] == GOAL_PROGRAM}
         if any(one is first for one in sound):
             reached |= {"CPU time [µs]": first["cpu"] * 1e6, "memory [MB]": first["memory"] / 1024.0}
         result["reached"] = {} if result.get("subSteps") else reached

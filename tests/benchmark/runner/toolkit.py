@@ -30,7 +30,8 @@ class Drawing(Benchmark):
         for (path, threads), *said in zip(entries, errors, *rounds):
             for error, *times in zip(*said):
                 wrong = next((time["wrong"] for time in times if time["wrong"]), "")  # frames unlike one from scratch
-                methods.append({**error, **median_of(times), "wrong": wrong, "ours": path is ours, "threads": threads})
+                methods.append({**error, **median_of(times), "wrong": wrong, "ours": path is ours, "threads": threads,
+                                "program": path.name})
         return {**case, "methods": methods}
 
     def judge(self, result: Result) -> None:
@@ -94,7 +95,7 @@ class Recording(Benchmark):
         if not version and not options.against:
             note("films are compared with nothing, for ffmpeg does not run; install ffmpeg")
         films = [{**film, "ours": film["role"] not in FILM_PEERS, "made": [],
-                  "method": film["method"].replace("ffmpeg", f"ffmpeg {version}")}
+                  "method": film["method"].format(version=version)}
                  for film in films if version or film["role"] not in FILM_PEERS]
         for film in films * options.rounds:
             try:
@@ -213,7 +214,7 @@ class Comparing(Benchmark):
         files = [work / pair[which] for pair in pairs for which in ("expected", "actual")]
         programs = comparing_methods(folder, bool(options.against))
         for method in programs:
-            one = {"method": method["name"], "ours": method["of"] == "boxreel", "pictures": []}
+            one = {"method": method["name"], "ours": method["of"] == "boxreel", "usual": method["usual"], "pictures": []}
             places = method["places"] | {"{boxreel}": build / "boxreel", "{helper}": helper, "{rounds}": options.rounds}
             methods.append(one)
             try:

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Impact.h"
+#include "../Solver/Motion.h"
+#include "../Solver/OverlapSolver.h"
 
 #include "../Energy/EnergyGuard.h"
 #include "../Solver/StepSolver.h"

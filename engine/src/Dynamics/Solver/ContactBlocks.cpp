@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ContactBlocks.h"
+#include "OverlapSolver.h"
 
 #include "../../Common/WideInstructions.h"
 #include "../Contacts/ReadAhead.h"

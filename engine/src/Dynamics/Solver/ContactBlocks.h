@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../State/Solver.h"
+#include "OverlapSolver.h"
 
 struct b2ContactImpulse;
 

@@ -4,6 +4,7 @@
 // this one.
 #include "ContactBlockPrepare.h"
 #include "OverlapBlockSolver.h"
+#include "OverlapSolver.h"
 
 namespace box2d
 {

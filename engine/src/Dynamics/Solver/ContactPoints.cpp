@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "ContactPoints.h"
 #include "../State/Solver.h"
 
 #include "../State/Access.h"

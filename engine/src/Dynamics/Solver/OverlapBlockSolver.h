@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ContactBlockSolver.h"
+#include "OverlapSolver.h"
 
 /// The position solver on blocks, for numbers F of 1, 4 or 8 lanes: contacts are measured again
 /// before each push. Included like ContactBlockSolver.h, so it has no external linkage either.

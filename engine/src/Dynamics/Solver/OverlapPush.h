@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../State/Solver.h"
+#include "OverlapSolver.h"
 
 /// The push of one contact at a time, where two points are nearly one. OverlapBlockSolver.h pushes
 /// all others.

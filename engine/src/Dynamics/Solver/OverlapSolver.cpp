@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "OverlapSolver.h"
 #include "OverlapPush.h"
 
 /// Overlaps by nonlinear projection of positions (Catto, GDC 2006): contacts are measured again

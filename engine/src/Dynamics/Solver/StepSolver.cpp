@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "StepSolver.h"
+#include "ContactPoints.h"
+#include "Motion.h"
+#include "OverlapSolver.h"
 
 #include "../Contacts/Boxes.h"
 #include "../Islands/Sleep.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../State/World.h"
+#include "OverlapSolver.h"
 #include "SolverMemory.h"
 
 namespace box2d

@@ -158,79 +158,10 @@ void ForEach(List&& list, Direction direction, Function&& function)
     }
 }
 
-// Step.cpp
-
-/// Maximum motion of a body in a step; faster bodies are slowed down.
-struct MaxMove
-{
-    float32 distance; ///< [m]
-    float32 turn;     ///< [rad]
-};
-
-/// For a step without sub-steps.
-inline constexpr MaxMove kMaxMove = {b2_maxTranslation, b2_maxRotation};
-/// For a sub-step. Impacts are found for any displacement, and a higher limit loses less energy. A
-/// tumbling box of 0.3 m at 300 m/s rotates with 3000 rad/s, four turns in half a step at 60 Hz.
-/// With a lower limit such boxes stop; with a much higher one the search for an impact exceeds its
-/// limit of steps.
-inline constexpr MaxMove kMaxSmallMove = {10.0f * b2_maxTranslation, 40.0f * b2_maxRotation};
-
-/// Moves and rotates a body for `timeStep`, limiting its velocity.
-void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& maximum);
-
-// ContactPoints.cpp
-
-/// Calls the listener with the impulses of a contact's manifold.
-void ReportImpulse(b2ContactListener& listener, b2Contact& contact);
-
 /// Returns 1 / value, or 0 for 0.
 inline float32 Inverse(float32 value)
 {
     return value > 0.0f ? 1.0f / value : 0.0f;
 }
-
-/// Solves both points together. Of the four cases in which each impulse or its speed is zero,
-/// selects the one with no negative value (total enumeration; Murty, "Linear Complementarity",
-/// 1988). False if rounding leaves none.
-bool EnumerateImpulses(float32 k11, float32 k12, float32 k22, float32 b1, float32 b2, float32& x1,
-                       float32& x2);
-
-// OverlapSolver.cpp
-
-/// Depth, normal and position of a point's overlap, after the displacements so far in this step.
-struct Overlap
-{
-    b2Vec2 normal; // from A to B
-    b2Vec2 armA, armB;
-    float32 separation;
-};
-
-Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody& a,
-                       const SolverBody& b);
-
-/// The rate of position correction: the fraction of the excess over the slop, limited by `maximum`
-/// [m].
-struct PushPace
-{
-    float32 rate;
-    float32 maximum = b2_maxLinearCorrection;
-};
-
-/// Maximum speed of position correction with sub-steps, by all contacts of a body and its island
-/// [m/s]. It is 20 cm per frame, because pushes in a row add up. With half of it, stacks of 50
-/// without space for their skins end differently, and free rows separate in 1 s instead of 0.6.
-inline constexpr float32 kFarthestPush = 12.0f;
-
-/// Returns the maximum displacement of any point of a body by a push [m].
-inline float32 PushOf(const SolverBody& before, const SolverBody& after, float32 maxExtent)
-{
-    return (after.d - before.d).Length() + b2Abs(after.angle - before.angle) * maxExtent;
-}
-
-/// Reduces a push to a fraction of itself in the same direction.
-void ShortenPush(const SolverBody& before, SolverBody& after, float32 share);
-
-/// Pushes two nearly coincident points one after the other.
-float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, PushPace pace);
 
 } // namespace box2d

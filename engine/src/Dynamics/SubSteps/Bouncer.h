@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../Solver/ContactBlocks.h"
+#include "../Solver/ContactPoints.h"
 #include "../Solver/Restitution.h"
 
 namespace box2d

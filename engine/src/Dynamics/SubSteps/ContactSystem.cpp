@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ContactSystem.h"
+#include "../Solver/OverlapSolver.h"
 
 #include "../Joints/JointEnergy.h"
 #include "../Solver/SolverMemory.h"

@@ -3,6 +3,7 @@
 
 #include "../Direct/BoundedSystem.h"
 #include "../Solver/ContactBlocks.h"
+#include "../Solver/OverlapSolver.h"
 
 /// Solves contact islands directly, in sub-steps. In a stack an iteration moves a load on by one
 /// contact, and by half if the load is heavy. Islands are selected by their size: few contacts and

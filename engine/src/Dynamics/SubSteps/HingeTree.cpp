@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "HingeTree.h"
+#include "../Solver/Motion.h"
 
 #include "../Direct/RowPattern.h"
 #include "../Joints/JointFrame.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../Solver/Motion.h"
 #include "../State/Access.h"
 #include "Closing.h"
 #include "JointSystem.h"
