@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Usage: pip.sh CHECKOUT PYTHON
 # Runs the lines of docs/python.md that install the checkout into a virtual environment, which docs/first-steps.md has
-# too, and makes the film of the first example there. Nothing is downloaded: the environment sees this machine's packages. A copy of the checkout is built, because setuptools writes beside the sources.
+# too, and makes the film of the first example there. Nothing is downloaded: the environment sees this machine's packages.
+# A copy of the checkout is built, because setuptools writes beside the sources.
 set -euo pipefail
 checkout=$1 python=$2
 
