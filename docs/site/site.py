@@ -36,7 +36,13 @@ ELSEWHERE = re.compile(r"^([a-z][a-z0-9+.-]*:|//|#)", re.IGNORECASE)
 LINK = re.compile(r'<a ([^>]*?)href="([^"]*)"([^>]*)>(.*?)</a>', re.DOTALL)
 CHAPTER = re.compile(r"^(\d+\.) \[([^]]*)\]\(([^)]+)\)", re.MULTILINE)
 PICTURE = re.compile(r'\b(src|srcset)="([^"]*)"')
-CODE = re.compile(r"<code>([A-Za-z_]\w*(?:::\w+)?)(\(\))?</code>")
+# Where names of the API may stand: links, headings, listings, code in text, and text. Only the last three get links.
+PARTS = re.compile(r"(<a\b.*?</a>|<h[1-6]\b.*?</h[1-6]>|<pre\b.*?</pre>|<code>.*?</code>|<[^>]*>)", re.DOTALL)
+MENTION = re.compile(r"([\w.]+?(?:\.|->))?([A-Za-z_]\w*(?:::\w+)?)(?:\(.*\))?")
+TOKEN = re.compile(r'((?:<span class="[op]">(?:\.|-&gt;)</span>)?)(<span class="n[a-z]?">)(\w+)(</span>)')
+# What members without a class mean in chapters about one class.
+SUBJECTS = {"05-bodies": "b2Body", "06-fixtures": "b2Fixture", "08-contacts": "b2Contact", "09-world": "b2World"}
+CLASS = re.compile(r"\bb2[A-Z]\w+")
 ITEM = re.compile(r"^( *)([-*]|\d+\.)( +)(?=\S)")
 
 
@@ -81,18 +87,75 @@ def for_mkdocs(text):
     return "\n".join(lines) + "\n"
 
 
-def api_of(folder):
-    """Of each public name its page in the API reference, from Doxygen's tag file."""
-    names = {}
-    tags = folder / "boxreel.tag"
-    for compound in xml.etree.ElementTree.parse(tags).getroot() if tags.is_file() else []:
-        kind, name = compound.get("kind"), compound.findtext("name").removeprefix("boxreel::")
-        if kind in ("class", "struct"):
-            names.setdefault(name, compound.findtext("filename"))
-        for member in compound.findall("member"):
-            url = f"{member.findtext('anchorfile')}#{member.findtext('anchor')}"
-            names.setdefault(f"{name}::{member.findtext('name')}" if kind in ("class", "struct") else member.findtext("name"), url)
-    return names
+class Api:
+    """The public names of the API reference with their pages, and which classes have a member of a name."""
+
+    def __init__(self, urls=(), bases=()):
+        self.urls, self.owners, self.bases = dict(urls), {}, dict(bases)
+        for name in self.urls:
+            owner, scoped, member = name.rpartition("::")
+            # A member that overrides a base's is found at the base.
+            if scoped and not any(f"{base}::{member}" in self.urls for base in self.bases.get(owner, ())):
+                self.owners.setdefault(member, []).append(owner)
+
+    @classmethod
+    def read(cls, folder):
+        """From Doxygen's tag file; empty if there is none."""
+        urls, bases, tags = {}, {}, folder / "boxreel.tag"
+        for compound in xml.etree.ElementTree.parse(tags).getroot() if tags.is_file() else []:
+            name = compound.findtext("name").removeprefix("boxreel::")
+            is_class = compound.get("kind") in ("class", "struct")
+            if is_class:
+                urls.setdefault(name, compound.findtext("filename"))
+                bases[name] = [base.text.removeprefix("boxreel::") for base in compound.findall("base")]
+            for member in compound.findall("member"):
+                url = f"{member.findtext('anchorfile')}#{member.findtext('anchor')}"
+                urls.setdefault(f"{name}::{member.findtext('name')}" if is_class else member.findtext("name"), url)
+        return cls(urls, bases)
+
+
+class References:
+    """Finds the page of the API reference that a name of a chapter means. Of a member that several classes have, it takes
+    the chapter's subject, the class named last before it in the section, or the only one that the chapter names."""
+
+    def __init__(self, api, body, page):
+        self.api, self.is_engine, self.subject = api, page.parent == CONTENTS.parent, SUBJECTS.get(page.stem)
+        self.in_chapter = {name for name in re.findall(r"\w+", re.sub(r"<[^>]*>", " ", body)) if name in api.urls}
+        self.section()
+
+    def section(self):
+        self.linked, self.named = set(), []
+
+    def owner(self, member, is_certain):
+        owners = [name for name in self.api.owners.get(member, ()) if name.startswith("b2") or not self.is_engine]
+        if is_certain or len(owners) < 2:
+            return owners[0] if len(owners) == 1 and (member[0].isupper() or owners[0] in self.in_chapter) else None
+        if self.subject in owners:
+            return self.subject
+        for named in reversed(self.named):
+            # A definition names its joint too, and a class its base.
+            for name in (named, named.removesuffix("Def"), *self.api.bases.get(named, ())):
+                if name in owners:
+                    return name
+        owners = [name for name in owners if name in self.in_chapter]
+        return owners[0] if len(owners) == 1 else None
+
+    def url(self, name, is_member, in_listing):
+        """Of a name; None if it is not of the API, or has a link in this section. Of an object's member, and in a listing,
+        only what is certain counts: which class the object has, a compiler knows."""
+        if is_member or name not in self.api.urls:
+            if "::" in name or (in_listing and not is_member) or len(name) < 3 or not (self.is_engine or name[0].isupper()):
+                return None
+            name = f"{self.owner(name, is_member)}::{name}"
+        elif in_listing and not (name.startswith("b2") or ("#" not in self.api.urls[name] and not self.is_engine)):
+            return None
+        elif name != "b2Vec2":  # It stands in most listings, and is seldom what they are about.
+            self.named.append(name.partition("::")[0])
+        url = self.api.urls.get(name)
+        if url is None or url in self.linked:
+            return None
+        self.linked.add(url)
+        return url
 
 
 class Site:
@@ -100,7 +163,7 @@ class Site:
         self.checkout, self.output = checkout, output
         self.names = chapters_of(checkout)
         self.chapters = list(self.names)
-        self.api = api_of(output / "api")
+        self.api = Api.read(output / "api")
         places = {page: place for place, page in enumerate([CONTENTS] + self.chapters)}
         self.groups, self.problems = [], []
         seen = set()
@@ -121,7 +184,7 @@ class Site:
         """Of MkDocs, as YAML; slugs as GitHub makes them."""
         groups = [{title: [{"Overview" if page.name == "README.md" and page.parent.name == "" else self.names.get(page, name):
                             page.as_posix()} for page, name in pages]} for title, pages in self.groups]
-        groups += [{"API reference": API}] if self.api else []
+        groups += [{"API reference": API}] if self.api.urls else []
         schemes = (("light", "default", "weather-night", "Dark"), ("dark", "slate", "weather-sunny", "Light"))
         return json.dumps({
             "site_name": "boxreel", "docs_dir": str(sources), "site_dir": str(self.output), "use_directory_urls": False,
@@ -129,7 +192,7 @@ class Site:
             "theme": {"name": "material", "font": False, "features": ["navigation.top", "search.highlight"],
                       "palette": [{"media": f"(prefers-color-scheme: {media})", "scheme": scheme, "primary": "blue grey", "accent": "deep orange",
                                    "toggle": {"icon": f"material/{icon}", "name": name}} for media, scheme, icon, name in schemes]},
-            "markdown_extensions": ["tables", "pymdownx.superfences", "pymdownx.highlight", "pymdownx.tilde", {"toc": {"slugify": "SLUGIFY"}}],
+            "markdown_extensions": ["tables", "pymdownx.superfences", {"pymdownx.highlight": {"pygments_lang_class": True}}, "pymdownx.tilde", {"toc": {"slugify": "SLUGIFY"}}],
         }).replace('"SLUGIFY"', "!!python/name:site_slug.github ")
 
     @staticmethod
@@ -164,18 +227,28 @@ class Site:
         return match[4] if target is None else f'<a {match[1]}href="{target}"{match[3]}>{match[4]}</a>'
 
     def referred(self, body, page):
-        """The body with a link into the API reference at the first mention of each name, outside of other links."""
-        seen = set()
+        """The body with a link into the API reference at the first mention of each name in a section."""
+        found = References(self.api, body, page)
 
-        def code(match):
-            url = self.api.get(match[1])
-            if url is None or match[1] in seen:
-                return match[0]
-            seen.add(match[1])
-            return f'<a class="api" href="{self.relative(f"api/{url}", page)}">{match[0]}</a>'
+        def linked(text, name, is_member=False, in_listing=False):
+            url = found.url(name, is_member, in_listing)
+            return text if url is None else f'<a class="api" href="{self.relative(f"api/{url}", page)}">{text}</a>'
 
-        parts = re.split(r"(<(?:a|h\d|pre)\b.*?</(?:a|h\d|pre)>)", body, flags=re.DOTALL)
-        return "".join(part if place % 2 else CODE.sub(code, part) for place, part in enumerate(parts))
+        def token(match):
+            return match[1] + linked(match[2] + match[3] + match[4], match[3], bool(match[1]), True)
+
+        parts = PARTS.split(body)
+        for place, part in enumerate(parts):
+            if re.match(r"<h[23]\b", part):
+                found.section()
+            elif part.startswith("<pre") and "language-cpp" in "".join(parts[max(0, place - 4):place]):
+                parts[place] = TOKEN.sub(token, part)
+            elif part.startswith("<code>"):
+                mention = MENTION.fullmatch(html.unescape(part[6:-7]))
+                parts[place] = linked(part, mention[2], bool(mention[1])) if mention else part
+            elif place % 2 == 0:
+                parts[place] = CLASS.sub(lambda match: linked(match[0], match[0]), part)
+        return "".join(parts)
 
     def finish(self, page):
         """Files that the page links to and shows come beside it, and its links lead there."""
@@ -184,7 +257,7 @@ class Site:
         text = PICTURE.sub(lambda match: f'{match[1]}="{self.target(match[2], page)}"', text)
         head, start, body = text.partition("<article")
         body, end, tail = body.partition("</article>")
-        if page in self.chapters:
+        if page.parts[0] == "docs" and page.parts[1] != "notes":
             body = self.referred(body, page)
         file.write_text(head + start + body + end + tail, encoding="utf-8")
 
@@ -224,7 +297,7 @@ class Site:
         page.write_text(text, encoding="utf-8")
 
 
-def mend_api(folder):
+def fix_api(folder):
     """Of each page of Doxygen's: the project's name leads back to the site, and there is no link to a list of
     nested classes where all are private (Doxygen 1.9.4 has one to a list that is not there)."""
     for page in folder.glob("*.html"):
@@ -239,7 +312,7 @@ def mend_api(folder):
 def main():
     checkout, output = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
     output.mkdir(parents=True, exist_ok=True)
-    mend_api(output / "api")
+    fix_api(output / "api")
     site = Site(checkout, output)
     site.make()
     if len(sys.argv) > 3:

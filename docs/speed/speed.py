@@ -41,6 +41,9 @@ BENCHMARKS = {
 # Of the chart of sub-steps: cases whose errors are not 0, by names that fit its legend.
 SUB_STEPS_CHARTED = {"C-double-pendulum": "two falling rods", "I-pair": "two spinning rods", "J-stack-30": "stack of 30 boxes"}
 CHARTED = ["C-double-pendulum", "D-chain-1000", "I-pair", "J-stack-30"]  # of the cases of accuracy
+# Of the page: the cases that decide, and those in which a peer is better.
+SHORT_ERRORS = ["A-projectile", "C-double-pendulum", "D-chain-1000", "E-heavy-top-1000", "H-cradle", "I-pair", "J-stack-30",
+                "J-card-house", "K-far", "X-walls-100"]
 # Of the README: scenes, and rows of the toolkit.
 SHORT_SCENES = ["large-pyramid", "tumbler", "rain", "ragdolls", "bullets"]
 SHORT_TASKS = ["frame", "film", "frames compared"]
@@ -204,10 +207,10 @@ def accuracy_runs(figures):
 
 
 def errors_table(figures):
-    """The errors of all cases."""
+    """The errors of the cases that a reader needs to choose; docs/speed/accuracy.txt has all."""
     names, cases = accuracy_runs(figures)
     rows = [[f"`{result['case']}`", result["what"], *(error_text(one, result["unit"]) for one in runs)]
-            for result, runs in cases]
+            for result, runs in cases if result["case"] in SHORT_ERRORS]
     return rows_text(["case", "error of", *names], rows)
 
 

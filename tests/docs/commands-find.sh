@@ -32,6 +32,8 @@ ends 0 '<!-- first: echo one >made -->' 'test -s made'
 ends 1 '<!-- first: false -->' 'true'
 ends 77 '<!-- needs: command -v no-such-tool -->' 'false'
 ends 1 '<!-- not run: tests/docs/no-such-file.sh does it -->' 'true'
+ends 1 '<!-- not run: tests/docs/links.py and tests/docs/no-such-file.sh do it -->' 'true'
+ends 1 '<!-- not run: the installation -->' 'true'
 ends 1 '<!-- not run -->' 'true'
 ends 1 '<!-- slow: it would fail -->' 'exit 3' slow
 ends 0 '<!-- makes: a.svg -->' 'boxreel shot pyramid --at 1s -o a.svg'

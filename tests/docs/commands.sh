@@ -8,8 +8,7 @@
 #
 #   <!-- first: COMMAND -->    what comes before it, such as a film of the reader's own
 #   <!-- needs: COMMAND -->    what must succeed, else it is passed over
-#   <!-- not run: REASON -->   it is not run at all: it is `the installation`, or the reason names the file of the tests
-#                              that does it
+#   <!-- not run: REASON -->   it is not run at all; the reason names the file of the tests that runs it
 #   <!-- slow: REASON -->      it is only run with `slow`, and then it alone is
 #   <!-- exit code N -->       what it ends with, when not with 0
 #   <!-- file: FILE -->        before a block of other text: it is written to this file, as a reader pastes it
@@ -135,7 +134,8 @@ for block in "$blocks"/*.sh; do
     reason=$(marked "$block" 'not run')
     if [ -n "$reason" ]; then
         other=$(grep -o 'tests/[A-Za-z0-9_./-]*[A-Za-z0-9]' <<<"$reason" || true)
-        if [ "$reason" != 'the installation' ] && ! { [ -n "$other" ] && [ -e "$checkout/$other" ]; }; then
+        missing=$(cd "$checkout" && for file in $other; do [ -e "$file" ] || echo "$file"; done)
+        if [ -z "$other" ] || [ -n "$missing" ]; then
             echo "FAILED: $page:$line is not run, and no file of the tests is named that does it: $reason" >&2
             exit 1
         fi

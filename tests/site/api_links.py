@@ -23,7 +23,7 @@ with tempfile.TemporaryDirectory() as name:
     (folder / "a.html").write_text(HEAD + NESTED)
     (folder / "b.html").write_text(HEAD + NESTED + WHOLE)
     for _ in range(2):
-        site_py.mend_api(folder)
+        site_py.fix_api(folder)
         back = '<div id="projectname"><a href="../index.html">boxreel</a><span id="projectnumber">&#160;1.0</span>'
         assert (folder / "a.html").read_text() == back + '\n<a href="#members">Functions</a>'
         assert (folder / "b.html").read_text() == back + NESTED + WHOLE

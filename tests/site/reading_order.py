@@ -32,11 +32,39 @@ with tempfile.TemporaryDirectory() as output:
     assert manual == [site_py.CONTENTS] + site.chapters, manual
     assert len({page for _, page in pages}) == len(pages) == len(site.pages)
 
-    site.api = {"b2World": "classb2_world.html", "b2World::Step": "classb2_world.html#step"}
-    body = "<p><code>b2World</code>, <code>b2World</code>, <code>b2World::Step()</code>, <a>in <code>b2World::Step</code></a></p>"
-    referred = site.referred(body, pathlib.Path("docs/manual/a.md"))
-    assert re.findall(r'href="([^"]*)"', referred) == ["../../api/classb2_world.html", "../../api/classb2_world.html#step"], referred
-    assert re.sub(r'<a class="api"[^>]*>(.*?)</a>', r"\1", referred) == body
+    site.api = site_py.Api({f"{name}": f"{name.replace('::', '.html#')}" for name in (
+        "b2World", "b2World::Step", "b2World::Dump", "b2Body", "b2Body::Dump", "b2Body::SetType", "b2_dynamicBody", "b2Joint",
+        "b2Joint::GetAnchorA", "b2RopeJoint", "b2RopeJoint::GetAnchorA", "b2RopeJoint::SetMaxLength", "b2RopeJointDef",
+        "b2DistanceJoint", "b2DistanceJoint::SetMaxLength", "Recording", "Recording::Add")}, {"b2RopeJoint": ["b2Joint"]})
+
+    def check(body, *links, page="docs/manual/a.md"):
+        referred = site.referred(body, pathlib.Path(page))
+        found = re.findall(r'href="../../api/([^"]*)"', referred)
+        assert found == list(links), (body, found)
+        assert re.sub(r'<a class="api"[^>]*>(.*?)</a>', r"\1", referred) == body
+
+    # Once in a section; not in links and headings; also without code.
+    check("<p><code>b2World</code>, <code>b2World</code>, <code>b2World::Step()</code>, <a>in <code>b2World::Step</code></a></p>",
+          "b2World", "b2World.html#Step")
+    check("<h2><code>b2World</code></h2>a b2World<h2>B</h2><code>b2World</code>", "b2World", "b2World")
+    # A member that one class has, with its arguments, and of an object.
+    check("<code>SetType</code> <code>SetType(a)</code>", "b2Body.html#SetType")
+    check("<code>body-&gt;SetType(b2_dynamicBody)</code>", "b2Body.html#SetType")
+    check("<code>Add</code>")
+    check("<code>Add</code>", "Recording.html#Add", page="docs/examples/a.md")
+    # A member that several have: that of the chapter's subject, of the class named last, of the only one named; or none.
+    check("<code>b2Body</code><code>Dump</code>", "b2Body", "b2World.html#Dump", page="docs/manual/09-world.md")
+    check("<code>b2World</code><code>b2Body</code><code>Dump</code>", "b2World", "b2Body", "b2Body.html#Dump")
+    check("<code>b2RopeJointDef</code><code>SetMaxLength(m)</code>", "b2RopeJointDef", "b2RopeJoint.html#SetMaxLength")
+    check("<code>Dump</code><h2>A</h2><code>b2Body</code>", "b2Body.html#Dump", "b2Body")
+    check("<code>Dump</code><h2>A</h2><code>b2Body</code><code>b2World</code>", "b2Body", "b2World")
+    check("<code>b2Body</code><code>it.Dump()</code>", "b2Body")
+    # A member that overrides its base's is that of the base.
+    check("<code>GetAnchorA</code>", "b2Joint.html#GetAnchorA")
+    # In a listing: classes and members that one class has, in C++ only.
+    listing = '<pre><span class="n">b2World</span> <span class="nf">Dump</span><span class="o">-&gt;</span><span class="n">Step</span></pre>'
+    check(f'<div class="language-cpp highlight">{listing}</div>', "b2World", "b2World.html#Step")
+    check(f'<div class="language-py highlight">{listing}</div>')
 
 assert site_py.for_mkdocs("Text:\n- a\n  - b\n    more\n- c\n") == "Text:\n\n- a\n    - b\n        more\n- c\n"
 assert site_py.for_mkdocs("1. a\n   ```\n   - code\n   ```\n\nend\n") == "1. a\n    ```\n    - code\n    ```\n\nend\n"

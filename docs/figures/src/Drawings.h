@@ -56,7 +56,7 @@ boxreel::Figure DrawFallingBox();
 boxreel::Figure DrawSlope();
 boxreel::Figure DrawBounces();
 boxreel::Figure DrawOneWayPlatform();
-boxreel::Figure DrawSmallSteps();
+boxreel::Figure DrawSubSteps();
 // Layers.cpp
 boxreel::Figure DrawDebugLayers();
 

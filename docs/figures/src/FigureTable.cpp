@@ -153,12 +153,12 @@ const std::vector<FigureEntry>& FigureTable()
         {"one-way-platform", "A ball flies through a platform from below and lands on it",
          "A contact that a listener switches off while the ball comes from below.",
          DrawOneWayPlatform},
-        {"small-steps",
+        {"sub-steps",
          "Two stacks of ten boxes with a heavy one on top: one is pressed together, the other "
          "stands as it was built",
          "A thousand kilograms on nine boxes of one kilogram each, after ten seconds. The dashes "
          "show how high the stacks were built.",
-         DrawSmallSteps},
+         DrawSubSteps},
         {"debug-draw",
          "A small world with shapes, joints, boxes, pairs and centres of mass, and a "
          "legend",

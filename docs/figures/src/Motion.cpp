@@ -147,7 +147,7 @@ Figure DrawOneWayPlatform()
     return sketch.Finished();
 }
 
-Figure DrawSmallSteps()
+Figure DrawSubSteps()
 {
     Sketch sketch(640, 380, b2Vec2(0.0f, 4.8f), 30.0);
     struct Stack

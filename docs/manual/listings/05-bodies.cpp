@@ -232,17 +232,17 @@ TEST(BodiesListing, StopsBulletsAtDynamicAndAllBodiesAtStaticOnes)
 
 TEST(BodiesListing, DampsAsThePageSays)
 {
-    for (const int32 smallSteps : {1, 4})
+    for (const int32 subSteps : {1, 4})
     {
         manual::Stage stage(b2Vec2_zero);
-        stage.world.SetSubStepCount(smallSteps);
+        stage.world.SetSubStepCount(subSteps);
         b2Body* ball = stage.Ball(0.0f, 0.0f);
         ball->SetLinearDamping(5.0f);
         ball->SetLinearVelocity(b2Vec2(10.0f, 0.0f));
         stage.Run(1.0f);
         const float32 off = ball->GetLinearVelocity().x / (10.0f * std::exp(-5.0f)) - 1.0f;
-        EXPECT_NEAR(100.0f * b2Abs(off), smallSteps == 1 ? 22.0f : 0.03f,
-                    smallSteps == 1 ? 0.5f : 0.005f);
+        EXPECT_NEAR(100.0f * b2Abs(off), subSteps == 1 ? 22.0f : 0.03f,
+                    subSteps == 1 ? 0.5f : 0.005f);
     }
 }
 

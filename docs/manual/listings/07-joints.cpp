@@ -373,7 +373,7 @@ TEST(JointsListing, DrivesACar)
 }
 
 /// How far the end of ten boards of 1 m sinks that are welded to a wall.
-float32 Sag(int32 smallSteps)
+float32 Sag(int32 subSteps)
 {
     manual::Stage stage;
     b2World& world = stage.world;
@@ -388,7 +388,7 @@ float32 Sag(int32 smallSteps)
         // [/weld]
         last = board;
     }
-    world.SetSubStepCount(smallSteps);
+    world.SetSubStepCount(subSteps);
     stage.Run(5.0f);
     return -last->GetPosition().y;
 }

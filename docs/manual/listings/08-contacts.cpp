@@ -365,10 +365,10 @@ struct Total : public b2ContactListener
 
 TEST(ContactsListing, TellsTheImpulsesOfAWholeStep)
 {
-    for (const int32 smallSteps : {1, 4})
+    for (const int32 subSteps : {1, 4})
     {
         Heard<Total> stage;
-        stage.world.SetSubStepCount(smallSteps);
+        stage.world.SetSubStepCount(subSteps);
         stage.Ground();
         b2Body* box = stage.Box(0.0f, 0.515f);
         box->SetSleepingAllowed(false);

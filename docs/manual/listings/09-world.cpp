@@ -39,15 +39,15 @@ TEST(WorldListing, HasTheSettingsOfTheTable)
     }
 }
 
-TEST(WorldListing, FliesExactlyInSmallSteps)
+TEST(WorldListing, FliesExactlyInSubSteps)
 {
     manual::Stage stage;
     b2World& world = stage.world;
     b2Body* ball = stage.Ball(0.0f, 0.0f);
     ball->SetLinearVelocity(b2Vec2(10.0f, 20.0f));
-    // [small-steps]
+    // [sub-steps]
     world.SetSubStepCount(4); // 1 to 64; 1 is Box2D's scheme, 4 is recommended
-    // [/small-steps]
+    // [/sub-steps]
     stage.Run(2.0f);
     // After 2 s at (10, 20) m/s a parabola is at (20, 20); one step ends 17 cm beside it.
     EXPECT_LT(b2Distance(ball->GetPosition(), b2Vec2(20.0f, 20.0f)), 0.0001f);

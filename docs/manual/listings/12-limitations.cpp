@@ -11,10 +11,10 @@ namespace
 
 // [heavy]
 /// By how much the top of ten boxes has sunk after 10 s, the top one so many times as heavy [mm].
-float32 HeavyTop(int32 smallSteps, float32 ratio)
+float32 HeavyTop(int32 subSteps, float32 ratio)
 {
     manual::Stage stage;
-    stage.world.SetSubStepCount(smallSteps);
+    stage.world.SetSubStepCount(subSteps);
     stage.Ground();
     b2Body* top = nullptr;
     for (int i = 0; i < 10; ++i)
@@ -32,10 +32,10 @@ float32 HeavyTop(int32 smallSteps, float32 ratio)
 // [chain]
 /// How far the hinges of a chain of twenty links are open under a ball so many times as heavy as
 /// one [mm].
-float32 HeavyBall(int32 smallSteps, float32 ratio)
+float32 HeavyBall(int32 subSteps, float32 ratio)
 {
     manual::Stage stage;
-    stage.world.SetSubStepCount(smallSteps);
+    stage.world.SetSubStepCount(subSteps);
     b2Body* last = stage.Body(b2_staticBody, 0.0f, 0.0f);
     float32 widest = 0.0f;
     for (int i = 0; i < 21; ++i)
@@ -60,10 +60,10 @@ float32 HeavyBall(int32 smallSteps, float32 ratio)
 
 // [throw]
 /// How far a ball is from its parabola after 2 s at (10, 20) m/s [mm].
-float32 Thrown(int32 smallSteps)
+float32 Thrown(int32 subSteps)
 {
     manual::Stage stage;
-    stage.world.SetSubStepCount(smallSteps);
+    stage.world.SetSubStepCount(subSteps);
     b2Body* ball = stage.Ball(0.0f, 0.0f);
     ball->SetLinearVelocity(b2Vec2(10.0f, 20.0f));
     stage.Run(2.0f);
@@ -81,9 +81,9 @@ std::string Shown(float32 value)
 std::string Line(const char* name, float32 (*measure)(int32, float32), float32 ratio)
 {
     std::string line = name;
-    for (const int32 smallSteps : {1, 2, 4})
+    for (const int32 subSteps : {1, 2, 4})
     {
-        line += Shown(measure(smallSteps, ratio));
+        line += Shown(measure(subSteps, ratio));
     }
     return line + "\n";
 }

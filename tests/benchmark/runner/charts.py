@@ -138,41 +138,64 @@ def draw_lines(axes, chart: Lines, ink: str, soft: str) -> None:
         axes.set_xticks([], minor=True)
     axes.xaxis.set_major_formatter("{x:,.6g}")
     floor, name = chart.floor
-    if any(point.y <= floor for point in points):
+    is_floored = any(point.y <= floor for point in points)
+    if is_floored:
         axes.axhline(floor, color=soft, linewidth=0.8, zorder=1)
         axes.annotate(name, (0.0, floor), (6, 3), xycoords=("axes fraction", "data"), textcoords="offset points",
                       color=soft, fontsize=8)
     axes.grid(which="major")
     axes.grid(which="minor", linewidth=0.4)
-    label_points(axes, curves)
+    label_points(axes, curves, floor if is_floored else 0.0)
 
 
-def label_points(axes, curves: list[Curve]) -> None:
-    """Puts each label where it covers no mark, no line and no other label; the optional ones only there. A rim keeps the
-    others clear of a line."""
+def label_points(axes, curves: list[Curve], floor: float) -> None:
+    """Puts each label where it covers no mark, no line and no other label, is nearest to its own mark, and has no other
+    curve between; the optional ones only there. A rim keeps the others clear of a line."""
     from matplotlib.patheffects import withStroke
     axes.figure.draw_without_rendering()
     box, unit = axes.get_window_extent(), axes.figure.dpi / 72.0  # pixels of a point
     taken, spots = [], []  # what is covered, as (x, y, half width, half height) in pixels; where labels belong
-    for curve in curves:
+    marks, lines = [], []  # of points that may have a label, and of what joins points with the number of its curve
+    bottom = axes.transData.transform((1.0, floor))[1] if floor > 0.0 else -1.0
+    taken.append((0.5 * (box.x0 + box.x1), bottom, 0.5 * box.width, 0.5 * unit))
+    for number, curve in enumerate(curves):
         places = axes.transData.transform([point[:2] for point in curve.points])
-        taken += [(x, y, 4.5 * unit, 4.5 * unit) for x, y in places]
+        for (x, y), point in zip(places, curve.points):
+            radius = 0.5 * MARKS[point.mark][1] + 1.0  # [points]
+            taken.append((x, y, radius * unit, radius * unit))
+            marks += [(x, y)] if point.mark != "speck" else []
         for (x, y), (u, v) in zip(places, places[1:] if curve.stroke else []):
             count = max(2, int(math.hypot(u - x, v - y) / (4.0 * unit)))
-            taken += [(x + (u - x) * i / count, y + (v - y) * i / count, unit, unit) for i in range(1, count)]
-        spots += [(point, *place, f"C{curve.color % 6}") for point, place in zip(curve.points, places) if point.label]
-    for point, x, y, color in sorted(spots, key=lambda spot: spot[0].optional):
-        label = axes.figure.text(0, 0, point.label, fontsize=8, color=color, ha="center", va="center", zorder=6)
+            between = [(x + (u - x) * i / count, y + (v - y) * i / count) for i in range(1, count)]
+            taken += [(*place, unit, unit) for place in between]
+            lines += [(*place, number) for place in between]
+        spots += [(point, *place, number) for point, place in zip(curve.points, places) if point.label]
+    for point, x, y, number in sorted(spots, key=lambda spot: spot[0].optional):
+        label = axes.figure.text(0, 0, point.label, fontsize=8, color=f"C{curves[number].color % 6}", ha="center", va="center",
+                                 zorder=6)
         label.set_path_effects([withStroke(linewidth=2.5, foreground=axes.get_facecolor())])  # a line may cross it
         size = label.get_window_extent()
         w, h = 0.5 * size.width + unit, 0.5 * size.height + 0.5 * unit
 
+        def mistaken(u: float, v: float) -> float:
+            """How many marks are nearer than its own or nearly so, and how many places of other curves lie between."""
+            own = math.hypot(max(abs(u - x) - w, 0.0), max(abs(v - y) - h, 0.0))
+            nearer = sum(math.hypot(max(abs(u - a) - w, 0.0), max(abs(v - b) - h, 0.0)) < own + 1.5 * unit
+                         for a, b in marks if math.hypot(x - a, y - b) > unit)
+            length = math.hypot(u - x, v - y)
+            crossed = 0
+            for a, b, other in lines:
+                along = ((a - x) * (u - x) + (b - y) * (v - y)) / length
+                aside = abs((a - x) * (v - y) - (b - y) * (u - x)) / length
+                crossed += other != number and 5.0 * unit < along < length and aside < 3.0 * unit
+            return 3.0 * nearer + crossed
+
         def covered(u: float, v: float) -> float:
             outside = not (box.x0 < u - w and u + w < box.x1 and box.y0 < v - h and v + h < box.y1)
-            return 20.0 * outside + sum(abs(u - a) < w + c and abs(v - b) < h + d for a, b, c, d in taken)
+            return 20.0 * outside + mistaken(u, v) + sum(abs(u - a) < w + c and abs(v - b) < h + d for a, b, c, d in taken)
 
         best = min(((x + (w + gap * unit) * math.cos(turn), y + (h + gap * unit) * math.sin(turn))
-                    for gap in (5, 9, 14, 20) for turn in (0.0, 0.8, -0.8, 1.57, -1.57, 3.14, 2.35, -2.35)),
+                    for gap in (5, 7, 9, 12, 15) for turn in (0.0, 0.8, -0.8, 1.57, -1.57, 3.14, 2.35, -2.35, 1.2, -1.2, 1.95, -1.95)),
                    key=lambda place: covered(*place))
         if covered(*best) and point.optional:
             label.remove()
