@@ -73,6 +73,7 @@ and films, pictures and golden tests of its worlds.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
       "python3 (>= ${CMAKE_MATCH_1}.${CMAKE_MATCH_2}), python3 (<< ${CMAKE_MATCH_1}.${next}), python3-numpy, ${CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS}")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pytest, boxreel")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
 endif()
 include(CPack)
 
