@@ -93,7 +93,7 @@ TEST(OneSidedEdge, HasGhostVertices)
     EXPECT_EQ(edge.m_vertex3, b2Vec2(-20.0f, 0.0f));
 }
 
-TEST(OneSidedEdge, CarriesWhatSlidesOverAJoint)
+TEST(OneSidedEdge, LetsABoxSlideOverConnectedEdges)
 {
     Scene scene;
     Scene::Add(scene.Body(b2_staticBody, 0.0f, 0.0f), LedgeOfThree(), 0.0f, 0.0f);

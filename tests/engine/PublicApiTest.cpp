@@ -151,7 +151,7 @@ TEST(PublicApi, DumpsEveryPartOfAWorld)
     EXPECT_LT(s_log.find("bodies[0]"), s_log.find("bodies[1]"));
 }
 
-TEST(PublicApi, ContactManagerMatchesTheWorld)
+TEST(ContactManager, MatchesTheWorld)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2ContactListener listener;
