@@ -10,7 +10,7 @@
 namespace
 {
 
-TEST(Types, HaveTheSizesTheirNamesSay)
+TEST(Types, HaveTheSizesOfTheirNames)
 {
     EXPECT_EQ(sizeof(int8), 1u);
     EXPECT_EQ(sizeof(int16), 2u);
