@@ -235,7 +235,7 @@ TEST(Tree, ReportsOnlyBoxesNearTheClippedRay)
     EXPECT_GT(cutter.calls, 1000);
 }
 
-TEST(Tree, RebuildIsIndependentOfPreviousTree)
+TEST(Tree, IsIndependentOfThePreviousTreeWhenRebuilt)
 {
     Random random(45);
     std::vector<b2AABB> boxes;

@@ -32,7 +32,7 @@ TEST(DynamicsBodies, HaveTheMassOfTheirFixtures)
     EXPECT_FLOAT_EQ(body->GetLocalCenter().x, 0.0f);
 }
 
-TEST(DynamicsBodies, UpdatesExtentsByNewFixtureAsByReset)
+TEST(DynamicsBodies, UpdateExtentsByANewFixtureAsByAReset)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 1.0f, 2.0f);
@@ -54,7 +54,7 @@ TEST(DynamicsBodies, UpdatesExtentsByNewFixtureAsByReset)
     }
 }
 
-TEST(DynamicsBodies, ComputesInertiaOfShapeFarFromBodyOrigin)
+TEST(DynamicsBodies, HaveTheInertiaOfAShapeFarFromTheirOrigin)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
@@ -142,7 +142,7 @@ TEST(DynamicsBodies, HaveNoMassWhenStaticOrKinematic)
     }
 }
 
-TEST(DynamicsBodies, HasZeroInertiaForAnyCentreIfRotationIsFixed)
+TEST(DynamicsBodies, HaveNoInertiaForAnyCentreIfRotationIsFixed)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
@@ -157,7 +157,7 @@ TEST(DynamicsBodies, HasZeroInertiaForAnyCentreIfRotationIsFixed)
     EXPECT_NEAR(body->GetInertia(), 1.0f / 6.0f + 4.0f, 1e-5f);
 }
 
-TEST(DynamicsBodies, KeepsPlaceAndPointVelocitiesWhenMassChanges)
+TEST(DynamicsBodies, KeepPlaceAndPointVelocitiesWhenMassChanges)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* body = scene.Box(1.0f, 2.0f);
@@ -173,7 +173,7 @@ TEST(DynamicsBodies, KeepsPlaceAndPointVelocitiesWhenMassChanges)
     EXPECT_NEAR(after.y, before.y, 1e-5f);
 }
 
-TEST(DynamicsBodies, KeepsVelocityBetweenDynamicAndKinematic)
+TEST(DynamicsBodies, KeepVelocityBetweenDynamicAndKinematic)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -190,7 +190,7 @@ TEST(DynamicsBodies, KeepsVelocityBetweenDynamicAndKinematic)
     EXPECT_EQ(body->GetAngularVelocity(), 0.0f);
 }
 
-TEST(DynamicsBodies, ChangesToEveryTypeWhileTouchedAndJoined)
+TEST(DynamicsBodies, ChangeToEveryTypeWhileTouchedAndJoined)
 {
     for (const b2BodyType from : {b2_staticBody, b2_kinematicBody, b2_dynamicBody})
     {
@@ -444,7 +444,7 @@ std::vector<float32> HeightsOfStackAt(float32 place)
     return heights;
 }
 
-TEST(DynamicsBodies, StacksTenKilometresAwayAsAtOrigin)
+TEST(DynamicsBodies, StackTenKilometresAwayAsAtTheOrigin)
 {
     constexpr float32 kSpacingOfFloats = 0.001f; // at 10 km
     const std::vector<float32> near = HeightsOfStackAt(0.0f);

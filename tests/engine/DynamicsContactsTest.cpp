@@ -440,7 +440,7 @@ TEST(DynamicsFilters, LetGroupsDecideBeforeCategories)
     EXPECT_TRUE(Meet(Filter(1, 1, 2), Filter(1, 1, 0)));
 }
 
-TEST(DynamicsFilters, LetOnlyDynamicBodiesCollideSensorsToo)
+TEST(DynamicsFilters, NeedADynamicBodyAlsoForSensors)
 {
     const b2BodyType types[] = {b2_staticBody, b2_kinematicBody, b2_dynamicBody};
     for (const b2BodyType a : types)
@@ -629,7 +629,7 @@ struct TouchCheck
     int apart = 0;
 };
 
-TEST(DynamicsContacts, TouchWhenTheirShapesDoAndOnlyThen)
+TEST(DynamicsContacts, TouchExactlyWhenTheirShapesDo)
 {
     Scene scene;
     scene.world.SetGravity(b2Vec2(0.0f, -2.0f));

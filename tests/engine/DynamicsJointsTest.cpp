@@ -85,7 +85,7 @@ TEST(DynamicsRevoluteJoint, HoldsABodyUpWithItsWeight)
     EXPECT_NEAR(joint->GetReactionTorque(60.0f), 0.0f, 1e-4f);
 }
 
-TEST(DynamicsRevoluteJoint, MeasuresItsAngleFromWhereItWasMade)
+TEST(DynamicsRevoluteJoint, MeasuresItsAngleFromTheInitialPoses)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* a = scene.Body(b2_staticBody, 0.0f, 0.0f, 0.7f);

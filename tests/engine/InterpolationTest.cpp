@@ -144,7 +144,7 @@ TEST(Interpolation, BoundsHowFarAnyShapeIsDisplaced)
     EXPECT_GT(farthest, 0.01f);
 }
 
-TEST(Interpolation, JumpsForLargeAndGlidesForSmallUserMoves)
+TEST(Interpolation, InterpolatesSmallButNotLargeUserMoves)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* jumps = scene.Box(0.0f, 0.0f);

@@ -107,7 +107,7 @@ TEST_P(DistanceLimits, LeaveASpringAloneBetweenThem)
     }
 }
 
-TEST_P(DistanceLimits, MakeARodWhereBothAreTheSame)
+TEST_P(DistanceLimits, MakeARodWhenEqual)
 {
     Hanger h(GetParam(), -3.4f, Numbers(3.4f, 3.4f, 1.0f));
     EXPECT_FALSE(h.joint->IsSpring());
@@ -283,7 +283,7 @@ TEST(DistanceJointLength, IsReturnedAndKeptBelowTheSlop)
     EXPECT_EQ(h.joint->GetLength(), 0.25f * b2_linearSlop);
 }
 
-TEST(DistanceLimitsSetters, WakeWhatTheyMove)
+TEST(DistanceLimitsSetters, WakeTheBodiesThatTheyMove)
 {
     for (const int32 subSteps : {1, 4})
     {

@@ -314,7 +314,7 @@ Bytes GoOnFrom(const Bytes& bytes)
 }
 
 /// The other run is the same test, selected by its environment, with other addresses.
-TEST(SnapshotBytes, GoOnInAnotherRunOfTheProgram)
+TEST(SnapshotBytes, ContinueInAnotherRunOfTheProgram)
 {
     if (const char* file = std::getenv(kFile))
     {
@@ -329,7 +329,7 @@ TEST(SnapshotBytes, GoOnInAnotherRunOfTheProgram)
     WriteFile(file, bytes);
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
     const std::string command = std::string(kFile) + "='" + file + "' '" + program +
-                                "' --gtest_filter='*GoOnInAnotherRun*' >/dev/null 2>&1";
+                                "' --gtest_filter='*ContinueInAnotherRun*' >/dev/null 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0);
     EXPECT_TRUE(ReadFile(file + ".after") == GoOnFrom(bytes));
     std::filesystem::remove_all(folder);
