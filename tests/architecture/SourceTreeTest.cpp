@@ -51,13 +51,13 @@ protected:
 
 // ------------------------------------------------------------------------------ the checkout
 
-TEST(Checkout, IncludesOnlyDownThePicture)
+TEST(Checkout, IncludesOnlyLowerLayers)
 {
     const Findings findings = CheckLayers(kCheckout);
     EXPECT_TRUE(findings.empty()) << Lines(findings);
 }
 
-TEST(Checkout, KeepsEachForeignLibraryInItsOneFile)
+TEST(Checkout, IncludesForeignLibrariesOnlyInTheirWrappers)
 {
     const Findings findings = CheckForeignLibraries(kCheckout);
     EXPECT_TRUE(findings.empty()) << Lines(findings);
@@ -81,7 +81,7 @@ TEST(Checkout, IsCompiledWithExactArithmetic)
     EXPECT_TRUE(findings.empty()) << Lines(findings);
 }
 
-TEST(Checkout, IsWatchedWholeByTheBoxreelScript)
+TEST(Checkout, HasNoFolderThatTheBoxreelScriptMisses)
 {
     const Findings findings = CheckWatchedFolders(kCheckout);
     EXPECT_TRUE(findings.empty()) << Lines(findings);

@@ -48,7 +48,7 @@ TEST(StaticBody, HasNoMassAndNoVelocityAndDoesNotMoveByItself)
     EXPECT_EQ(body->GetPosition(), b2Vec2(3.0f, 4.0f));
 }
 
-TEST(KinematicBody, MovesByItsVelocityAndFeelsNoForces)
+TEST(KinematicBody, MovesByItsVelocityAndIgnoresForces)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_kinematicBody, 0.0f, 0.0f);
@@ -171,7 +171,7 @@ TEST(Damping, SlowsOnlyTheTurningInTheListing)
     EXPECT_NEAR(left.y, std::exp(-0.01f), 1e-4f);
 }
 
-TEST(Damping, HardlyDependsOnTheStepAndStopsWhenInfinite)
+TEST(Damping, DependsLittleOnTheStepAndStopsWhenInfinite)
 {
     EXPECT_NEAR(DampedFor(0.1f, 0.1f, 30).x, DampedFor(0.1f, 0.1f, 120).x, 1e-3f);
     EXPECT_GT(b2Abs(DampedFor(20.0f, 0.0f, 10).x - DampedFor(20.0f, 0.0f, 20).x), 1e-6f);

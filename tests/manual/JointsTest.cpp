@@ -159,7 +159,7 @@ TEST_F(JointDefinition, PullsBodiesTogetherByItsLocalAnchors)
     EXPECT_LT(b2Distance(joint->GetAnchorA(), joint->GetAnchorB()), b2_linearSlop);
 }
 
-TEST_F(JointDefinition, InitializeUsesThePresentTransforms)
+TEST_F(JointDefinition, UsesThePresentTransformsInInitialize)
 {
     myBodyB->SetTransform(b2Vec2(2.0f, 0.0f), 0.5f * b2_pi);
     b2RevoluteJointDef jointDef;

@@ -39,7 +39,7 @@ float32 HighestOverTheSeam(bool withGhosts)
     return highest;
 }
 
-TEST(Shapes, AnswerTheFourQuestionsOfTheBaseClass)
+TEST(Shapes, ImplementTheFourFunctionsOfTheBaseClass)
 {
     b2PolygonShape box;
     box.SetAsBox(1.0f, 2.0f);

@@ -345,7 +345,7 @@ TEST(RayCasts, EndAtZeroContinueAtOneAndIgnoreAtMinusOne)
     EXPECT_EQ(behind.nearest, second);
 }
 
-TEST(ForcesAndImpulses, WakeTheBodyUnlessTheCallerLooksFirst)
+TEST(ForcesAndImpulses, WakeTheBodyUnlessTheCallerForbidsIt)
 {
     Scene scene;
     scene.Ground();
