@@ -78,6 +78,31 @@ void AddSteps(ordered_json& object, const VerdictRecord& record)
     }
 }
 
+/// Adds what the findings say, as data: programs compare verdicts by it.
+void AddDifferences(ordered_json& object, const GoldenVerdict& verdict)
+{
+    if (verdict.status == GoldenStatus::NotCompared)
+    {
+        object["culprit"] = verdict.problem.culprit.Text();
+    }
+    if (verdict.world)
+    {
+        object["state"] = verdict.world->actual;
+    }
+    if (verdict.list)
+    {
+        object["line"] = verdict.list->line;
+    }
+    if (verdict.film && verdict.film->HasOtherMoments())
+    {
+        object["moments"] = verdict.film->actualMoments;
+    }
+    if (!verdict.missing.empty())
+    {
+        object["missing"] = verdict.missing;
+    }
+}
+
 } // namespace
 
 std::string ToJson(const VerdictRecord& record)
@@ -92,6 +117,7 @@ std::string ToJson(const VerdictRecord& record)
     {
         object["accept"] = verdict.accept;
     }
+    AddDifferences(object, verdict);
     AddLimits(object, record.limits);
     object["limitsChoice"] = LimitsWord(verdict.limits);
     if (verdict.compared.frame)

@@ -176,8 +176,8 @@ std::string DescribeBody(const BodyState& expected, const BodyState& actual)
 std::string Numbers(const std::vector<int>& numbers, const char* what)
 {
     return numbers.size() == 1 ? "body " + std::to_string(numbers.front()) + " is " + what
-                               : std::to_string(numbers.size()) + " bodies are " + what +
-                                     " (number " + std::to_string(numbers.front()) + " first)";
+                               : Counted(numbers.size(), "body") + " are " + what + " (number " +
+                                     std::to_string(numbers.front()) + " first)";
 }
 
 std::string DescribeLine(const LineDifference& difference)

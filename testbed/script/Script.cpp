@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Script.h"
-#include "ScriptSettings.h"
 #include "ScriptWords.h"
+#include "SolverSettings.h"
 
 #include <base/ErrorMacros.h>
 #include <base/Nearest.h>

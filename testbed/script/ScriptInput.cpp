@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ScriptInput.h"
 
-#include "ScriptSettings.h"
+#include "SolverSettings.h"
 
 #include <base/ErrorMacros.h>
 #include <base/Quoting.h>

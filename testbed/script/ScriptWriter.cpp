@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ScriptWriter.h"
-#include "ScriptSettings.h"
+#include "SolverSettings.h"
 
 #include "ScriptWords.h"
 

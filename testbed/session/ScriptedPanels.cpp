@@ -79,7 +79,6 @@ private:
 
     Panels m_panels;
     PanelChoices m_choices;
-    SolverChoices m_solver; // that the session has
     Vec2 m_pointer{-1.0f, -1.0f};
     bool m_isDrawn = true;
     bool m_isTimed = false;
@@ -90,11 +89,7 @@ private:
 /// With the choices as the session has them.
 void ScriptedPanels::Begin(const SceneSession& session)
 {
-    m_solver = SolverOf(session);
-    m_choices.solver = m_solver;
-    m_choices.layers = session.Look().layers;
-    m_choices.labels = session.Look().labels;
-    m_choices.isPaused = session.IsPaused();
+    ReadChoices(m_choices, session);
 }
 
 void ScriptedPanels::Frame(SceneSession& session, const PanelInput& input)
@@ -106,11 +101,11 @@ void ScriptedPanels::Frame(SceneSession& session, const PanelInput& input)
     facts.isWindow = false;
     const PanelAnswer answer = m_panels.Build(facts, m_choices, input);
     session.Pause(m_choices.isPaused);
-    session.SetLayers(m_choices.layers, m_choices.labels);
+    Apply(m_choices, session);
     const int hertz = m_choices.solver.hertz;
     if (m_choices.solver != now)
     {
-        Apply(m_choices.solver, session);
+        ApplySettings(m_choices.solver, session.World(), session.Steps());
     }
     if (hertz != now.hertz)
     {

@@ -47,55 +47,29 @@ PanelFacts FactsOf(SceneSession& session, bool isTimed)
 
 SolverChoices SolverOf(const SceneSession& session)
 {
-    const b2World& world = session.World();
     SolverChoices solver;
-    solver.velocityIterations = session.Steps().velocityIterations;
-    solver.positionIterations = session.Steps().positionIterations;
-    solver.subSteps = world.GetSubStepCount();
     solver.hertz = static_cast<int>(std::lround(session.StepsPerSecond().ToDouble()));
-    solver.sleep = world.GetAllowSleeping();
-    solver.warmStarting = world.GetWarmStarting();
-    solver.continuous = world.GetContinuousPhysics();
-    solver.subStepping = world.GetSubStepping();
+    ReadSettings(solver, session.World(), session.Steps());
     return solver;
 }
 
-void Apply(const SolverChoices& solver, SceneSession& session)
+void Apply(const PanelChoices& choices, SceneLook& look)
 {
-    b2World& world = session.World();
-    session.Steps().velocityIterations = solver.velocityIterations;
-    session.Steps().positionIterations = solver.positionIterations;
-    world.SetSubStepCount(solver.subSteps);
-    world.SetAllowSleeping(solver.sleep);
-    world.SetWarmStarting(solver.warmStarting);
-    world.SetContinuousPhysics(solver.continuous);
-    world.SetSubStepping(solver.subStepping);
+    look.layers = choices.layers;
+    look.labels = choices.labels;
 }
 
-std::vector<std::pair<std::string, std::string>> Differences(const SolverChoices& before,
-                                                             const SolverChoices& after)
+void Apply(const PanelChoices& choices, SceneSession& session)
 {
-    std::vector<std::pair<std::string, std::string>> changed;
-    const auto number = [&](const char* name, int SolverChoices::*value) {
-        if (before.*value != after.*value)
-        {
-            changed.emplace_back(name, std::to_string(after.*value));
-        }
-    };
-    const auto flag = [&](const char* name, bool SolverChoices::*value) {
-        if (before.*value != after.*value)
-        {
-            changed.emplace_back(name, after.*value ? "on" : "off");
-        }
-    };
-    number("velocity-iterations", &SolverChoices::velocityIterations);
-    number("position-iterations", &SolverChoices::positionIterations);
-    number("sub-steps", &SolverChoices::subSteps);
-    flag("sleep", &SolverChoices::sleep);
-    flag("warm-starting", &SolverChoices::warmStarting);
-    flag("continuous", &SolverChoices::continuous);
-    flag("sub-stepping", &SolverChoices::subStepping);
-    return changed;
+    session.SetLayers(choices.layers, choices.labels);
+}
+
+void ReadChoices(PanelChoices& choices, const SceneSession& session)
+{
+    choices.solver = SolverOf(session);
+    choices.layers = session.Look().layers;
+    choices.labels = session.Look().labels;
+    choices.isPaused = session.IsPaused();
 }
 
 Result<SceneSession> OpenSession(SceneSource source, SceneLook look)

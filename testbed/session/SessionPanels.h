@@ -18,12 +18,13 @@ PanelFacts FactsOf(SceneSession& session, bool isTimed);
 /// Returns the current solver settings of the session's world.
 SolverChoices SolverOf(const SceneSession& session);
 
-/// Applies the settings that may change during a session: all except the rate.
-void Apply(const SolverChoices& solver, SceneSession& session);
+/// Applies the choices that the window and films share, except those of the solver, to a session
+/// and to the look of one that is to be opened.
+void Apply(const PanelChoices& choices, SceneSession& session);
+void Apply(const PanelChoices& choices, SceneLook& look);
 
-/// Returns the names and new values of the choices that differ, as in scripts: {"sleep", "off"}.
-std::vector<std::pair<std::string, std::string>> Differences(const SolverChoices& before,
-                                                             const SolverChoices& after);
+/// Reads the same choices and those of the solver.
+void ReadChoices(PanelChoices& choices, const SceneSession& session);
 
 /// Panels of a recorded session. A script can click them when they are hidden.
 Result<std::shared_ptr<SessionCompanion>> CreateScriptedPanels(const SceneLook& look,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <base/Words.h>
 #include <options/SceneLayers.h>
 #include <scenes/Scene.h>
+#include <script/SolverSettings.h>
 
 #include <array>
 #include <cstdint>
@@ -42,20 +44,6 @@ struct PanelFacts
     std::string message;               ///< the last action
 };
 
-/// The settings of the world's solver.
-struct SolverChoices
-{
-    int velocityIterations = 8;
-    int positionIterations = 3;
-    int subSteps = 1;
-    int hertz = 60;
-    bool sleep = true;
-    bool warmStarting = true;
-    bool continuous = true;
-    bool subStepping = false; ///< one time of impact a step
-    friend bool operator==(const SolverChoices&, const SolverChoices&) = default;
-};
-
 /// The settings that panels change.
 struct PanelChoices
 {
@@ -72,6 +60,31 @@ struct PanelChoices
     bool filmsPanels = false; ///< they are seen in films
     friend bool operator==(const PanelChoices&, const PanelChoices&) = default;
 };
+
+/// Calls `visit(name, value)` for each choice that the window keeps from run to run, with its name
+/// in the file. The names of the solver's are those of their table.
+template <class Choices, class Visit>
+void VisitKept(Choices& choices, const Visit& visit)
+{
+    visit("panels", choices.showsPanels);
+    visit("keep solver", choices.keepsSolver);
+    for (const LayerInfo& layer : kOptionalLayers)
+    {
+        visit(layer.option, choices.layers[layer.layer]);
+    }
+    visit("numbers", choices.labels);
+    visit("statistics", choices.statistics);
+    visit("profile", choices.profile);
+    visit("theme", choices.theme);
+    visit("film panels", choices.filmsPanels);
+    visit("hertz", choices.solver.hertz);
+    for (const SolverSetting& setting : SolverSettings())
+    {
+        const std::string name = Lower(setting.label);
+        std::visit([&](auto member) { visit(name.c_str(), choices.solver.*member); },
+                   setting.member);
+    }
+}
 
 /// A one-time request.
 enum class PanelWish

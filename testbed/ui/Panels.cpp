@@ -36,6 +36,27 @@ float SecondColumn()
     return std::ceil(ImGui::GetCursorPosX() + widest + ImGui::GetStyle().ItemSpacing.x);
 }
 
+/// Check boxes, two in a row.
+class TwoColumns
+{
+public:
+    explicit TwoColumns(Widgets& widgets) : m_widgets(widgets), m_second(SecondColumn()) {}
+    void Check(const char* name, bool& value)
+    {
+        if (m_isSecond)
+        {
+            ImGui::SameLine(m_second);
+        }
+        m_widgets.Check(name, value);
+        m_isSecond = !m_isSecond;
+    }
+
+private:
+    Widgets& m_widgets;
+    float m_second; // its x
+    bool m_isSecond = false;
+};
+
 struct KeyHelp
 {
     const char* keys;
@@ -82,21 +103,26 @@ void SolverSection(Widgets& widgets, PanelChoices& choices)
         return;
     }
     SolverChoices& solver = choices.solver;
-    widgets.Number("Velocity iterations", solver.velocityIterations, 1, 50);
-    widgets.Number("Position iterations", solver.positionIterations, 1, 50);
-    widgets.Number("Sub-steps", solver.subSteps, 1, 64);
+    for (const SolverSetting& setting : SolverSettings())
+    {
+        if (const auto* const number = std::get_if<int SolverChoices::*>(&setting.member))
+        {
+            widgets.Number(setting.label, solver.**number, 1, setting.sliderMaximum);
+        }
+    }
     widgets.Number("Hertz", solver.hertz, 5, 480);
     if (ImGui::IsItemHovered())
     {
         widgets.Tip("Another rate restarts the scene.");
     }
-    const float secondColumn = SecondColumn();
-    widgets.Check("Sleep", solver.sleep);
-    ImGui::SameLine(secondColumn);
-    widgets.Check("Warm starting", solver.warmStarting);
-    widgets.Check("Continuous", solver.continuous);
-    ImGui::SameLine(secondColumn);
-    widgets.Check("Sub-stepping", solver.subStepping);
+    TwoColumns columns(widgets);
+    for (const SolverSetting& setting : SolverSettings())
+    {
+        if (const auto* const flag = std::get_if<bool SolverChoices::*>(&setting.member))
+        {
+            columns.Check(setting.label, solver.**flag);
+        }
+    }
     widgets.Check("Keep for every scene", choices.keepsSolver);
 }
 
@@ -343,23 +369,14 @@ void Panels::DrawSection(const PanelFacts& facts, PanelChoices& choices)
     {
         return;
     }
-    const float secondColumn = SecondColumn();
-    bool isLeft = true;
-    const auto check = [&](const char* name, bool& value) {
-        if (!isLeft)
-        {
-            ImGui::SameLine(secondColumn);
-        }
-        m_widgets.Check(name, value);
-        isLeft = !isLeft;
-    };
+    TwoColumns columns(m_widgets);
     for (const LayerInfo& layer : kOptionalLayers)
     {
-        check(layer.label, choices.layers[layer.layer]);
+        columns.Check(layer.label, choices.layers[layer.layer]);
     }
-    check("Numbers", choices.labels);
-    check("Statistics", choices.statistics);
-    check("Profile", choices.profile);
+    columns.Check("Numbers", choices.labels);
+    columns.Check("Statistics", choices.statistics);
+    columns.Check("Profile", choices.profile);
     if (!facts.isWindow)
     {
         return; // a film has one theme

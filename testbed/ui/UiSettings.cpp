@@ -28,25 +28,7 @@ void VisitAll(Settings& s, const Visit& visit)
     visit("width", s.width);
     visit("height", s.height);
     visit("scene", s.scene);
-    visit("panels", s.choices.showsPanels);
-    visit("keep solver", s.choices.keepsSolver);
-    visit("velocity iterations", s.choices.solver.velocityIterations);
-    visit("position iterations", s.choices.solver.positionIterations);
-    visit("sub-steps", s.choices.solver.subSteps);
-    visit("hertz", s.choices.solver.hertz);
-    visit("sleep", s.choices.solver.sleep);
-    visit("warm starting", s.choices.solver.warmStarting);
-    visit("continuous", s.choices.solver.continuous);
-    visit("sub-stepping", s.choices.solver.subStepping);
-    for (const LayerInfo& layer : kOptionalLayers)
-    {
-        visit(layer.option, s.choices.layers[layer.layer]);
-    }
-    visit("numbers", s.choices.labels);
-    visit("statistics", s.choices.statistics);
-    visit("profile", s.choices.profile);
-    visit("theme", s.choices.theme);
-    visit("film panels", s.choices.filmsPanels);
+    VisitKept(s.choices, visit);
     visit("open", s.openSections);
 }
 
@@ -59,10 +41,14 @@ void Limit(UiSettings& settings)
     limit(settings.width, 320, 8192);
     limit(settings.height, 240, 8192);
     SolverChoices& solver = settings.choices.solver;
-    limit(solver.velocityIterations, 1, 1000);
-    limit(solver.positionIterations, 1, 1000);
-    limit(solver.subSteps, 1, 64);
     limit(solver.hertz, 5, 480);
+    for (const SolverSetting& setting : SolverSettings())
+    {
+        if (const auto* const number = std::get_if<int SolverChoices::*>(&setting.member))
+        {
+            limit(solver.**number, 1, setting.maximum);
+        }
+    }
     if (!FindTheme(settings.choices.theme))
     {
         settings.choices.theme = "classic";

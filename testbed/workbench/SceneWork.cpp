@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "SceneWork.h"
 
-#include <script/ScriptSettings.h>
+#include <script/SolverSettings.h>
 
 #include <algorithm>
 #include <utility>

@@ -29,8 +29,7 @@ Result<Workbench> Workbench::Open(SceneSource source, const WorkbenchSettings& s
     WorkbenchSettings own = settings;
     SceneLook& look = own.look;
     look.panels.testbed = true;
-    look.layers = settings.choices.layers;
-    look.labels = settings.choices.labels;
+    Apply(settings.choices, look);
     look.panels.covered = settings.choices.showsPanels ? Panels::kColumnWidth : 0;
     const bool keeps = settings.choices.keepsSolver && settings.keepsChoices;
     SceneLook first = look;
@@ -69,8 +68,7 @@ void Workbench::Change(const std::string& scene, bool isOther)
         return;
     }
     SceneLook look = m_settings.look;
-    look.layers = m_choices.layers;
-    look.labels = m_choices.labels;
+    Apply(m_choices, look);
     const bool keeps = !isOther || m_choices.keepsSolver;
     if (keeps && m_choices.solver.hertz != m_work.Preferred().hertz)
     {
@@ -172,7 +170,7 @@ void Workbench::SettlePicker()
 
 void Workbench::ApplyChoices(const PanelChoices& before)
 {
-    Session().SetLayers(m_choices.layers, m_choices.labels);
+    Apply(m_choices, Session());
     if (before.showsPanels != m_choices.showsPanels)
     {
         Cover();

@@ -113,6 +113,11 @@ class Charts(unittest.TestCase):
         self.assertEqual([point.label for point in curves[0].points], ["1", "2", "4 sub-steps"])
         self.assertEqual([point.mark for point in curves[0].points], [".", ".", "o"])
 
+    def test_always_name_the_usual_settings_and_the_end(self) -> None:
+        curve = self.drawn(*(one(steps=steps) for steps in (1, 2, 4, 8))).curves[0]
+        self.assertEqual([point.label for point in curve.points], ["1", "2", "4", "8 sub-steps"])
+        self.assertEqual([point.optional for point in curve.points], [True, True, False, False])
+
     def test_mark_failed_runs_with_a_cross(self) -> None:
         curve = self.drawn(one(steps=1, ending="falls"), one(steps=2, error=None, held=False), one(steps=4)).curves[0]
         self.assertEqual([(point.mark, point.y) for point in curve.points], [("x", 1e-4 / 10), ("x", None), ("o", 1e-5)])

@@ -15,21 +15,12 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 from runner import accuracy, against, charts, engine, toolkit  # noqa: E402
 from runner.common import (  # noqa: E402
-    ABSENT, FAILED, TEXTS, UNUSABLE, Benchmark, Problem, Result, check_outputs,
-    note, read_results, table, write_whole)
+    ABSENT, FAILED, TEXTS, UNUSABLE, Benchmark, Problem, Result, note, read_results, table,
+    write_whole)
 
 BENCHMARKS: dict[str, Benchmark] = {one.name: one for one in (
     engine.Engine(), engine.Curve(), accuracy.Accuracy(), toolkit.Drawing(), toolkit.Recording(), toolkit.Comparing())}
 KINDS = BENCHMARKS | {"against": against.Against()}  # what a file of figures may hold
-
-EXAMPLES = """Examples:
-  ./boxreel bench engine --list
-  ./boxreel bench engine large-pyramid rain --threads 1,2
-  ./boxreel bench accuracy --json accuracy.json
-  ./boxreel bench show accuracy.json J-stack-30 --chart stack.svg
-  ./boxreel bench engine --against ../before/build/release
-
-`./boxreel bench NAME --help` shows the options of a benchmark."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -53,7 +44,7 @@ def numbers(pattern: str, example: str, most: int):
 def parse(words: list[str]) -> argparse.Namespace:
     """The options of texts.json, of which none contradicts another."""
     parser = Parser(prog="./boxreel bench", description="Run benchmarks beside other engines, renderers and encoders.",
-                    epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+                    epilog="\n".join(TEXTS["examples"]), formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="benchmark", metavar="NAME", required=True)
     for name in (*BENCHMARKS, "show"):
         what = TEXTS[name]["what"]
@@ -71,6 +62,7 @@ def parse(words: list[str]) -> argparse.Namespace:
 def choose(cases: list[Result], options: argparse.Namespace) -> list[Result]:
     """The cases that were named, else those that are run by default; a file may hold several results of a case."""
     shown, known = options.benchmark == "show", [one["case"] for one in cases]
+    chosen: list[Result] = []
     for name in options.cases:
         if name not in known and options.benchmark != "golden":  # which takes any scene
             near = "".join(f"; did you mean '{word}'?" for word in difflib.get_close_matches(name, known, 1))
@@ -78,30 +70,26 @@ def choose(cases: list[Result], options: argparse.Namespace) -> list[Result]:
             raise Problem(f"unknown case '{name}'; `./boxreel bench {'show ' * shown}{place} --list` shows all{near}")
         if options.cases.count(name) > 1:
             raise Problem(f"'{name}' is named twice; give it once")
-    return [one for name in options.cases for one in ([one for one in cases if one["case"] == name] or
-                                                      [{"case": name, "what": "this scene"}])] or [
-        one for one in cases if shown or not one.get("onlyNamed")]
+        chosen += [one for one in cases if one["case"] == name] or [{"case": name, "what": "this scene"}]
+    return chosen or [one for one in cases if shown or not one.get("onlyNamed")]
 
 
-def measured(benchmark: Benchmark, build: Path, case: Result, options: argparse.Namespace) -> Result:
-    """The judged figures of a case, made with a folder that is removed afterwards."""
-    with tempfile.TemporaryDirectory(prefix="boxreel-bench-") as work:
-        result = benchmark.measure(build, case, options, Path(work))
-    benchmark.judge(result)
-    return result
+def measured(benchmark: Benchmark, build: Path, cases: list[Result], options: argparse.Namespace) -> list[Result]:
+    """The judged results of all cases, or of those before a signal to stop."""
+    def measure(case: Result, folder: Path, rounds: int) -> Result:
+        with tempfile.TemporaryDirectory(prefix="boxreel-bench-") as work:
+            result = benchmark.measure(folder, case, argparse.Namespace(**{**vars(options), "rounds": rounds}), Path(work))
+        benchmark.judge(result)
+        return result
 
-
-def measure_all(benchmark: Benchmark, build: Path, cases: list[Result], options: argparse.Namespace) -> list[Result]:
-    """The results of all cases, or of those before a signal to stop."""
     results: list[Result] = []
-    once = argparse.Namespace(**{**vars(options), "rounds": 1})
     try:
         for case in cases:
             note(f"{case['case']}: {case['what']}")
-            results += against.compared(
-                benchmark, case, options.rounds, (build, Path(options.against)),
-                lambda which, case=case: measured(benchmark, which, case, once)
-            ) if options.against else [measured(benchmark, build, case, options)]
+            if options.against:
+                results += against.compared(benchmark, case, options.rounds, (build, Path(options.against)), measure)
+            else:
+                results.append(measure(case, build, options.rounds))
     except KeyboardInterrupt:
         if not results:
             raise
@@ -115,26 +103,21 @@ def outputs(benchmark: Benchmark, cases: list[Result], options: argparse.Namespa
     suffixes = {f"-{theme}": theme for theme in charts.THEMES} if options.theme == "both" else {"": options.theme}
     pictures = {path.with_name(f"{path.stem}{'-' * bool(part)}{part}{suffix}{path.suffix}"): (part, theme)
                 for path in map(Path, options.chart) for part in parts for suffix, theme in suffixes.items()}
-    check_outputs([*pictures, *([] if options.json in (None, "-") else [Path(options.json)])], options.force)
+    files = [*pictures, *([] if options.json in (None, "-") else [Path(options.json)])]
+    for path in files:  # checked before minutes of work
+        if files.count(path) > 1:
+            raise Problem(f"'{path}' would be written twice; give each file once")
+        if not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
+            raise Problem(f"'{path.parent}' is no folder that can be written; create it first")
+        if path.is_dir() or (path.exists() and not options.force):
+            raise Problem(f"'{path}' exists; --force overwrites files")
     if options.chart and importlib.util.find_spec("matplotlib") is None:
         raise Problem("charts need matplotlib; install python3-matplotlib", ABSENT)
     return pictures
 
 
-def present(kind: Benchmark, results: list[Result], options: argparse.Namespace, pictures: dict) -> None:
-    """Prints, writes and draws results. Times are in seconds, memory of the engine is in kB, that of films in bytes."""
-    shown, drawn = kind.text(results), kind.drawn(results) if options.chart else {}
-    data = json.dumps({"benchmark": kind.name, "results": results}, indent=1, ensure_ascii=False) + "\n"
-    print(data if options.json == "-" else shown, end="")
-    if options.json not in (None, "-"):
-        write_whole(Path(options.json), data.encode())
-    for path, (part, theme) in pictures.items():
-        if part in drawn:
-            write_whole(path, charts.draw(drawn[part], theme, path.suffix[1:]))
-
-
 def perform(options: argparse.Namespace) -> None:
-    """Lists or measures cases, or reads their results, and presents them."""
+    """Lists or measures cases, or reads their results; prints, writes and draws them."""
     build = Path(os.environ.get("BOXREEL_BUILD_DIR") or Path(__file__).resolve().parents[2] / "build" / "release")
     if options.benchmark == "show":
         kind, known = read_results(options.source, KINDS)
@@ -146,8 +129,16 @@ def perform(options: argparse.Namespace) -> None:
     if options.list:
         print(table("<<", list(dict.fromkeys((one["case"], one["what"]) for one in known))), end="")
         return
-    present(kind, cases if options.benchmark == "show" else measure_all(benchmark, build, cases, options), options,
-            pictures)
+    results = cases if options.benchmark == "show" else measured(benchmark, build, cases, options)
+    shown, drawn = kind.text(results), kind.drawn(results) if options.chart else {}
+    # Times are in seconds, memory of the engine is in kB, that of films in bytes.
+    data = json.dumps({"benchmark": kind.name, "results": results}, indent=1, ensure_ascii=False) + "\n"
+    print(data if options.json == "-" else shown, end="")
+    if options.json not in (None, "-"):
+        write_whole(Path(options.json), data.encode())
+    for path, (part, theme) in pictures.items():
+        if part in drawn:
+            write_whole(path, charts.draw(drawn[part], theme, path.suffix[1:]))
 
 
 def main(words: list[str]) -> int:
@@ -166,8 +157,7 @@ def main(words: list[str]) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
-    except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, StopIteration,
-            RecursionError) as error:
+    except Exception as error:  # any, for a file that another program wrote
         if options.benchmark != "show":
             raise
         note(f"'{options.source}' is not what `./boxreel bench NAME --json FILE` writes ({error}); make it again.")

@@ -220,6 +220,19 @@ class Charts(BuildCase):
         self.assertEqual([bar[0] for bar in chart.groups[0][3]], [2.0, 0.5])
         self.assertTrue(charts.draw(chart, "light", "png"))
 
+    def test_have_labels_that_cover_nothing(self) -> None:
+        from matplotlib.figure import Figure
+        points = [charts.Point(1.0 + 0.02 * i, 1.0 + 0.02 * (i % 3), f"label {i}", ".", i > 0) for i in range(30)]
+        axes = Figure(figsize=(6.0, 4.0)).add_subplot()
+        charts.draw_lines(axes, charts.Lines({"x": "x", "y": "y"}, [charts.Curve("a", 0, "-", points)]), "black", "gray")
+        labels = axes.figure.texts
+        self.assertIn("label 0", [label.get_text() for label in labels])
+        self.assertTrue(2 < len(labels) < 30, "some have no room")
+        boxes = [label.get_window_extent() for label in labels]
+        marks = axes.transData.transform([point[:2] for point in points])
+        for number, box in enumerate(boxes[1:], 1):  # the first must be there
+            self.assertEqual((box.count_overlaps(boxes[:number]), box.count_contains(marks)), (0, 0), labels[number])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -67,12 +67,13 @@ TEST_F(VerdictFile, ReplacesVerdictOfEarlierComparison)
     ASSERT_TRUE(store.Accept(candidate));
     GoldenCandidate moved = candidate;
     moved.list.points[0].x += 0.125f;
-    EXPECT_THAT(Verified(moved), HasSubstr("\"status\": \"drawlist\""));
+    EXPECT_THAT(Verified(moved),
+                AllOf(HasSubstr("\"status\": \"drawlist\""), HasSubstr("\"line\": ")));
     EXPECT_THAT(Verified(candidate), HasSubstr("\"status\": \"same\""));
     fs::remove_all(references);
     const std::string json = Verified(candidate);
     EXPECT_THAT(json,
-                AllOf(HasSubstr("\"status\": \"missing\""),
+                AllOf(HasSubstr("\"status\": \"missing\""), HasSubstr("\"missing\": ["),
                       HasSubstr("\"accept\": \"boxreel golden accept pyramid/3s --references '" +
                                 references.string() + "'\"")));
 }
@@ -85,8 +86,9 @@ TEST_F(VerdictFile, NamesStepAndBodiesThatDifferFirst)
                                            Not(HasSubstr("firstStep"))));
     candidate.trace.steps[1] = {2, "2222222f", "cf"};
     EXPECT_THAT(Verified(candidate),
-                AllOf(HasSubstr("\"status\": \"state\""), HasSubstr("\"firstStep\": 2"),
-                      HasSubstr("\"firstBodies\": [1]"), HasSubstr("\"firstHash\": \"2222222f\"")));
+                AllOf(HasSubstr("\"status\": \"state\""), HasSubstr("\"state\": \""),
+                      HasSubstr("\"firstStep\": 2"), HasSubstr("\"firstBodies\": [1]"),
+                      HasSubstr("\"firstHash\": \"2222222f\"")));
 }
 
 TEST_F(VerdictFile, StoresErrorWhenReferenceIsDamaged)
@@ -94,8 +96,11 @@ TEST_F(VerdictFile, StoresErrorWhenReferenceIsDamaged)
     ASSERT_TRUE(store.Accept(candidate));
     ASSERT_THAT(Verified(candidate), HasSubstr("\"status\": \"same\""));
     std::ofstream(references / "frames/pyramid/3s.png") << "damaged";
-    EXPECT_THAT(Verified(candidate), AllOf(HasSubstr("\"status\": \"error\""), HasSubstr("3s.png"),
-                                           HasSubstr("\"accept\": \"boxreel golden accept pyra")))
+    EXPECT_THAT(Verified(candidate),
+                AllOf(HasSubstr("\"status\": \"error\""),
+                      HasSubstr("\"culprit\": " +
+                                JsonText((references / "frames/pyramid/3s.png").string())),
+                      HasSubstr("\"accept\": \"boxreel golden accept pyra")))
         << "it does not pass any more";
 }
 

@@ -34,7 +34,6 @@ using boxreel::Result;
 using boxreel::StoredFrameRate;
 using boxreel::VideoSettings;
 using boxreel::VideoWriter;
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -94,8 +93,8 @@ TEST_P(VideoFile, IsNotOverwrittenUnlessAllowed)
     const std::filesystem::path path = m_folder / (std::string("film") + GetParam());
     WriteBytes(path, "precious");
     const Error error = Refusal(path);
-    EXPECT_EQ(error.kind, ErrorKind::Unusable);
-    EXPECT_THAT(error.Text(), AllOf(HasSubstr(path.string()), HasSubstr("overwrite = true")));
+    EXPECT_THAT(error, IsError(ErrorKind::Unusable, path.string()));
+    EXPECT_THAT(error.remedy.Text(), HasSubstr("overwrite"));
     EXPECT_EQ(ReadBytes(path), "precious");
     {
         VideoSettings settings = kSmall;

@@ -31,6 +31,7 @@ struct ReportedVerdict
     std::string firstHash;      ///< hash of the actual world at that step, 8 hex digits; empty: no
                                 ///< world
     std::string json;           ///< the whole file, for the page's script; one line, without '<'
+    std::string data;           ///< what tells it from another verdict on the same moment
     std::string folder;         ///< folder, for display
     std::filesystem::path base; ///< prefix of the files: base + ".expected.png" and so on
     /// True if the moment is as approved.

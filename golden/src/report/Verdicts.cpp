@@ -56,6 +56,18 @@ std::string LimitsOf(const json& file)
                                            : "");
 }
 
+/// Returns what tells the verdicts of two shards apart: the file without its sentences and without
+/// what shards that agree may have of their own.
+std::string DataOf(json file)
+{
+    for (const char* key :
+         {"findings", "accept", "limits", "pixels", "renderer", "fingerprint", "view"})
+    {
+        file.erase(key);
+    }
+    return Dumped(file);
+}
+
 ReportedVerdict FromJson(const json& file)
 {
     ReportedVerdict verdict;
@@ -88,6 +100,7 @@ ReportedVerdict FromJson(const json& file)
         verdict.lastStep = file.at("step").get<std::int64_t>();
     }
     verdict.json = Dumped(file);
+    verdict.data = DataOf(file);
     return verdict;
 }
 
@@ -119,6 +132,7 @@ ReportedVerdict Unreadable(const fs::path& path, const fs::path& folder, const E
     return FromJson({{"verdict", 2},
                      {"name", name},
                      {"status", StatusWord(GoldenStatus::NotCompared)},
+                     {"culprit", error.culprit.Text()},
                      {"findings", {error.Text()}}});
 }
 
@@ -170,7 +184,7 @@ void Merge(ReportedMoment& moment, ReportedVerdict verdict)
     {
         std::swap(moment.shown, verdict);
     }
-    if (verdict.status != moment.shown.status || verdict.findings != moment.shown.findings)
+    if (verdict.status != moment.shown.status || verdict.data != moment.shown.data)
     {
         moment.others.push_back(std::move(verdict));
     }

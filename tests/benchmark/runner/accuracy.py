@@ -41,23 +41,20 @@ def usual(result: Result, engine: str, steps: int = 4) -> Result:
 def summary(results: list[Result], steps: int, with_goals: bool = True) -> str:
     """A row a case: what every engine reaches with its usual settings, ours with so many sub-steps."""
     first, *others = engines_of(results[0])
-    rows = [[f"{steps} sub-steps", "goal", "", first, "", *(cell for name in others for cell in (name, "", ""))]]
+    rows = [[f"{steps} sub-steps", "goal", "", first, "", *(cell for name in others for cell in (name, "", "")), ""]]
     for result in results:
-        ours, *peers = runs = [usual(result, engine, steps) for engine in (first, *others)]
-        cells = []
-        for one in runs:
-            cells.append(ending(one) or f"{one['error']:.3g}")
+        ours, *peers = [usual(result, engine, steps) for engine in (first, *others)]
+        goal = goals_of(result).get("error")
+        row = [result["case"], f"{goal[1]:g}" if goal else "", result["unit"]]
+        for one in (ours, *peers):
             timed = "failure" not in one and "failure" not in ours
-            cells += [time_text(one["cpu"]), times_text(one["cpu"] / ours["cpu"])] if timed else ["", ""]
-        del cells[2]  # ours over ours
-        slower = any(one.get("program") == GOAL_PROGRAM and one["cpu"] < ours.get("cpu", 0.0)
-                     for one in peers if "failure" not in one)
-        said = ours.get("verdict", "not run")
-        rows.append([result["case"], f"{goals_of(result)['error'][1]:g}" if "error" in goals_of(result) else "", result["unit"], *cells,
-                     "goal met" + ", slower" * slower if said == "goal met" else f"goal not met {said}"])
-    if with_goals:
-        return table("<>>>>" + ">>>" * len(others) + "<", rows)
-    return table("<>>>" + ">>>" * len(others), [[row[0], *row[2:5 + 3 * len(others)]] for row in rows])
+            times = [time_text(one["cpu"]), times_text(one["cpu"] / ours["cpu"])] if timed else ["", ""]
+            row += [ending(one) or f"{one['error']:.3g}", *times[:1 if one is ours else 2]]
+        verdict = ours.get("verdict", "not run")
+        slower = any(one.get("program") == GOAL_PROGRAM and one.get("cpu", math.inf) < ours.get("cpu", 0.0) for one in peers)
+        rows.append([*row, "goal met" + ", slower" * slower if verdict == "goal met" else f"goal not met {verdict}"])
+    ways = "<>>>>" + ">>>" * len(others)
+    return table(ways + "<", rows) if with_goals else table(ways[:-1], [[row[0], *row[2:-1]] for row in rows])
 
 
 def points_of(result: Result, engine: str, floor: float) -> Iterator[tuple[str, str, charts.Point]]:
@@ -73,15 +70,11 @@ def points_of(result: Result, engine: str, floor: float) -> Iterator[tuple[str, 
     for key, (stroke, unit) in VARIED.items():
         line = sorted((one for one in own if all(one[other] == base.get(other) for other in VARIED if other != key)),
                       key=lambda one: one[key])
-        # Labels of settings that change nothing would all stand at one point.
-        errors = [max(one["error"], floor) if is_number(one["error"]) else math.inf for one in line]
-        times = [one["cpuOfFrame"] for one in line]
-        is_point = not unit and bool(line) and max(errors) < 1.3 * min(errors) and max(times) < 1.3 * min(times)
         for one in line if len(line) > 1 else []:
-            is_named = unit and one is line[-1]
-            words = f"{one[key]}{unit * is_named}" if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
-            has_label = key == "subSteps" or not (is_point or one is base)
-            yield engine, stroke, point(one, words if has_label else "", not is_named)
+            is_last = unit and one is line[-1]
+            words = f"{one[key]}{unit * is_last}" if unit else f"{one[SETTINGS[0]]}/{one[SETTINGS[1]]}"
+            is_shown = key == "subSteps" or one is not base  # the usual settings are on every curve
+            yield engine, stroke, point(one, words if is_shown else "", not is_last and one is not base)
             rest = [other for other in rest if other is not one]
     yield from ((engine, "", point(one)) for one in rest)
 

@@ -8,12 +8,12 @@ from .common import TEXTS, Benchmark, Result, cell, median_of, time_text, times_
 
 
 def compared(benchmark: Benchmark, case: Result, rounds: int, builds: tuple[Path, Path],
-             measure: Callable[[Path], Result]) -> list[Result]:
-    """A result for each time of each method; `measure` runs a build once. This build is the first of both."""
+             measure: Callable[[Result, Path, int], Result]) -> list[Result]:
+    """A result for each time of each method; this build is the first of both."""
     runs: tuple[list, list] = ([], [])  # of both builds: the methods of each round
     for number in range(rounds):
         for which in (0, 1) if number % 2 == 0 else (1, 0):
-            runs[which].append(measure(builds[which])[benchmark.key])
+            runs[which].append(measure(case, builds[which], 1)[benchmark.key])
     results, texts = [], TEXTS[benchmark.name]
     for index, one in enumerate(runs[0][0]):
         name = " ".join(cell(one, path, kind) for _, path, kind in texts["columns"] if kind == "name").strip()
@@ -39,14 +39,8 @@ class Against(Benchmark):
             result[figure] = float(result[figure])
 
     def drawn(self, results: list[Result]) -> dict:
-        """A bar for each time; a group for each method."""
-        figures = list(dict.fromkeys(one["figure"] for one in results))
-        groups = []
-        for case, method in dict.fromkeys((one["case"], one["method"]) for one in results):
-            own = {one["figure"]: one for one in results if (one["case"], one["method"]) == (case, method)}
-            bars = [(one["ratio"], f"{times_text(one['ratio'])} ({one['lowest']:.2f} to {one['highest']:.2f})"
-                     + (", other results" if not one["sameResults"] else "")) if (one := own.get(figure))
-                    else (None, "not measured") for figure in figures]
-            first = next(iter(own.values()))
-            groups.append((case, f"{method}: {first['figure']}", time_text(first["this"]), bars))
-        return {"": charts.Bars(TEXTS["against"], groups, figures)}
+        """A bar for each time."""
+        groups = [(one["case"], f"{one['method']}: {one['figure']}", time_text(one["this"]),
+                   [(one["ratio"], f"{times_text(one['ratio'])} ({one['lowest']:.2f} to {one['highest']:.2f})"
+                     + ", other results" * (not one["sameResults"]))]) for one in results]
+        return {"": charts.Bars(TEXTS["against"], groups, ["than the other build"])}

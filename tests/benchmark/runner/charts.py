@@ -2,6 +2,7 @@
 """Charts of bars and of lines, in light and dark, as PNG or SVG. Only `draw` loads matplotlib."""
 import functools
 import io
+import itertools
 import math
 from collections import namedtuple
 from pathlib import Path
@@ -11,6 +12,7 @@ from .common import ABSENT, Problem, Result, time_text, times_text, wrong_text
 
 THEMES = ("light", "dark")  # a file of matplotlib's settings each, and chart.mplstyle for both
 MARKS = {".": ("o", 5.0), "o": ("o", 9.0), "x": ("X", 6.5), "speck": ("o", 3.0)}  # of points, and their sizes
+TURNS = (0.0, 0.8, -0.8, 1.57, -1.57, 3.14, 2.35, -2.35, 1.2, -1.2, 1.95, -1.95)  # to labels from marks, best first [rad]
 # Groups are (name, what, value, [(length or None, label)]), with a bar for each series. Bars begin at `start`; from 0
 # the axis is linear, else logarithmic.
 Bars = namedtuple("Bars", "texts groups series start", defaults=[1.0])
@@ -149,56 +151,39 @@ def draw_lines(axes, chart: Lines, ink: str, soft: str) -> None:
 
 
 def label_points(axes, curves: list[Curve], floor: float) -> None:
-    """Puts each label where it covers no mark, no line and no other label, is nearest to its own mark, and has no other
-    curve between; the optional ones only there. A rim keeps the others clear of a line."""
-    from matplotlib.patheffects import withStroke
+    """Puts each label where it covers no mark, no line and no other label, where no other mark is as near, and where no
+    other curve is between; the optional ones only there."""
+    from matplotlib import path, patheffects, transforms
     axes.figure.draw_without_rendering()
-    box, unit = axes.get_window_extent(), axes.figure.dpi / 72.0  # pixels of a point
-    taken, spots = [], []  # what is covered, as (x, y, half width, half height) in pixels; where labels belong
-    marks, lines = [], []  # of points that may have a label, and of what joins points with the number of its curve
-    bottom = axes.transData.transform((1.0, floor))[1] if floor > 0.0 else -1.0
-    taken.append((0.5 * (box.x0 + box.x1), bottom, 0.5 * box.width, 0.5 * unit))
-    for number, curve in enumerate(curves):
-        places = axes.transData.transform([point[:2] for point in curve.points])
-        for (x, y), point in zip(places, curve.points):
-            radius = 0.5 * MARKS[point.mark][1] + 1.0  # [points]
-            taken.append((x, y, radius * unit, radius * unit))
-            marks += [(x, y)] if point.mark != "speck" else []
-        for (x, y), (u, v) in zip(places, places[1:] if curve.stroke else []):
-            count = max(2, int(math.hypot(u - x, v - y) / (4.0 * unit)))
-            between = [(x + (u - x) * i / count, y + (v - y) * i / count) for i in range(1, count)]
-            taken += [(*place, unit, unit) for place in between]
-            lines += [(*place, number) for place in between]
-        spots += [(point, *place, number) for point, place in zip(curve.points, places) if point.label]
-    for point, x, y, number in sorted(spots, key=lambda spot: spot[0].optional):
-        label = axes.figure.text(0, 0, point.label, fontsize=8, color=f"C{curves[number].color % 6}", ha="center", va="center",
-                                 zorder=6)
-        label.set_path_effects([withStroke(linewidth=2.5, foreground=axes.get_facecolor())])  # a line may cross it
-        size = label.get_window_extent()
-        w, h = 0.5 * size.width + unit, 0.5 * size.height + 0.5 * unit
+    view, unit = axes.get_window_extent(), axes.figure.dpi / 72.0  # pixels of a point
+    places = [axes.transData.transform([point[:2] for point in curve.points]) for curve in curves]
+    lines = [path.Path(ends) for curve, ends in zip(curves, places) if curve.stroke]
+    if floor > 0.0:
+        bottom = axes.transData.transform((1.0, floor))[1]
+        lines.append(path.Path([(view.x0, bottom), (view.x1, bottom)]))
+    spots = [(point, place, curve.color) for curve, ends in zip(curves, places) for point, place in zip(curve.points, ends)]
+    marks = list({tuple(place) for point, place, _ in spots if point.mark != "speck"})
+    taken = [transforms.Bbox([place, place]).padded((0.5 * MARKS[point.mark][1] + 1.0) * unit) for point, place, _ in spots]
 
-        def mistaken(u: float, v: float) -> float:
-            """How many marks are nearer than its own or nearly so, and how many places of other curves lie between."""
-            own = math.hypot(max(abs(u - x) - w, 0.0), max(abs(v - y) - h, 0.0))
-            nearer = sum(math.hypot(max(abs(u - a) - w, 0.0), max(abs(v - b) - h, 0.0)) < own + 1.5 * unit
-                         for a, b in marks if math.hypot(x - a, y - b) > unit)
-            length = math.hypot(u - x, v - y)
-            crossed = 0
-            for a, b, other in lines:
-                along = ((a - x) * (u - x) + (b - y) * (v - y)) / length
-                aside = abs((a - x) * (v - y) - (b - y) * (u - x)) / length
-                crossed += other != number and 5.0 * unit < along < length and aside < 3.0 * unit
-            return 3.0 * nearer + crossed
+    def mistakable(box: transforms.Bbox, place) -> float:
+        """How much speaks against a label there; 0 where nothing does."""
+        center, distance = 0.5 * (box.min + box.max), max(*(box.min - place), *(place - box.max))
+        between = path.Path([place + 0.2 * (center - place), center])
+        crossed = sum(line.intersects_bbox(box, filled=False) + line.intersects_path(between, filled=False) for line in lines)
+        nearer = box.padded(distance + 1.5 * unit).count_contains(marks) - 1  # one is its own
+        outside = not (view.contains(*box.min) and view.contains(*box.max))
+        return 20.0 * outside + 3.0 * nearer + crossed + box.count_overlaps(taken)
 
-        def covered(u: float, v: float) -> float:
-            outside = not (box.x0 < u - w and u + w < box.x1 and box.y0 < v - h and v + h < box.y1)
-            return 20.0 * outside + mistaken(u, v) + sum(abs(u - a) < w + c and abs(v - b) < h + d for a, b, c, d in taken)
-
-        best = min(((x + (w + gap * unit) * math.cos(turn), y + (h + gap * unit) * math.sin(turn))
-                    for gap in (5, 7, 9, 12, 15) for turn in (0.0, 0.8, -0.8, 1.57, -1.57, 3.14, 2.35, -2.35, 1.2, -1.2, 1.95, -1.95)),
-                   key=lambda place: covered(*place))
-        if covered(*best) and point.optional:
+    for point, place, color in sorted((spot for spot in spots if spot[0].label), key=lambda spot: spot[0].optional):
+        label = axes.figure.text(0.0, 0.0, point.label, fontsize=8, color=f"C{color % 6}", ha="center", va="center", zorder=6)
+        label.set_path_effects([patheffects.withStroke(linewidth=2.5, foreground=axes.get_facecolor())])  # over lines
+        half, boxes = 0.5 * label.get_window_extent().padded(0.5 * unit).size, []
+        for gap, turn in itertools.product((5, 7, 9, 12, 15), TURNS):
+            center = place + (half + gap * unit) * (math.cos(turn), math.sin(turn))
+            boxes.append(transforms.Bbox([center - half, center + half]))
+        best = min(boxes, key=lambda box: mistakable(box, place))
+        if point.optional and mistakable(best, place) > 0.0:
             label.remove()
         else:
-            label.set_position(axes.figure.transFigure.inverted().transform(best))
-            taken.append((*best, w, h))
+            label.set_position(axes.figure.transFigure.inverted().transform(0.5 * (best.min + best.max)))
+            taken.append(best)

@@ -19,6 +19,7 @@ UNUSABLE, ABSENT, FAILED = 1, 3, 4  # exit codes, the same as the program's
 Result = dict[str, Any]  # of a case: its name, what it is, and "methods", ours first
 # Bounds of figures by benchmark and case, such as ["<=", 5]; what is written on charts and in tables.
 GOALS, TEXTS = (json.loads(Path(__file__).with_name(name).read_text("utf-8")) for name in ("goals.json", "texts.json"))
+goal_text = "{0[0]} {0[1]:g}".format  # <= 5
 note = functools.partial(print, "bench:", file=sys.stderr, flush=True)  # prints a line about the progress
 TEXTS["curve"] = TEXTS["engine"] | TEXTS["curve"]  # the same table
 # What a program printed and needed, including the processes that it waited for: times [s], and the max resident
@@ -66,8 +67,8 @@ class Benchmark:
 
 def run(words: list, *codes: int) -> Ended:
     """Runs a program to its end. A Problem if it ends with another code than 0 or `codes`."""
-    text = {"mode": "w+", "encoding": "utf-8", "errors": "replace"}
-    with tempfile.TemporaryFile(**text) as output, tempfile.TemporaryFile(**text) as errors:
+    temporary = functools.partial(tempfile.TemporaryFile, "w+", encoding="utf-8", errors="replace")
+    with temporary() as output, temporary() as errors:
         start = time.perf_counter()
         try:
             child = subprocess.Popen(list(map(str, words)), stdin=subprocess.DEVNULL, stdout=output, stderr=errors)
@@ -79,12 +80,11 @@ def run(words: list, *codes: int) -> Ended:
             child.kill()
             child.wait()
             raise
-        wall = time.perf_counter() - start
+        wall, cpu = time.perf_counter() - start, usage.ru_utime + usage.ru_stime
         code = child.returncode = os.waitstatus_to_exitcode(status)
         output.seek(0)
         errors.seek(0)
-        cpu, memory = usage.ru_utime + usage.ru_stime, 1024.0 * usage.ru_maxrss
-        ended = Ended(output.read(), errors.read(), wall, cpu, memory, code)
+        ended = Ended(output.read(), errors.read(), wall, cpu, 1024.0 * usage.ru_maxrss, code)
     if code not in (0, *codes):
         last = (ended.errors.strip() or f"it ended with {code}").splitlines()[-1]
         raise Problem(f"running '{words[0]}' failed: {last}", code if code in (UNUSABLE, ABSENT) else FAILED)
@@ -124,12 +124,7 @@ def program(build: Path, name: str) -> Path:
 
 def wrong_text(verdict: str) -> str:
     """The sentence that a verdict on our run beside its peers stands for, without a full stop."""
-    return {"other bodies": "boxreel ends with more or fewer bodies than the peers",
-            "other contacts": "boxreel's bodies end with more or fewer contacts than those of the peers",
-            "other heights": "boxreel's bodies end at other heights than those of the peers",
-            "other speeds": "boxreel's bodies end at other speeds than those of the peers",
-            "deep overlaps": "boxreel's bodies end deeper in each other than those of the peers",
-            }.get(verdict, f"boxreel's run has the verdict '{verdict}'")
+    return TEXTS["verdicts"].get(verdict, f"boxreel's run has the verdict '{verdict}'")
 
 
 def is_number(value: Any) -> bool:
@@ -151,34 +146,18 @@ def is_met(goal: list, value: float | None) -> bool:
     return is_number(value) and (value >= bound if way == ">=" else value <= bound)
 
 
-def goal_text(goal: list) -> str:
-    """<= 5"""
-    return f"{goal[0]} {goal[1]:g}"
-
-
 def read_results(path: str, kinds: dict[str, Benchmark]) -> tuple[Benchmark, list[Result]]:
     """The kind and the results of a file that --json wrote, judged again. A ValueError or the like for another file."""
     try:
         data = json.loads(Path(path).read_text("utf-8"), parse_constant=int)  # which refuses NaN and Infinity
     except OSError as error:
         raise Problem(f"cannot read '{path}': {error.strerror}; name another file") from error
-    kind = kinds[data["benchmark"]]
-    if not data["results"]:
+    kind, results = kinds[data["benchmark"]], data["results"]
+    if not results:
         raise ValueError("it holds no results")
-    for result in data["results"]:
+    for result in results:
         kind.judge(result)
-    return kind, data["results"]
-
-
-def check_outputs(paths: list[Path], force: bool) -> None:
-    """Before minutes of work: whether these files can be written."""
-    for path in paths:
-        if paths.count(path) > 1:
-            raise Problem(f"'{path}' would be written twice; give each file once")
-        if not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
-            raise Problem(f"'{path.parent}' is no folder that can be written; create it first")
-        if path.is_dir() or (path.exists() and not force):
-            raise Problem(f"'{path}' exists; --force overwrites files")
+    return kind, results
 
 
 def write_whole(path: Path, data: bytes) -> None:
@@ -230,8 +209,7 @@ def value_at(one: Result, path: str) -> Any:
 
 def cell(one: Result, path: str, kind: str) -> str:
     """The text of a member, or of several between slashes."""
-    values = (value_at(one, key) for key in path.split("/"))
-    return "/".join(FORMATS[kind](value) for value in values if value is not None)
+    return "/".join(FORMATS[kind](value) for key in path.split("/") if (value := value_at(one, key)) is not None)
 
 
 def table(align: str, rows: list[list[str]]) -> str:
@@ -247,13 +225,12 @@ def columns_table(columns: list[list[str]], results: list[Result], key: str = "m
 
     The name of a case stands where it begins; a method that failed has its name and verdict alone.
     """
-    cells = [[head for head, _, _ in columns]]
+    rows = [[head for head, _, _ in columns]]
     for result in results:
         for number, one in enumerate(result.get(key, [result])):
-            shown = [column for column in columns if "failure" not in one or column[2] in TO_THE_LEFT]
             one = {**one, "case": result.get("case") if number == 0 else ""}
-            cells.append([cell(one, path, kind) for _, path, kind in shown])
-    return table("".join("<" if kind in TO_THE_LEFT else ">" for _, _, kind in columns), cells)
+            rows.append([cell(one, path, kind) for _, path, kind in columns if "failure" not in one or kind in TO_THE_LEFT])
+    return table("".join("<" if kind in TO_THE_LEFT else ">" for _, _, kind in columns), rows)
 
 
 def goal_table(name: str, results: list[Result]) -> str:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Drawing beside Cairo, films beside ffmpeg and immediate mode, comparing pictures beside what npm and Debian have."""
+import itertools
 import json
 import operator
 import os
@@ -48,18 +49,17 @@ class Drawing(Benchmark):
         """A chart for each height, of methods with one raster thread, and where these draw the same of the first."""
         made = {}
         for height in dict.fromkeys(result["height"] for result in results):
-            sizes = [(result, {one["method"]: one for one in result["methods"] if one["threads"] == "0"})
-                     for result in sorted(results, key=lambda one: one["shapes"]) if result["height"] == height]
-            names: dict[tuple, str] = {}
-            for name in dict.fromkeys(name for _, methods in sizes for name in methods):
-                names.setdefault(tuple(methods.get(name, {}).get("rms") for _, methods in sizes), name)
-            curves = charts.curves_of(
-                (name, stroke, charts.Point(methods[name]["works"][work]["cpu"] * 1e3, methods[name]["rms"],
-                                            f"{result['shapes']:,}" if len(sizes) > 1 else work, ".", work != "full"))
-                for name in names.values() for work, (_, stroke) in self.works.items() for result, methods in sizes
-                if stroke and work in methods.get(name, {"works": ()})["works"])
-            title = TEXTS["render"]["title"].format(sizes[0][0]["width"], height)
-            made[f"{height}p"] = charts.Lines({**TEXTS["render"], "title": title}, curves)
+            sizes = sorted((one for one in results if one["height"] == height), key=lambda one: one["shapes"])
+            points = []
+            for result in sizes:
+                first = {one["rms"]: one for one in reversed(result["methods"]) if one["threads"] == "0"}
+                for one, (work, (_, stroke)) in itertools.product(reversed(first.values()), self.works.items()):
+                    if stroke and work in one["works"]:
+                        label = f"{result['shapes']:,}" if len(sizes) > 1 else work
+                        milliseconds = one["works"][work]["cpu"] * 1e3
+                        points.append((one["method"], stroke, charts.Point(milliseconds, one["rms"], label, ".", work != "full")))
+            title = TEXTS["render"]["title"].format(sizes[0]["width"], height)
+            made[f"{height}p"] = charts.Lines({**TEXTS["render"], "title": title}, charts.curves_of(points))
         return made
 
 

@@ -82,6 +82,23 @@ TEST_F(Verdicts, AreReducedToTheWorstOfShards)
     }
 }
 
+TEST_F(Verdicts, AreComparedByDataAndNotBySentences)
+{
+    const auto leave = [this](const char* where, const char* finding, const char* data) {
+        Write(std::string(where) + "/bridge.verdict.json",
+              R"({"verdict": 2, "name": "bridge", "status": "drawlist", "findings": [")" +
+                  std::string(finding) + R"("], "renderer": ")" + where + "\"" + data + "}");
+    };
+    leave("a", "line 7 differs", R"(, "line": 7)");
+    leave("b", "the seventh line differs", R"(, "line": 7)");
+    EXPECT_THAT(Collect({"a", "b"})[0].others, IsEmpty());
+    leave("b", "line 7 differs", R"(, "line": 8)");
+    EXPECT_THAT(Collect({"a", "b"})[0].others, SizeIs(1));
+    Write("b/bridge.verdict.json", "{");
+    Write("c/bridge.verdict.json", "{");
+    EXPECT_THAT(Collect({"a", "b", "c"})[0].others, SizeIs(2)) << "each file is reported";
+}
+
 TEST_F(Verdicts, HaveStepLimitsAndAcceptance)
 {
     Leave("out", "a", "state",

@@ -122,7 +122,7 @@ TEST_F(FigureCommand, ShowsAndSelectsBodiesByName)
         const Outcome twins = shot({option, before + "twin"});
         EXPECT_EQ(twins.code, 1);
         EXPECT_THAT(twins.errors, HasSubstr(option + " twin"));
-        EXPECT_THAT(shot({option, before + "left bal"}).errors, HasSubstr("mean 'left ball'?"));
+        EXPECT_THAT(shot({option, before + "left bal"}).errors, HasSubstr("'left ball'"));
     }
 }
 

