@@ -65,7 +65,7 @@ TEST(Hull, ContainsAllPointsAndHasOnlyPointsOfTheInput)
     for (int round = 0; round < 5000; ++round)
     {
         std::vector<b2Vec2> points;
-        const int32 count = random.Integer(3, b2_maxPolygonVertices);
+        const int32 count = random.Integer(3, b2_polygonCapacity);
         const float size = std::pow(10.0f, random.Real(-1.5f, 2.0f));
         const b2Vec2 origin = random.Point(round % 2 == 0 ? 0.0f : 1000.0f);
         for (int32 i = 0; i < count; ++i)
@@ -123,8 +123,8 @@ TEST(Hull, WeldsBelowTheSlopAndNotAboveIt)
 
 TEST(Hull, AcceptsBodiesOfACentimetre)
 {
-    const b2PolygonShape polygon = MakePolygon(RegularPolygon(8, 0.01f));
-    EXPECT_EQ(polygon.m_count, 8);
+    const b2PolygonShape polygon = MakePolygon(RegularPolygon(b2_polygonCapacity, 0.02f));
+    EXPECT_EQ(polygon.m_count, b2_polygonCapacity);
     EXPECT_TRUE(polygon.Validate());
 }
 
@@ -133,7 +133,7 @@ TEST(Hull, QuestionNamesWhatIsWrong)
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(Why({{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}}), "");
     EXPECT_NE(Why({{0.0f, 0.0f}, {1.0f, 0.0f}}).find("at least 3"), std::string::npos);
-    EXPECT_NE(Why(RegularPolygon(9, 1.0f)).find("at most"), std::string::npos);
+    EXPECT_NE(Why(RegularPolygon(b2_polygonCapacity + 1, 1.0f)).find("at most"), std::string::npos);
     EXPECT_NE(Why({{0.0f, 0.0f}, {1.0f, 0.0f}, {2.0f, 0.0f}}).find("one line"), std::string::npos);
     EXPECT_NE(Why({{0.0f, 0.0f}, {1.0f, nan}, {2.0f, 0.0f}}).find("finite"), std::string::npos);
     EXPECT_NE(b2PolygonShape::WhyNotConvex(nullptr, 3), nullptr);
