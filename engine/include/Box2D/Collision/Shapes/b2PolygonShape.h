@@ -54,8 +54,8 @@ public:
     bool Validate() const;
 
     b2Vec2 m_centroid;                     ///< centroid of the area [m]
+    int32 m_count = 0;                     ///< number of vertices; beside them in memory
     b2Vec2 m_vertices[b2_polygonCapacity]; ///< vertices, counter-clockwise [m]
     b2Vec2 m_normals[b2_polygonCapacity];  ///< outward unit normal of the edge from vertex i to
                                            ///< i + 1
-    int32 m_count = 0;                     ///< number of vertices
 };
