@@ -108,13 +108,13 @@ TEST(PngStreams, AreNoLargerThanAtTheFastestLevelOfZlib)
     EXPECT_LT(EncodeOpaquePng(frame)->size(), EncodePng(frame, 1)->size());
 }
 
-TEST(PngStreams, OfNoiseAreHardlyLargerThanTheirPixels)
+TEST(PngStreams, AreHardlyLargerThanThePixelsOfNoise)
 {
     const Frame frame = Drawn(640, 360, {"Noise", Noise});
     EXPECT_LT(EncodeOpaquePng(frame)->size(), 640u * 360u * 3u * 101u / 100u);
 }
 
-TEST(PngStreams, AreNotOfATransparentFrame)
+TEST(PngStreams, AreRefusedForTransparentFrames)
 {
     Frame frame = Drawn(20, 10, {"Discs", Discs});
     frame.Pixel(19, 9)[3] = 254;
