@@ -9,8 +9,7 @@ namespace boxreel
 namespace
 {
 
-constexpr int32 kMaxSolidVertices = 8; // limit of renderers
-constexpr float kAxisLength = 0.4f;    // of a drawn frame of reference [m]
+constexpr float kAxisLength = 0.4f; // of a drawn frame of reference [m]
 
 Vec2 From(const b2Vec2& v)
 {
@@ -87,8 +86,7 @@ void DrawCollector::DrawPolygon(const b2Vec2* vertices, int32 vertexCount, const
 void DrawCollector::DrawSolidPolygon(const b2Vec2* vertices, int32 vertexCount,
                                      const b2Color& color)
 {
-    // Pieces of a larger polygon would show seams, so it is drawn as an outline.
-    if (vertexCount < 3 || vertexCount > kMaxSolidVertices)
+    if (vertexCount < 3)
     {
         DrawPolygon(vertices, vertexCount, color);
         return;

@@ -79,7 +79,7 @@ void DrawList::AddPolygon(const Vec2* vertices, std::size_t count, const Paint& 
 
 void DrawList::AddSolidPolygon(const Vec2* vertices, std::size_t count, const Paint& paint)
 {
-    constexpr std::size_t kMaxCorners = 8; // limit of renderers
+    constexpr std::size_t kMaxCorners = 16; // limit of renderers; pieces would show seams
     const bool fills = count <= kMaxCorners && TurnsOneWay(vertices, count);
     Add(fills ? DrawKind::SolidPolygon : DrawKind::Polygon, vertices, count, paint);
 }

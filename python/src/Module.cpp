@@ -47,7 +47,7 @@ void BindConstants(py::module_& module)
     number("b2_epsilon", double(b2_epsilon));
     number("b2_maxFloat", double(b2_maxFloat));
     number("b2_maxManifoldPoints", b2_maxManifoldPoints);
-    number("b2_maxPolygonVertices", b2_maxPolygonVertices);
+    number("b2_maxPolygonVertices", b2_polygonCapacity);
     number("b2_aabbExtension", double(b2_aabbExtension));
     number("b2_aabbMultiplier", double(b2_aabbMultiplier));
     number("b2_linearSlop", double(b2_linearSlop));

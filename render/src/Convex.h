@@ -30,8 +30,8 @@ inline double Cross(Point a, Point b)
 }
 double Length(Point a);
 
-/// Maximum corners of a polygon: 8 of a shape and 4 from clipping to the frame.
-inline constexpr std::size_t kMaxCorners = 12;
+/// Maximum corners of a polygon: 16 of a shape and 4 from clipping to the frame.
+inline constexpr std::size_t kMaxCorners = 20;
 
 /// Miter limit in half widths; longer corners are cut off. It affects corners below 60 degrees; a
 /// convex polygon has at most two of them (or three at 60).

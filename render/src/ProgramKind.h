@@ -20,9 +20,10 @@ enum class ProgramKind : std::uint8_t
     Hexagon,
     Polygon,
     LargePolygon,
+    ManyCorners, ///< a polygon with more corners than those
     Glyph,
 };
-inline constexpr std::size_t kProgramKinds = 10;
+inline constexpr std::size_t kProgramKinds = 11;
 
 /// The GL primitive of an instance.
 enum class Form : std::uint8_t

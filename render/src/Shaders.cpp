@@ -265,6 +265,54 @@ void main()
 }
 )";
 
+// More corners than a vertex shader can pass on: each edge is fetched, with its slope.
+constexpr const char* kManyCornersVertex = R"(
+flat out vec4 stroke;
+flat out vec4 fill;
+flat out vec3 core;
+flat out int edges;
+void main()
+{
+    vec4 place = Attribute(1);
+    vec4 size = Attribute(2);
+    stroke = Attribute(3);
+    fill = Attribute(4);
+    core = vec3(place.xy, size.z > 0.0 ? size.z * size.z : -1.0);
+    edges = first + gl_VertexID / VERTICES * VECTORS + 5;
+    PlaceQuad(place.xy, place.zw, size.xy);
+}
+)";
+
+constexpr const char* kManyCornersFragment = R"(
+uniform samplerBuffer instances;
+flat in vec4 stroke; // premultiplied
+flat in vec4 fill;   // premultiplied
+flat in vec3 core;   // centre [px], and the square of the distance within which all is fill
+flat in int edges;   // vector of the first
+layout(location = 0) out vec4 color;
+float Covered(int begin)
+{
+    vec2 pixel = gl_FragCoord.xy - 0.5;
+    float sum = 0.0;
+    vec4 next = texelFetch(instances, begin);
+    for (int i = 1; i <= CORNERS; ++i)
+    {
+        vec4 here = next;
+        next = texelFetch(instances, begin + (i < CORNERS ? i : 0));
+        sum += UnderEdge(here.xy - pixel, next.xy - pixel, here.z);
+    }
+    return abs(sum);
+}
+void main()
+{
+    vec2 p = gl_FragCoord.xy - core.xy;
+    bool isCore = dot(p, p) < core.z;
+    float outer = isCore ? 1.0 : min(Covered(edges), 1.0);
+    float inner = isCore ? 1.0 : min(Covered(edges + CORNERS), outer);
+    color = stroke * (outer - inner) + fill * inner;
+}
+)";
+
 // Texels of a glyph are on whole pixels. They are fetched as integers, because filtering depends on
 // the processor.
 constexpr const char* kGlyphVertex = R"(
@@ -366,6 +414,13 @@ ShaderSource PolygonShader(CornerSlots slots)
                       head + kPolygonArea + kPolygonFragment);
 }
 
+ShaderSource ManyCornersShader()
+{
+    const std::string head = Define("CORNERS", std::to_string(kMaxCorners));
+    return QuadShader(5 + 2 * int(kMaxCorners), kQuad + std::string(kManyCornersVertex),
+                      head + kPolygonArea + kManyCornersFragment);
+}
+
 } // namespace
 
 CornerSlots SlotsOf(ProgramKind polygon)
@@ -378,6 +433,8 @@ CornerSlots SlotsOf(ProgramKind polygon)
         return {6, 6};
     case ProgramKind::Polygon:
         return {8, 8};
+    case ProgramKind::LargePolygon:
+        return {12, 12};
     default:
         return {kMaxCorners, kMaxCorners};
     }
@@ -406,6 +463,8 @@ ShaderSource ShaderOf(ProgramKind kind)
     case ProgramKind::Polygon:
     case ProgramKind::LargePolygon:
         return PolygonShader(SlotsOf(kind));
+    case ProgramKind::ManyCorners:
+        return ManyCornersShader();
     case ProgramKind::Glyph:
         break;
     }

@@ -20,7 +20,7 @@ struct ShaderSource
 };
 
 /// Number of corners of a polygon's outer and inner outline. Every pixel pays for all of them, so
-/// there are four sizes.
+/// there are five sizes.
 struct CornerSlots
 {
     std::size_t outer;

@@ -190,7 +190,7 @@ bool ShapeBuilder::AddSolidPolygon(const Vec2* points, std::size_t count, const 
 {
     if (count > kMaxCorners - 4)
     {
-        return AddOutline(points, count, paint.stroke); // more corners than b2Draw allows
+        return AddOutline(points, count, paint.stroke); // more corners than polygons have
     }
     std::array<Point, kMaxCorners> corners;
     std::transform(points, points + count, corners.begin(), [this](Vec2 p) { return ToPixel(p); });
@@ -409,16 +409,16 @@ bool ShapeBuilder::EmitPolygon(const Convex& outer, const Convex& inner, const P
     }
     // Pixels with a centre this close to the middle are completely filled.
     const double core = InsideDistance(inner, quad.center) - kPixelReach;
-    ProgramKind kind = ProgramKind::LargePolygon;
-    for (const ProgramKind smaller :
-         {ProgramKind::Polygon, ProgramKind::Hexagon, ProgramKind::SmallPolygon})
+    ProgramKind kind = ProgramKind::ManyCorners;
+    for (const ProgramKind smaller : {ProgramKind::LargePolygon, ProgramKind::Polygon,
+                                      ProgramKind::Hexagon, ProgramKind::SmallPolygon})
     {
         const CornerSlots room = SlotsOf(smaller);
         kind = outer.count <= room.outer && inner.count <= room.inner ? smaller : kind;
     }
     const CornerSlots slots = SlotsOf(kind);
 
-    std::array<float, 64> attributes;
+    std::array<float, 16 + 8 * kMaxCorners> attributes;
     std::size_t used = 0;
     const auto put = [&](double value) { attributes[used++] = float(value); };
     for (const double value :
@@ -433,10 +433,19 @@ bool ShapeBuilder::EmitPolygon(const Convex& outer, const Convex& inner, const P
         for (std::size_t i = 0; i < room; ++i)
         {
             // Unused corners repeat the last: an edge of zero length has no area below it.
-            const Point corner =
-                polygon.count ? polygon.corners[std::min(i, polygon.count - 1)] : quad.center;
+            const auto cornerAt = [&](std::size_t k) {
+                return polygon.count ? polygon.corners[std::min(k, polygon.count - 1)]
+                                     : quad.center;
+            };
+            const Point corner = cornerAt(i);
             put(corner.x);
             put(corner.y);
+            if (kind == ProgramKind::ManyCorners) // an edge with its slope
+            {
+                const Point run = cornerAt(i + 1 < room ? i + 1 : 0) - corner;
+                put(run.x == 0.0 ? 0.0 : run.y / run.x);
+                put(0.0);
+            }
         }
     };
     putCorners(outer, slots.outer);

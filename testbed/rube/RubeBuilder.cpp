@@ -237,9 +237,9 @@ private:
         {
             return BuildEdge({polygon.vertices[0], polygon.vertices[1], {}, {}}, attach);
         }
-        if (count < 2 || count > static_cast<std::size_t>(b2_maxPolygonVertices))
+        if (count < 2 || count > static_cast<std::size_t>(b2_polygonCapacity))
         {
-            return "a polygon must have 3 to " + std::to_string(b2_maxPolygonVertices) +
+            return "a polygon must have 3 to " + std::to_string(b2_polygonCapacity) +
                    " vertices, this one has " + std::to_string(count);
         }
         const int32 asInt = static_cast<int32>(count);

@@ -50,7 +50,7 @@ void DrawOutline(b2Draw& draw, const b2Shape& shape, const b2Transform& transfor
     else if (shape.GetType() == b2Shape::e_polygon)
     {
         const auto& polygon = static_cast<const b2PolygonShape&>(shape);
-        b2Vec2 corners[b2_maxPolygonVertices];
+        b2Vec2 corners[b2_polygonCapacity];
         for (int32 i = 0; i < polygon.GetVertexCount(); ++i)
         {
             corners[i] = b2Mul(transform, polygon.GetVertex(i));

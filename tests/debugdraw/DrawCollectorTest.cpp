@@ -108,16 +108,21 @@ TEST_F(CollectedItems, HaveColoursRoundedAndClamped)
     }
 }
 
-TEST_F(CollectedItems, AreFilledForAtMostEightCorners)
+TEST_F(CollectedItems, AreFilledForAsManyCornersAsPolygonsHold)
 {
-    collector.DrawSolidPolygon(kOctagonAndMore, 8, b2Color(1.0f, 1.0f, 1.0f));
-    collector.DrawSolidPolygon(kOctagonAndMore, 9, b2Color(1.0f, 1.0f, 1.0f));
+    b2Vec2 corners[b2_polygonCapacity + 1];
+    for (int32 i = 0; i <= b2_polygonCapacity; ++i)
+    {
+        const float angle = 2.0f * b2_pi * float(i) / float(b2_polygonCapacity + 1);
+        corners[i] = 3.0f * b2Rot(angle).GetXAxis();
+    }
+    collector.DrawSolidPolygon(corners, b2_polygonCapacity, b2Color(1.0f, 1.0f, 1.0f));
+    collector.DrawSolidPolygon(corners, b2_polygonCapacity + 1, b2Color(1.0f, 1.0f, 1.0f));
     ASSERT_EQ(list.items.size(), 2u);
     EXPECT_EQ(list.items[0].kind, DrawKind::SolidPolygon);
-    EXPECT_EQ(list.items[0].count, 8u);
+    EXPECT_EQ(list.items[0].count, 16u);
     EXPECT_EQ(list.items[1].kind, DrawKind::Polygon);
-    EXPECT_EQ(list.items[1].count, 9u);
-    EXPECT_EQ(list.points.back(), (Vec2{2.0f, -2.0f}));
+    EXPECT_EQ(list.items[1].count, 17u);
 }
 
 TEST_F(CollectedItems, AreSegmentsOrNothingForFewCorners)

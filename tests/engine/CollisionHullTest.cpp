@@ -67,7 +67,7 @@ TEST(Hull, ContainsAllPointsAndHasOnlyPointsOfTheInput)
     for (int round = 0; round < 5000; ++round)
     {
         std::vector<b2Vec2> points;
-        const int32 count = random.Integer(3, b2_maxPolygonVertices);
+        const int32 count = random.Integer(3, b2_polygonCapacity);
         const float size = std::pow(10.0f, random.Real(-1.5f, 2.0f));
         const b2Vec2 origin = random.Point(round % 2 == 0 ? 0.0f : 1000.0f);
         for (int32 i = 0; i < count; ++i)
@@ -125,8 +125,8 @@ TEST(Hull, WeldsBelowTheSlopAndNotAboveIt)
 
 TEST(Hull, AcceptsShapesOfACentimetre)
 {
-    const b2PolygonShape polygon = MakePolygon(RegularPolygon(8, 0.01f));
-    EXPECT_EQ(polygon.m_count, 8);
+    const b2PolygonShape polygon = MakePolygon(RegularPolygon(b2_polygonCapacity, 0.02f));
+    EXPECT_EQ(polygon.m_count, b2_polygonCapacity);
     EXPECT_TRUE(polygon.Validate());
 }
 
@@ -134,10 +134,11 @@ TEST(WhyNotConvex, NamesWhatIsWrong)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(Why({{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}}), "");
-    const std::set<std::string> reasons{Why({{0.0f, 0.0f}, {1.0f, 0.0f}}),               // too few
-                                        Why(RegularPolygon(9, 1.0f)),                    // too many
-                                        Why({{0.0f, 0.0f}, {1.0f, 0.0f}, {2.0f, 0.0f}}), // flat
-                                        Why({{0.0f, 0.0f}, {1.0f, nan}, {2.0f, 0.0f}})};
+    const std::set<std::string> reasons{
+        Why({{0.0f, 0.0f}, {1.0f, 0.0f}}),                 // too few
+        Why(RegularPolygon(b2_polygonCapacity + 1, 1.0f)), // too many
+        Why({{0.0f, 0.0f}, {1.0f, 0.0f}, {2.0f, 0.0f}}),   // flat
+        Why({{0.0f, 0.0f}, {1.0f, nan}, {2.0f, 0.0f}})};
     EXPECT_EQ(reasons.size(), 4u) << "each has its own";
     EXPECT_EQ(reasons.count(""), 0u);
     EXPECT_NE(b2PolygonShape::WhyNotConvex(nullptr, 3), nullptr);

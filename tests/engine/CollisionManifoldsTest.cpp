@@ -142,8 +142,8 @@ TEST(Manifold, EqualsPlainClippingForPolygons)
     int onePoint = 0;
     for (int i = 0; i < 30000; ++i)
     {
-        const b2PolygonShape a = random.Polygon(1.0f);
-        const b2PolygonShape b = random.Polygon(1.0f);
+        const b2PolygonShape a = i % 4 == 3 ? random.RoundPolygon(1.0f) : random.Polygon(1.0f);
+        const b2PolygonShape b = i % 8 == 3 ? random.RoundPolygon(1.0f) : random.Polygon(1.0f);
         const b2Transform xfA = random.Transform(1.0f);
         const b2Transform xfB = random.Transform(1.0f);
         const Polygon pa = Place(a, xfA);
@@ -330,7 +330,7 @@ TEST(Manifold, DoesNotDependOnThePlaceInTheWorld)
     Random random(63);
     for (int i = 0; i < 2000; ++i)
     {
-        const b2PolygonShape a = random.Polygon(1.0f);
+        const b2PolygonShape a = i % 4 == 3 ? random.RoundPolygon(1.0f) : random.Polygon(1.0f);
         const b2PolygonShape b = random.Polygon(1.0f);
         const b2Transform bInA = random.Transform(1.0f);
         b2Manifold expected;
@@ -375,7 +375,7 @@ TEST(Manifold, HasTheNearestPointForPolygonAndCircle)
     int faces = 0;
     for (int i = 0; i < 20000; ++i)
     {
-        const b2PolygonShape a = random.Polygon(1.0f);
+        const b2PolygonShape a = i % 4 == 3 ? random.RoundPolygon(1.0f) : random.Polygon(1.0f);
         const b2Transform xfA = random.Transform(1.0f);
         b2CircleShape b;
         b.m_radius = random.Real(0.1f, 0.5f);

@@ -70,7 +70,8 @@ TEST(RayCast, HitsAPolygonWhereItHitsTheFirstSide)
     int hits = 0;
     for (int i = 0; i < 20000; ++i)
     {
-        const b2PolygonShape polygon = random.Polygon(2.0f);
+        const b2PolygonShape polygon =
+            i % 4 == 3 ? random.RoundPolygon(2.0f) : random.Polygon(2.0f);
         const b2Transform xf = random.Transform(5.0f);
         const b2RayCastInput input = {xf.p + random.Point(6.0f), xf.p + random.Point(6.0f), 1.0f};
         std::vector<Vec> v;

@@ -69,6 +69,23 @@ public:
         return polygon;
     }
 
+    /// A polygon with at least 9 vertices, and at most b2_polygonCapacity, on a circle of the given
+    /// radius around the origin.
+    b2PolygonShape RoundPolygon(float radius)
+    {
+        b2Vec2 points[b2_polygonCapacity];
+        const int32 count = Integer(b2_maxPolygonVertices + 1, b2_polygonCapacity);
+        const float start = Real(-3.0f, 3.0f);
+        for (int32 i = 0; i < count; ++i)
+        {
+            const float angle = start + 2.0f * b2_pi * float(i) / float(count);
+            points[i] = radius * b2Rot(angle).GetXAxis();
+        }
+        b2PolygonShape polygon;
+        polygon.Set(points, count);
+        return polygon;
+    }
+
     std::unique_ptr<b2Shape> Shape(float size)
     {
         switch (Integer(0, 2))

@@ -202,7 +202,7 @@ TEST(TimeOfImpact, IsTheSameFarFromTheOrigin)
     Random random(34);
     for (int i = 0; i < 500; ++i)
     {
-        const b2PolygonShape a = random.Polygon(0.5f);
+        const b2PolygonShape a = i % 4 == 3 ? random.RoundPolygon(0.5f) : random.Polygon(0.5f);
         const b2PolygonShape b = random.Polygon(0.5f);
         b2TOIInput input;
         input.proxyA.Set(&a, 0);

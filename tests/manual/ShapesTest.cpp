@@ -140,6 +140,20 @@ TEST(Polygon, TakesUpToTheMaximumOfVertices)
     EXPECT_EQ(polygon.GetVertexCount(), b2_maxPolygonVertices);
 }
 
+TEST(Polygon, HoldsTwiceAsManyVerticesForProgramsOfPython)
+{
+    b2Vec2 points[b2_polygonCapacity];
+    for (int32 i = 0; i < b2_polygonCapacity; ++i)
+    {
+        points[i] = b2Rot(2.0f * b2_pi * float32(i) / float32(b2_polygonCapacity)).GetXAxis();
+    }
+    b2PolygonShape polygon;
+    polygon.Set(points, b2_polygonCapacity);
+    EXPECT_EQ(polygon.GetVertexCount(), 2 * b2_maxPolygonVertices);
+    EXPECT_TRUE(polygon.TestPoint(b2Transform(), b2Vec2(0.97f, 0.0f)));
+    EXPECT_FALSE(polygon.TestPoint(b2Transform(), b2Vec2(1.03f, 0.0f)));
+}
+
 TEST(Polygon, IsABoxOfHalfWidthsACentreAndAnAngle)
 {
     b2PolygonShape box;

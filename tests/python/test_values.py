@@ -7,8 +7,9 @@ import pickle
 import unittest
 
 import Box2D
-from Box2D import (b2AABB, b2ChainShape, b2CircleShape, b2Color, b2EdgeShape, b2Error, b2LoopShape, b2Mat22, b2Mat33,
-                   b2PolygonShape, b2RayCastInput, b2RayCastOutput, b2Rot, b2Sweep, b2Transform, b2Vec2, b2Vec3)
+from Box2D import (b2_maxPolygonVertices, b2AABB, b2ChainShape, b2CircleShape, b2Color, b2EdgeShape, b2Error,
+                   b2LoopShape, b2Mat22, b2Mat33, b2PolygonShape, b2RayCastInput, b2RayCastOutput, b2Rot, b2Sweep,
+                   b2Transform, b2Vec2, b2Vec3)
 
 
 class OldNames(unittest.TestCase):
@@ -199,8 +200,16 @@ class Shapes(unittest.TestCase):
         triangle = b2PolygonShape(vertices=[(0, 0), (1, 0), b2Vec2(0, 1)])
         self.assertEqual((triangle.vertexCount, len(triangle.normals), triangle.valid), (3, 3, True))
 
+    def test_polygon_holds_16_vertices(self):
+        self.assertEqual(b2_maxPolygonVertices, 16)
+        circle = [(math.cos(math.tau * i / 16), math.sin(math.tau * i / 16)) for i in range(16)]
+        world = Box2D.b2World()
+        wheel = world.CreateDynamicBody(position=(0, 2)).CreatePolygonFixture(vertices=circle, density=1)
+        self.assertEqual(wheel.shape.vertexCount, 16)
+        self.assertAlmostEqual(wheel.body.mass, 8 * math.sin(math.tau / 16), places=5)
+
     def test_polygon_refuses_invalid_vertices(self):
-        for vertices in ((2, 1), [(0, 0), (1, 1)], [(0, 0), (1, 0), (2, 0)], [(i, i * i) for i in range(9)]):
+        for vertices in ((2, 1), [(0, 0), (1, 1)], [(0, 0), (1, 0), (2, 0)], [(i, i * i) for i in range(17)]):
             with self.assertRaises(ValueError):
                 b2PolygonShape(vertices=vertices)
         with self.assertRaises(ValueError):

@@ -87,6 +87,19 @@ TEST(Edges, AreExactForPolygons)
     EXPECT_LE(error.maximum, 8.0);
 }
 
+TEST(Edges, AreExactForPolygonsOfManyCorners)
+{
+    const auto add = [](DrawList& list, Random& random, Vec2 at) {
+        AddRegular(list, at, random.Between(8, 17), random.Between(8, 17),
+                   9 + int(random.Between(0, 7.99f)), random.Between(0, 6), kStatic);
+    };
+    const DrawList list = OnGrid(40, add);
+    EXPECT_EQ(list.items.front().kind, DrawKind::SolidPolygon);
+    const EdgeError error = ErrorOf(list, "polygons of many corners");
+    EXPECT_LE(error.rms, 1.0);
+    EXPECT_LE(error.maximum, 8.0);
+}
+
 TEST(Edges, AreExactForSlivers)
 {
     const auto add = [](DrawList& list, Random& random, Vec2 at) {

@@ -103,7 +103,7 @@ inline void AddTurnedBox(DrawList& list, Vec2 center, float halfX, float halfY, 
 inline void AddRegular(DrawList& list, Vec2 center, float radiusX, float radiusY, int count,
                        float angle, const Paint& color)
 {
-    std::array<Vec2, 8> corners;
+    std::array<Vec2, 16> corners;
     for (int i = 0; i < count; ++i)
     {
         const float t = 6.2831853f * float(i) / float(count);

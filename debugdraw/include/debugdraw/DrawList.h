@@ -44,8 +44,8 @@ struct Rect
 enum class DrawKind : std::uint8_t
 {
     Polygon,      ///< count points, outline only
-    SolidPolygon, ///< count points (3..8, convex, counter-clockwise): outline, and fill of half the
-                  ///< colour
+    SolidPolygon, ///< count points (3..16, convex, counter-clockwise): outline, and fill of half
+                  ///< the colour
     Circle,       ///< point: centre; size: radius [m]; outline only
     SolidCircle,  ///< points: centre, unit axis; size: radius [m]; fill, outline and axis line
     Segment,      ///< two points

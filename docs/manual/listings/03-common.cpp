@@ -89,6 +89,7 @@ TEST(CommonListing, HasTheConstantsOfTheTable)
         {"b2_aabbMultiplier", b2_aabbMultiplier, ""},
         {"b2_maxManifoldPoints", float32(b2_maxManifoldPoints), ""},
         {"b2_maxPolygonVertices", float32(b2_maxPolygonVertices), ""},
+        {"b2_polygonCapacity", float32(b2_polygonCapacity), ""},
         {"b2_maxSubSteps", float32(b2_maxSubSteps), ""},
         {"b2_maxTOIContacts", float32(b2_maxTOIContacts), ""},
         {"b2_velocityThreshold", b2_velocityThreshold, " m/s"},

@@ -12,7 +12,7 @@ namespace
 constexpr float32 kPreferA = 0.1f * b2_linearSlop;
 
 using simd::Float4;
-static_assert(b2_maxPolygonVertices % Float4::kLanes == 0, "groups of vertices must not overhang");
+static_assert(b2_polygonCapacity % Float4::kLanes == 0, "groups of vertices must not overhang");
 static_assert(sizeof(b2Vec2) == 2 * sizeof(float), "vectors are loaded as pairs");
 
 // Loads four vectors, starting at the given one.
@@ -24,8 +24,8 @@ void LoadVectors(const b2Vec2* from, Float4& x, Float4& y)
 // A polygon in the other's frame.
 struct Seen
 {
-    float x[b2_maxPolygonVertices];
-    float y[b2_maxPolygonVertices];
+    float x[b2_polygonCapacity];
+    float y[b2_polygonCapacity];
     int32 count;
 
     b2Vec2 Vertex(int32 i) const { return {x[i], y[i]}; }
@@ -52,7 +52,7 @@ Seen See(const b2PolygonShape& polygon, const b2Transform& xf)
 // Four faces are tested together; unused lanes are ignored.
 int32 FindFace(const b2PolygonShape& polygon, const Seen& other, float32* separation)
 {
-    float deepest[b2_maxPolygonVertices];
+    float deepest[b2_polygonCapacity];
     for (int32 i = 0; i < polygon.m_count; i += Float4::kLanes)
     {
         Float4 x;

@@ -64,7 +64,7 @@ namespace box2d
 {
 namespace
 {
-constexpr int32 kMaxIterations = 20; // convex shapes of 8 vertices need 2 to 4
+constexpr int32 kMaxIterations = 20; // convex shapes of 16 vertices need 2 to 5
 
 struct Vertex
 {

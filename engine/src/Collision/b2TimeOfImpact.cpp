@@ -205,13 +205,13 @@ struct Mark
 
 struct Marks
 {
-    Mark marks[b2_maxPolygonVertices];
+    Mark marks[b2_polygonCapacity];
     int32 count = 0;
 
     void Fill(const Motion& motion, const b2DistanceProxy& proxy, const Vector& n,
               const Frame& frame)
     {
-        count = b2Min(proxy.m_count, b2_maxPolygonVertices);
+        count = b2Min(proxy.m_count, b2_polygonCapacity);
         const Vector d = Minus(motion.Center(), frame.center);
         const double x = Dot(n, motion.Center());
         const double speed =

@@ -156,7 +156,7 @@ TEST(RubeBuilder, BuildsOpenChainsAndLoopsInBothSpellings)
 
 TEST(RubeBuilder, NamesPolygonsThatHaveTooManyOrTooFewVertices)
 {
-    for (const auto& [fixture, count] : {std::pair(Polygon(b2_maxPolygonVertices + 1), "has 9"),
+    for (const auto& [fixture, count] : {std::pair(Polygon(b2_polygonCapacity + 1), "has 17"),
                                          {Vertices("polygon", "1", "1"), "has 1"},
                                          {Vertices("polygon", "", ""), "has 0"}})
     {
@@ -165,7 +165,7 @@ TEST(RubeBuilder, NamesPolygonsThatHaveTooManyOrTooFewVertices)
         EXPECT_THAT(built.leftOut[0].reason, HasSubstr(count));
         EXPECT_EQ(built.world.GetBodyList()->GetFixtureList(), nullptr);
     }
-    Built maximum(OneFixture(Polygon(b2_maxPolygonVertices)));
+    Built maximum(OneFixture(Polygon(b2_polygonCapacity)));
     EXPECT_THAT(maximum.leftOut, IsEmpty());
     EXPECT_NE(maximum.world.GetBodyList()->GetFixtureList(), nullptr);
 }

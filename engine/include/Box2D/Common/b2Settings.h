@@ -39,8 +39,12 @@ inline constexpr float32 b2_maxFloat = FLT_MAX;
 /// Two convex shapes touch along a segment at most, so two points describe a contact.
 inline constexpr int32 b2_maxManifoldPoints = 2;
 
-/// Maximum number of vertices of a polygon. More makes every polygon larger in memory.
+/// Number of vertices up to which programs of Box2D 2.3 make polygons.
 inline constexpr int32 b2_maxPolygonVertices = 8;
+
+/// Maximum number of vertices of a polygon: the b2_maxPolygonVertices of the Python module of 2.3,
+/// whose programs may need them. More makes every polygon larger in memory.
+inline constexpr int32 b2_polygonCapacity = 16;
 
 /// Margin of a proxy's box in the dynamic tree on every side [m]. A body may move a little before
 /// the tree must change.

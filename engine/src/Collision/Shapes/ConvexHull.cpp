@@ -108,7 +108,7 @@ void RemoveFlatCorners(ConvexHull* hull)
 
 ConvexHull ComputeConvexHull(const b2Vec2* points, int32 count)
 {
-    b2Vec2 welded[b2_maxPolygonVertices];
+    b2Vec2 welded[b2_polygonCapacity];
     const int32 weldedCount = Weld(points, count, welded);
     ConvexHull hull;
     if (weldedCount >= 3)

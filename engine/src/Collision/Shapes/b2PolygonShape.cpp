@@ -44,9 +44,9 @@ const char* b2PolygonShape::WhyNotConvex(const b2Vec2* points, int32 count)
     {
         return "A polygon needs at least 3 points; give it more, or use b2EdgeShape for 2.";
     }
-    if (count > b2_maxPolygonVertices)
+    if (count > b2_polygonCapacity)
     {
-        return "A polygon takes at most b2_maxPolygonVertices points; split it into several "
+        return "A polygon takes at most b2_polygonCapacity points; split it into several "
                "fixtures.";
     }
     for (int32 i = 0; i < count; ++i)
@@ -69,7 +69,7 @@ void b2PolygonShape::Set(const b2Vec2* points, int32 count)
     if (const char* why = WhyNotConvex(points, count))
     {
         B2_REQUIRE(why == nullptr, why);
-        SetAsBoxAround(this, points, points != nullptr ? b2Min(count, b2_maxPolygonVertices) : 0);
+        SetAsBoxAround(this, points, points != nullptr ? b2Min(count, b2_polygonCapacity) : 0);
         return;
     }
 
@@ -209,7 +209,7 @@ void b2PolygonShape::ComputeMass(b2MassData* massData, float32 density) const
 
 bool b2PolygonShape::Validate() const
 {
-    if (m_count < 3 || m_count > b2_maxPolygonVertices)
+    if (m_count < 3 || m_count > b2_polygonCapacity)
     {
         return false;
     }

@@ -35,9 +35,9 @@ void Visit(Archive& archive, b2EdgeShape& shape)
 template <class Archive>
 void Visit(Archive& archive, b2PolygonShape& shape)
 {
-    static_assert(kHasSize<b2PolygonShape, 160>, "Say here what becomes of the new member.");
+    static_assert(kHasSize<b2PolygonShape, 288>, "Say here what becomes of the new member.");
     archive(shape.m_radius, shape.m_centroid);
-    archive.Within(shape.m_count, 0, b2_maxPolygonVertices);
+    archive.Within(shape.m_count, 0, b2_polygonCapacity);
     for (int32 i = 0; i < shape.m_count; ++i)
     {
         archive(shape.m_vertices[i], shape.m_normals[i]);

@@ -296,32 +296,6 @@ float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
     return widest;
 }
 
-/// Pushes are computed to first order. Where overlaps and joints almost contradict each other,
-/// large rotations would open joints. All pushes of a component are scaled equally, so that the
-/// error of every rotation is at most a slop.
-void JointSystem::ShortenPushes(int32 part, const SolverContext& context)
-{
-    float32 share = 1.0f;
-    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
-        const float32 turn = b2Abs(context.bodies[body.SolverIndex()].angle - m_poses[place].angle);
-        // The chord and the arc differ by t^2 / 2 of the arm.
-        const float32 maximum = b2Sqrt(2.0f * b2_linearSlop / b2Max(body.maxExtent, b2_linearSlop));
-        share = turn > maximum ? b2Min(share, maximum / turn) : share;
-    });
-    if (share == 1.0f)
-    {
-        return;
-    }
-    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
-        SolverBody& s = context.bodies[body.SolverIndex()];
-        const SolverBody& before = m_poses[place];
-        const float32 turn = share * (s.angle - before.angle);
-        s.d = before.d + share * (s.d - before.d);
-        s.angle = before.angle + turn;
-        s.q = b2Mul(before.q, b2Rot(turn));
-    });
-}
-
 bool JointSystem::HasMoved(int32 part, const SolverContext& context) const
 {
     bool any = false;
@@ -339,7 +313,6 @@ void JointSystem::CloseAfterPushes(const SolverContext& context, int32 iteration
         const Part& part = m_parts[std::size_t(i)];
         if (part.IsByRows() && part.touched && HasMoved(i, context))
         {
-            ShortenPushes(i, context);
             ClosePoses(i, context);
         }
     }

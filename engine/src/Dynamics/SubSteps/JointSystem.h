@@ -249,7 +249,6 @@ private:
     bool HasGained(int32 part, const SolverContext& context, float32 timeStep) const;
     void ClosePoses(int32 part, const SolverContext& context);
     float32 WantClosedPoses(int32 part, const SolverContext& context);
-    void ShortenPushes(int32 part, const SolverContext& context);
     bool HasMoved(int32 part, const SolverContext& context) const;
     template <class Fate>
     bool HoldStopped(int32 part, Fate&& fate);

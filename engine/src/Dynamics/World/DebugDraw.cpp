@@ -66,7 +66,7 @@ void DrawChild(b2Draw& draw, const b2Shape& shape, int32 child, const b2Transfor
     }
     case b2Shape::e_polygon: {
         const auto& polygon = static_cast<const b2PolygonShape&>(shape);
-        b2Vec2 vertices[b2_maxPolygonVertices];
+        b2Vec2 vertices[b2_polygonCapacity];
         for (int32 i = 0; i < polygon.GetVertexCount(); ++i)
         {
             vertices[i] = b2Mul(xf, polygon.GetVertex(i));

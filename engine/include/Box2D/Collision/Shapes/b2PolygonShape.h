@@ -6,7 +6,7 @@
 /// @file
 /// Convex polygons.
 
-/// A solid convex polygon with a thin skin and 3 to b2_maxPolygonVertices vertices in
+/// A solid convex polygon with a thin skin and 3 to b2_polygonCapacity vertices in
 /// counter-clockwise order. Create it with Set or SetAsBox; treat the members as read-only.
 class b2PolygonShape final : public b2Shape
 {
@@ -17,7 +17,7 @@ public:
     b2Shape* Clone(b2BlockAllocator* allocator) const override;
     int32 GetChildCount() const override { return 1; } ///< always 1
 
-    /// Sets the convex hull of 3 to b2_maxPolygonVertices finite points [m], in any order. Points
+    /// Sets the convex hull of 3 to b2_polygonCapacity finite points [m], in any order. Points
     /// within b2_linearSlop of another and points on the line between their neighbours are removed.
     /// Points that WhyNotConvex rejects assert; with asserts off, their bounding box is used
     /// instead.
@@ -41,7 +41,7 @@ public:
     void ComputeAABB(b2AABB* aabb, const b2Transform& transform, int32 childIndex) const override;
     void ComputeMass(b2MassData* massData, float32 density) const override;
 
-    int32 GetVertexCount() const { return m_count; } ///< 3 to b2_maxPolygonVertices
+    int32 GetVertexCount() const { return m_count; } ///< 3 to b2_polygonCapacity
     /// Returns a vertex [m]; 0 <= index < GetVertexCount().
     const b2Vec2& GetVertex(int32 index) const
     {
@@ -53,9 +53,9 @@ public:
     /// the members directly.
     bool Validate() const;
 
-    b2Vec2 m_centroid;                        ///< centroid of the area [m]
-    b2Vec2 m_vertices[b2_maxPolygonVertices]; ///< vertices, counter-clockwise [m]
-    b2Vec2 m_normals[b2_maxPolygonVertices];  ///< outward unit normal of the edge from vertex i to
-                                              ///< i + 1
-    int32 m_count = 0;                        ///< number of vertices
+    b2Vec2 m_centroid;                     ///< centroid of the area [m]
+    int32 m_count = 0;                     ///< number of vertices; beside them in memory
+    b2Vec2 m_vertices[b2_polygonCapacity]; ///< vertices, counter-clockwise [m]
+    b2Vec2 m_normals[b2_polygonCapacity];  ///< outward unit normal of the edge from vertex i to
+                                           ///< i + 1
 };
