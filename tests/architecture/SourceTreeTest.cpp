@@ -31,7 +31,7 @@ std::string Lines(const Findings& findings)
 }
 
 /// A small source tree with planted violations, which test that each rule finds them.
-class PlantedTree : public testing::Test
+class Checks : public testing::Test
 {
 protected:
     void Plant(const std::string& path, const std::string& text)
@@ -51,13 +51,13 @@ protected:
 
 // ------------------------------------------------------------------------------ the checkout
 
-TEST(Checkout, IncludesOnlyDownThePicture)
+TEST(Checkout, IncludesOnlyLowerLayers)
 {
     const Findings findings = CheckLayers(kCheckout);
     EXPECT_TRUE(findings.empty()) << Lines(findings);
 }
 
-TEST(Checkout, KeepsEachForeignLibraryInItsOneFile)
+TEST(Checkout, IncludesForeignLibrariesOnlyInTheirWrappers)
 {
     const Findings findings = CheckForeignLibraries(kCheckout);
     EXPECT_TRUE(findings.empty()) << Lines(findings);
@@ -81,7 +81,7 @@ TEST(Checkout, IsCompiledWithExactArithmetic)
     EXPECT_TRUE(findings.empty()) << Lines(findings);
 }
 
-TEST(Checkout, IsWatchedWholeByTheBoxreelScript)
+TEST(Checkout, HasNoFolderThatTheBoxreelScriptMisses)
 {
     const Findings findings = CheckWatchedFolders(kCheckout);
     EXPECT_TRUE(findings.empty()) << Lines(findings);
@@ -95,7 +95,7 @@ TEST(Checkout, NamesOnlyFilesThatExist)
 
 // ------------------------------------------------------------------------------ planted errors
 
-TEST_F(PlantedTree, UpwardIncludesAreFound)
+TEST_F(Checks, FindUpwardIncludes)
 {
     Plant("engine/include/Box2D/Common/b2Math.h", "#include <Box2D/Collision/b2Shape.h>\n");
     Plant("engine/src/Collision/Tree.cpp", "#include \"Dynamics/State/Island.h\"\n");
@@ -133,7 +133,7 @@ TEST_F(PlantedTree, UpwardIncludesAreFound)
             StartsWith("testbed/session/Condition.cpp:1: testbed/session must not include film")));
 }
 
-TEST_F(PlantedTree, DownwardIncludesAreNoFinding)
+TEST_F(Checks, AllowDownwardIncludes)
 {
     Plant("engine/include/Box2D/Box2D.h", "#include <Box2D/Dynamics/b2World.h>\n");
     Plant("engine/include/Box2D/Dynamics/b2World.h",
@@ -148,7 +148,7 @@ TEST_F(PlantedTree, DownwardIncludesAreNoFinding)
     EXPECT_THAT(CheckForeignLibraries(m_root), IsEmpty());
 }
 
-TEST_F(PlantedTree, AFileOutsideEveryLayerIsFound)
+TEST_F(Checks, FindAFileOutsideEveryLayer)
 {
     Plant("engine/src/Misc/Odd.cpp", "");
     Plant("utils/Odd.h", "");
@@ -157,7 +157,7 @@ TEST_F(PlantedTree, AFileOutsideEveryLayerIsFound)
                             StartsWith("utils/Odd.h:1: lies in no layer")));
 }
 
-TEST_F(PlantedTree, AForeignLibraryOutsideItsHomeIsFound)
+TEST_F(Checks, FindAForeignLibraryOutsideItsHome)
 {
     Plant("render/src/Png.cpp", "#include <png.h>\n");
     Plant("render/src/Renderer.cpp",
@@ -175,7 +175,7 @@ TEST_F(PlantedTree, AForeignLibraryOutsideItsHomeIsFound)
                     StartsWith("render/src/Renderer.cpp:2: GL/osmesa.h is wrapped elsewhere")));
 }
 
-TEST_F(PlantedTree, MissingLicencesLongFilesAndMachinePathsAreFound)
+TEST_F(Checks, FindMissingLicencesLongFilesAndMachinePaths)
 {
     const std::string licence = "// SPDX-License-Identifier: MIT\n";
     std::string blank(701, '\n');
@@ -190,7 +190,7 @@ TEST_F(PlantedTree, MissingLicencesLongFilesAndMachinePathsAreFound)
                             StartsWith("tests/run.cmake:1: names a folder")));
 }
 
-TEST_F(PlantedTree, TestNamesOverSixtyCharactersAreFound)
+TEST_F(Checks, FindTestNamesOverSixtyCharacters)
 {
     const std::string kept(54, 'a'); // with "Suite." 60
     // Put together here so as not to find themselves.
@@ -202,7 +202,7 @@ TEST_F(PlantedTree, TestNamesOverSixtyCharactersAreFound)
                             StartsWith("tests/base/NameTest.cpp:3: Suite." + kept + "c has 61")));
 }
 
-TEST_F(PlantedTree, PythonTestNamesOverSixtyCharactersAreFound)
+TEST_F(Checks, FindPythonTestNamesOverSixtyCharacters)
 {
     const std::string kept = "test_" + std::string(49, 'a'); // with "Suite." 60
     Plant("tests/python/name_test.py", "class Suite(TestCase):\n    def " + kept +
@@ -213,7 +213,7 @@ TEST_F(PlantedTree, PythonTestNamesOverSixtyCharactersAreFound)
                             StartsWith("tests/python/name_test.py:4: " + kept + "abcdefg has 61")));
 }
 
-TEST_F(PlantedTree, InexactCompileCommandsAreFound)
+TEST_F(Checks, FindInexactCompileCommands)
 {
     const auto entry = [&](const std::string& flags, const std::string& file) {
         return "{\n  \"directory\": \"/b\",\n  \"command\": \"c++ " + flags +
@@ -232,7 +232,7 @@ TEST_F(PlantedTree, InexactCompileCommandsAreFound)
                 Contains(HasSubstr("configure with a preset")));
 }
 
-TEST_F(PlantedTree, AFolderTheScriptDoesNotWatchIsFound)
+TEST_F(Checks, FindAFolderTheScriptDoesNotWatch)
 {
     Plant("boxreel", "#!/bin/sh\nprogramSources='CMakeLists.txt engine'\n");
     Plant("CMakeLists.txt",
@@ -241,7 +241,7 @@ TEST_F(PlantedTree, AFolderTheScriptDoesNotWatchIsFound)
                 ElementsAre(StartsWith("CMakeLists.txt:2: render is missing")));
 }
 
-TEST_F(PlantedTree, PathsThatDoNotExistAreFound)
+TEST_F(Checks, FindPathsThatDoNotExist)
 {
     Plant("engine/src/Solver.cpp", "");
     Plant("ARCHITECTURE.md", "`Solver.cpp`, `src/Solver.cpp`, `engine/src`, `engine/src/S*.cpp`,\n"

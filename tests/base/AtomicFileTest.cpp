@@ -67,7 +67,7 @@ TEST(AtomicFile, HasItsNameOnlyOnceItIsComplete)
     EXPECT_EQ(ReadBytes(folder / "film.mp4"), "abcabc");
 }
 
-TEST(AtomicFile, TakesWhatALibraryWroteByName)
+TEST(AtomicFile, CommitsWhatALibraryWroteByName)
 {
     const TemporaryFolder folder;
     Result<AtomicFile> file = AtomicFile::Create(folder / "film.mp4", false);
@@ -77,7 +77,7 @@ TEST(AtomicFile, TakesWhatALibraryWroteByName)
     EXPECT_EQ(ReadBytes(folder / "film.mp4"), "by name");
 }
 
-TEST(AtomicFile, LeavesNothingBehindWhenGivenUp)
+TEST(AtomicFile, RemovesItsPartWhenNotCommitted)
 {
     const TemporaryFolder folder;
     {
@@ -101,7 +101,7 @@ TEST(AtomicFile, RemovesItsFormerPartWhenAssignedAnother)
     EXPECT_THAT(folder.Names(), ElementsAre("b"));
 }
 
-TEST(AtomicFile, StartsAfreshOnAPartThatAKilledProgramLeft)
+TEST(AtomicFile, OverwritesThePartThatAKilledProgramLeft)
 {
     const TemporaryFolder folder;
     WriteBytes(folder / "film.part.mp4", "the longer rest of a killed run");
@@ -166,7 +166,7 @@ TEST(AtomicFile, RefusesASecondWriterOfTheSameName)
     EXPECT_EQ(ReadBytes(folder / "film.mp4"), "third");
 }
 
-TEST(AtomicFile, ReplacesWhatALinkLeadsToAndKeepsTheLink)
+TEST(AtomicFile, ReplacesTheTargetOfALinkAndKeepsTheLink)
 {
     const TemporaryFolder folder;
     WriteBytes(folder / "real.txt", "old");
@@ -177,7 +177,7 @@ TEST(AtomicFile, ReplacesWhatALinkLeadsToAndKeepsTheLink)
     EXPECT_THAT(folder.Names(), UnorderedElementsAre("real.txt", "link.txt"));
 }
 
-TEST(AtomicFile, NamesAPlaceThatCannotBeWritten)
+TEST(AtomicFile, NamesAPathThatCannotBeWritten)
 {
     const TemporaryFolder folder;
     WriteBytes(folder / "file", "x");
@@ -199,7 +199,7 @@ TEST(AtomicFile, NamesAPlaceThatCannotBeWritten)
     EXPECT_THAT(folder.Names(), UnorderedElementsAre("file", "sub"));
 }
 
-TEST(CheckFolderOf, NamesAFileWhoseFolderTakesNone)
+TEST(CheckFolderOf, RefusesAFileWhoseFolderDoesNotExist)
 {
     const TemporaryFolder folder;
     WriteBytes(folder / "file", "x");
@@ -211,7 +211,7 @@ TEST(CheckFolderOf, NamesAFileWhoseFolderTakesNone)
     }
 }
 
-TEST(AtomicFile, NamesWhatIsInTheWayOfItsPart)
+TEST(AtomicFile, NamesWhatOccupiesThePathOfItsPart)
 {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "folder.part.txt");

@@ -45,7 +45,7 @@ TEST(ErrorText, LeavesOutAlternativesThatTheTableLacks)
     EXPECT_EQ(ErrorText::AnyOf({codec}).Text(kOptions), "");
 }
 
-TEST(Error, TextLeavesOutEmptyParts)
+TEST(Error, LeavesEmptyPartsOutOfItsText)
 {
     const Error error{ErrorKind::Failed, "film", "", ErrorSetting{"Film::size"}};
     EXPECT_EQ(error.Text(), "film; size");

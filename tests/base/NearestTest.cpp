@@ -12,7 +12,7 @@ namespace boxreel
 namespace
 {
 
-TEST(Nearest, DistanceCountsSingleMistakes)
+TEST(EditDistance, CountsSingleMistakes)
 {
     EXPECT_EQ(EditDistance("pyramid", "pyramid"), 0);
     EXPECT_EQ(EditDistance("pyramd", "pyramid"), 1) << "left out";
@@ -24,7 +24,7 @@ TEST(Nearest, DistanceCountsSingleMistakes)
     EXPECT_EQ(EditDistance("kitten", "sitting"), 3);
 }
 
-TEST(Nearest, AMistypedWordFindsWhatWasMeant)
+TEST(NearestWord, FindsTheIntendedWord)
 {
     const std::vector<std::string> words{"bridge", "pyramid", "--seconds", "--seed"};
     EXPECT_EQ(NearestWord("piramid", words), 1);
@@ -32,13 +32,13 @@ TEST(Nearest, AMistypedWordFindsWhatWasMeant)
     EXPECT_EQ(NearestWord("pyr", words), 1) << "a beginning is enough";
 }
 
-TEST(Nearest, CapitalsAreNoMistakes)
+TEST(NearestWord, IgnoresCase)
 {
     EXPECT_EQ(NearestWord("PIRAMID", {"bridge", "pyramid"}), 1);
     EXPECT_EQ(NearestWord("pyr", {"bridge", "Pyramid"}), 1);
 }
 
-TEST(Nearest, AnythingElseFindsNothing)
+TEST(NearestWord, FindsNothingWithoutASimilarWord)
 {
     const std::vector<std::string> words{"bridge", "pyramid"};
     EXPECT_EQ(NearestWord("z", {"x", "y"}), -1) << "none of its letters";
@@ -47,7 +47,7 @@ TEST(Nearest, AnythingElseFindsNothing)
     EXPECT_EQ(NearestWord("pyramid", {}), -1);
 }
 
-TEST(Nearest, RefusalNamesOptionAndSuggestsNearWord)
+TEST(NotOneOf, NamesOptionAndSuggestsNearWord)
 {
     const std::vector<std::string> words{"low", "high"};
     for (const auto& [typed, culprit] :

@@ -9,7 +9,7 @@ namespace
 
 using namespace boxreel;
 
-TEST(Quoting, OptionAsTypedHasQuotesWhereItsValueNeedsThem)
+TEST(AsTyped, QuotesValuesThatNeedIt)
 {
     EXPECT_EQ(AsTyped("--fps", "0"), "--fps 0");
     EXPECT_EQ(AsTyped("--label", "two words"), "--label 'two words'");
@@ -17,23 +17,23 @@ TEST(Quoting, OptionAsTypedHasQuotesWhereItsValueNeedsThem)
     EXPECT_EQ(AsTyped("", "0"), "0");
 }
 
-TEST(Quoting, ShellWordKeepsSingleQuotes)
+TEST(ShellQuoted, EscapesSingleQuotes)
 {
     EXPECT_EQ(ShellQuoted("it's $HOME"), "'it'\\''s $HOME'");
     EXPECT_EQ(ShellQuoted(""), "''");
 }
 
-TEST(Quoting, ZshTextIsOneLineWithSignsEscaped)
+TEST(ZshEscaped, ReturnsOneLineWithSignsEscaped)
 {
     EXPECT_EQ(ZshEscaped("[a]:b\\\nc"), "\\[a\\]\\:b\\\\ c");
 }
 
-TEST(Quoting, MarkupSignsAreEscaped)
+TEST(MarkupEscaped, EscapesMarkupSigns)
 {
     EXPECT_EQ(MarkupEscaped("<a b=\"c\">'d' & e"), "&lt;a b=&quot;c&quot;&gt;'d' &amp; e");
 }
 
-TEST(Quoting, Base64MatchesRfc4648)
+TEST(Base64, MatchesRfc4648)
 {
     constexpr std::pair<std::string_view, std::string_view> kVectors[] = {{"", ""},
                                                                           {"f", "Zg=="},
@@ -49,13 +49,13 @@ TEST(Quoting, Base64MatchesRfc4648)
     }
 }
 
-TEST(Quoting, HexByteHasTwoDigits)
+TEST(HexByte, HasTwoDigits)
 {
     EXPECT_EQ(HexByte(0), "00");
     EXPECT_EQ(HexByte(0xa7), "a7");
 }
 
-TEST(Counting, OnlyOneIsSingular)
+TEST(Counted, IsSingularForOneOnly)
 {
     EXPECT_EQ(Counted(0, "frame"), "0 frames");
     EXPECT_EQ(Counted(1, "frame"), "1 frame");

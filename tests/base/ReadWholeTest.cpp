@@ -37,7 +37,7 @@ TEST(ReadWhole, RefusesFileAboveLimit)
     ExpectUnusable(folder / "file", 4);
 }
 
-TEST(ReadWhole, RefusesWhatIsNoFile)
+TEST(ReadWhole, RefusesWhatIsNotAFile)
 {
     const TemporaryFolder folder;
     ExpectUnusable(folder / "missing", 100);

@@ -21,7 +21,7 @@ Real Distance(const RealPoint& a, const RealPoint& b)
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-TEST(References, TheProjectileIsWhatItsAccelerationMakesOfIt)
+TEST(References, EqualIntegrationOfTheProjectile)
 {
     // A parabola is of second order, so one step of the method is exact.
     std::array<Real, 4> state{0, 0, 10, 20};
@@ -31,7 +31,7 @@ TEST(References, TheProjectileIsWhatItsAccelerationMakesOfIt)
     EXPECT_LT(Distance(ProjectilePosition(10, 20, kGravity, 2), {state[0], state[1]}), 1e-15L);
 }
 
-TEST(References, TheSlideIsWhatWeightAndFrictionMakeOfIt)
+TEST(References, EqualIntegrationOfTheSlide)
 {
     const Real slope = kPi / 6, friction = 0.3L;
     std::array<Real, 2> state{0, 0};
@@ -70,7 +70,7 @@ Real HighestAfter(Real height, Real restitution, int impacts)
     }
 }
 
-TEST(References, ABouncingBallRisesToItsApexes)
+TEST(References, EqualApexesOfABouncingBall)
 {
     const Real kBetweenLooks = kGravity * 1e-6L / 8; // an apex between two looks
     EXPECT_NEAR(double(ApexHeight(10, 1, 3)), 10.0, 1e-14);
@@ -80,7 +80,7 @@ TEST(References, ABouncingBallRisesToItsApexes)
                 double(kBetweenLooks));
 }
 
-TEST(References, ASinglePendulumKeepsItsEnergy)
+TEST(References, KeepEnergyOfASinglePendulum)
 {
     const RodPendulum pendulum(kRod, kGravity);
     RodPendulum::State state{0, 0};
@@ -92,7 +92,7 @@ TEST(References, ASinglePendulumKeepsItsEnergy)
     EXPECT_GT(std::abs(state[0]), 0.1L) << "it has to have moved";
 }
 
-TEST(References, ASmallSwingTakesThePeriodOfTheClosedForm)
+TEST(References, EqualClosedFormPeriodOfSmallSwings)
 {
     const RodPendulum pendulum(kRod, kGravity);
     const Real amplitude = 1e-4L;
@@ -109,7 +109,7 @@ TEST(References, ASmallSwingTakesThePeriodOfTheClosedForm)
                 1e-15);
 }
 
-TEST(References, ADoublePendulumKeepsItsEnergy)
+TEST(References, KeepEnergyOfADoublePendulum)
 {
     const DoublePendulum pendulum(kRod, kGravity);
     DoublePendulum::State state{0, 0, 0, 0};
@@ -121,7 +121,7 @@ TEST(References, ADoublePendulumKeepsItsEnergy)
     EXPECT_GT(std::abs(state[0] - state[1]), 0.1L) << "the rods have to have parted";
 }
 
-TEST(References, ADoublePendulumsAccelerationsAreThoseOfItsForces)
+TEST(References, SatisfyNewtonsLawsForADoublePendulum)
 {
     // Newton's laws for both rods, without Lagrange. The accelerations give the forces in the
     // joints. These must cause the rotation of each rod about its own centre.
@@ -151,7 +151,7 @@ TEST(References, ADoublePendulumsAccelerationsAreThoseOfItsForces)
     EXPECT_LT(std::abs(inertia * a1 + torque(s[0], pivotX + elbowX, pivotY + elbowY)), 1e-7L);
 }
 
-TEST(References, HalvingTheStepChangesNothingThatIsMeasured)
+TEST(References, DoNotChangeWhenTheStepIsHalved)
 {
     const DoublePendulum pendulum(kRod, kGravity);
     const DoublePendulum::State coarse = pendulum.After({0, 0, 0, 0}, 2, kStep);
@@ -159,7 +159,7 @@ TEST(References, HalvingTheStepChangesNothingThatIsMeasured)
     EXPECT_LT(Distance(pendulum.Tip(coarse), pendulum.Tip(fine)), 1e-10L);
 }
 
-TEST(References, TheMethodIsOfFourthOrder)
+TEST(References, ConvergeWithFourthOrder)
 {
     const DoublePendulum pendulum(kRod, kGravity);
     const auto tip = [&](Real step) { return pendulum.Tip(pendulum.After({0, 0, 0, 0}, 1, step)); };

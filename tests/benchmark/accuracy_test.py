@@ -57,10 +57,10 @@ class Sweep(BuildCase):
         self.measured("1e-5", "1e-5")
         self.assertEqual([call.split()[0] for call in self.calls()[:4]], ["boxreel_bench", "boxreel_bench_box2d"] * 2)
 
-    def test_keeps_the_least_time_of_the_rounds(self) -> None:
+    def test_keeps_the_minimum_time_of_the_rounds(self) -> None:
         self.assertEqual({run["cpu"] for run in self.measured("1e-5", "7e-6")}, {7e-6})
 
-    def test_times_what_takes_long_once(self) -> None:
+    def test_measures_long_runs_once(self) -> None:
         self.assertEqual({run["cpu"] for run in self.measured("1e-2", "1e-9")}, {1e-2})
 
     def test_keeps_the_others_when_an_engine_fails(self) -> None:
@@ -93,7 +93,7 @@ class Verdicts(unittest.TestCase):
         self.assertTrue(two.endswith("2.00×  goal met"), two)
         self.assertTrue(four.endswith("0.67×  goal met, slower"), four)
 
-    def test_say_in_the_summary_what_was_missed(self) -> None:
+    def test_report_missed_goals_in_the_summary(self) -> None:
         line = accuracy.summary([judged(one(error=1.0), one(steps=2, error=1.0))], 2).splitlines()[1]
         self.assertTrue(line.endswith("goal not met"), line)
 
@@ -113,16 +113,16 @@ class Charts(unittest.TestCase):
         self.assertEqual([point.label for point in curves[0].points], ["1", "2", "4 sub-steps"])
         self.assertEqual([point.mark for point in curves[0].points], [".", ".", "o"])
 
-    def test_cross_out_what_failed(self) -> None:
+    def test_mark_failed_runs_with_a_cross(self) -> None:
         curve = self.drawn(one(steps=1, ending="falls"), one(steps=2, error=None, held=False), one(steps=4)).curves[0]
         self.assertEqual([(point.mark, point.y) for point in curve.points], [("x", 1e-4 / 10), ("x", None), ("o", 1e-5)])
 
-    def test_put_errors_of_nothing_on_the_floor(self) -> None:
+    def test_draw_errors_of_zero_at_the_minimum(self) -> None:
         chart = self.drawn(one(error=0.0), one(steps=4, error=0.0))
         self.assertEqual({point.y for point in chart.curves[0].points}, {chart.floor[0]})
         self.assertEqual(chart.floor, (1e-8, "≤ 1e-08"))
 
-    def test_are_left_out_where_nothing_held(self) -> None:
+    def test_are_omitted_when_all_runs_failed(self) -> None:
         self.assertEqual(ACCURACY.drawn([judged(one(ending="falls"))]), {})
 
 

@@ -34,7 +34,7 @@ class Command(BuildCase):
         self.assertIn("4.00×", done.stdout)
         self.assertNotIn("snow", done.stdout)
 
-    def test_refuses_what_it_does_not_know(self) -> None:
+    def test_refuses_unknown_arguments(self) -> None:
         for culprit, words in (("'large'", ["large"]), ("--curves", ["engine", "--curves"]), ("'rian'", ["engine", "rian"]),
                                ("'rain'", ["engine", "rain", "rain"]), ("--rounds", ["engine", "--rounds", "0"]),
                                ("1,1", ["engine", "--threads", "1,1"]), ("640x361", ["record", "--size", "640x361"]),
@@ -53,7 +53,7 @@ class Command(BuildCase):
         done = self.bench("engine", "--list")
         self.assertEqual([line.split()[0] for line in done.stdout.splitlines()], ["rain", "snow"])
 
-    def test_passes_sub_steps_on_and_holds_no_goals_then(self) -> None:
+    def test_passes_sub_steps_on_and_then_has_no_goals(self) -> None:
         done = self.bench("engine", "--sub-steps", "4", "--rounds", "1", "--json", "a.json")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(self.calls()[0].split()[-4:], ["run", "rain", "1", "4"])
@@ -114,7 +114,7 @@ class Command(BuildCase):
         self.assertEqual(path.read_text(encoding="utf-8"), "before")
         self.assertEqual([name for name in os.listdir(self.folder) if name.startswith(".")], [])
 
-    def test_stopped_shows_the_done_cases_and_leaves_nothing(self) -> None:
+    def test_shows_finished_cases_when_stopped(self) -> None:
         self.program("boxreel_bench", ENGINE.replace("run)", "run) [ $2 = snow ] && { log slow; exec sleep 60; };"))
         (self.folder / "tmp").mkdir()
         environment = {**os.environ, "BOXREEL_BUILD_DIR": str(self.folder / "build"), "TMPDIR": str(self.folder / "tmp")}
@@ -139,7 +139,7 @@ class Against(BuildCase):
         slower = ENGINE.replace("NAME", "other").replace('"cpu": 0.002', '"cpu": 0.003')
         self.program("boxreel_bench", slower, build="other")
 
-    def test_alternates_and_changes_who_is_first(self) -> None:
+    def test_alternates_builds_and_their_order(self) -> None:
         self.assertEqual(self.bench("engine", "--against", "other", "--rounds", "3").returncode, 0)
         self.assertEqual([call.split()[0] for call in self.calls()], ["this", "other", "other", "this", "this", "other"])
 
@@ -162,7 +162,7 @@ class Against(BuildCase):
         self.assertIn(b"<svg", drawn[0])
         self.assertEqual(drawn[0], drawn[1])
 
-    def test_says_where_results_differ(self) -> None:
+    def test_marks_different_results(self) -> None:
         self.program("boxreel_bench", ENGINE.replace('"bits": "ab"', '"bits": "cd"'), build="other")
         self.assertIn("DIFFERENT", self.bench("engine", "--against", "other").stdout)
 
@@ -181,22 +181,22 @@ class Numbers(unittest.TestCase):
 class Programs(BuildCase):
     """What is read from programs."""
 
-    def test_are_read_after_what_a_library_says(self) -> None:
+    def test_are_read_after_other_output(self) -> None:
         self.assertEqual(common.objects('talk\n{"a": 1}\n{"a": 2}\n'), [{"a": 1}, {"a": 2}])
 
-    def test_must_print_figures(self) -> None:
+    def test_are_refused_without_figures(self) -> None:
         for said in ("", "talk", "{broken"):
             with self.assertRaises(common.Problem):
                 common.objects(said)
 
-    def test_fail_with_their_last_words(self) -> None:
+    def test_are_reported_with_their_last_line(self) -> None:
         path = self.program("boxreel_bench", "echo first >&2; echo 'no scene is called x' >&2; exit 1")
         with self.assertRaises(common.Problem) as caught:
             common.run([path])
         self.assertEqual(caught.exception.code, 1)
         self.assertIn("no scene is called x", str(caught.exception))
 
-    def test_may_end_with_a_code_that_says_something(self) -> None:
+    def test_may_end_with_an_expected_code(self) -> None:
         self.assertEqual(common.run([self.program("boxreel_bench", "exit 22")], 22).code, 22)
 
 
@@ -213,7 +213,7 @@ class Charts(BuildCase):
             self.assertEqual((self.folder / name).read_bytes()[:len(start)], start)
         self.assertNotEqual((self.folder / "a-dark.svg").read_bytes(), (self.folder / "a-light.svg").read_bytes())
 
-    def test_have_bars_either_way_of_equally_fast(self) -> None:
+    def test_have_bars_on_both_sides_of_equal(self) -> None:
         methods = [{"method": name, "ours": name == "boxreel", "cpu": cpu, "verdict": "sound"}
                    for name, cpu in (("boxreel", 1.0), ("slow", 2.0), ("fast", 0.5))]
         chart = charts.ratio_bars(common.TEXTS["engine"], [{"case": "c", "what": "w", "methods": methods}], "cpu")

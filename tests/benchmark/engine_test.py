@@ -31,12 +31,12 @@ def judged(ours: dict, *peers: dict, **scene: object) -> dict:
 class Judge(unittest.TestCase):
     """Verdicts of runs."""
 
-    def test_calls_sound_what_ends_like_the_peers(self) -> None:
+    def test_accepts_runs_that_end_like_the_peers(self) -> None:
         first, peer = judged(method())["methods"]
         self.assertEqual((first["verdict"], peer["verdict"]), ("sound", "sound"))
         self.assertAlmostEqual(peer["cpuTimes"], 4.0)
 
-    def test_names_what_differs_from_the_peers(self) -> None:
+    def test_names_differences_from_the_peers(self) -> None:
         for figures, verdict in (({"bodies": 51}, "other bodies"), ({"found": 8}, "other hits"), ({"foundSum": 3.6}, "other hits"),
                                  ({"contacts": 130}, "other contacts"), ({"meanHeight": 10.4}, "other heights"),
                                  ({"overlap": 0.0126}, "deep overlaps"), ({"finite": False}, "not finite"),
@@ -45,7 +45,7 @@ class Judge(unittest.TestCase):
             self.assertEqual(first["verdict"], verdict, figures)
             self.assertNotIn("cpuTimes", peer, figures)
 
-    def test_lets_chaos_pass(self) -> None:
+    def test_accepts_small_deviations(self) -> None:
         for figures in ({"contacts": 114}, {"meanHeight": 10.29}, {"overlap": 0.0124}, {"meanSpeed": 9.0}, {"foundSum": 3.5003}):
             self.assertEqual(judged(method(**figures))["methods"][0]["verdict"], "sound", figures)
 
@@ -54,14 +54,14 @@ class Judge(unittest.TestCase):
                                  ({"contacts": 140}, "other contacts"), ({"meanSpeed": 1.2}, "other speeds")):
             self.assertEqual(judged(method(**figures), comparesSpeeds=True)["methods"][0]["verdict"], verdict, figures)
 
-    def test_compares_nothing_with_a_run_that_burst(self) -> None:
+    def test_compares_nothing_with_an_invalid_run(self) -> None:
         burst = method("Chipmunk 7", False, escaped=5, contacts=None)
         result = judged(method(), method("Box2D 2.4.1", False), burst)
         self.assertEqual(burst["verdict"], "5 escaped")
         self.assertNotIn("cpuTimes", result["methods"][2])
         self.assertIn("cpuTimes", result["methods"][1])
 
-    def test_wants_the_same_bits_at_every_thread_count(self) -> None:
+    def test_requires_equal_bits_at_every_thread_count(self) -> None:
         ours, other = method(), method(threads=2, bits="cd", mean=1e-3)
         result = judged(ours, other, method("Box2D 2.4.1", False))
         self.assertEqual([one["verdict"] for one in result["methods"]], ["sound", "other bits", "sound"])
@@ -76,14 +76,14 @@ class Goals(unittest.TestCase):
         text = engine.Engine().text([judged(ours, *peers, case=case)])
         return [line for line in text.splitlines() if line.endswith(("met", "MISSED"))]
 
-    def test_hold_ours_against_box2d_threads_and_memory(self) -> None:
+    def test_compare_ours_with_box2d_threads_and_memory(self) -> None:
         two = method(threads=2, mean=1.2e-3)
         lines = self.lines(method(memory=15 * 1024 + 1), two, method("Box2D 2.4.1", False, cpu=13.9e-3))
         self.assertEqual([line.split()[-1] for line in lines], ["MISSED", "met", "MISSED"])
         self.assertIn("6.95", lines[0])
         self.assertIn("1.67", lines[1])
 
-    def test_are_missed_by_a_run_unlike_the_peers(self) -> None:
+    def test_are_missed_by_runs_that_differ_from_peers(self) -> None:
         lines = self.lines(method(meanHeight=20.0), method("Box2D 2.4.1", False, cpu=1.0))
         self.assertTrue(lines[0].endswith("MISSED"), lines)
 
@@ -91,7 +91,7 @@ class Goals(unittest.TestCase):
         result = judged(method(), method("Chipmunk 7", False), case="pyramids")
         self.assertEqual(common.goal_table("engine", [result]), "")
 
-    def test_compare_numbers_and_nothing_else(self) -> None:
+    def test_compare_finite_numbers_only(self) -> None:
         self.assertTrue(common.is_met(["<=", 5], 5.0))
         self.assertFalse(common.is_met([">=", 7], 6.999))
         for value in (None, float("nan"), float("inf"), True):
@@ -120,7 +120,7 @@ class Measure(BuildCase):
         self.assertEqual([one["verdict"] for one in result["methods"]], ["sound", "failed"])
         self.assertIn("failed", engine.Engine().text([result]))
 
-    def test_says_when_bits_vary_between_rounds(self) -> None:
+    def test_reports_bits_that_vary_between_rounds(self) -> None:
         self.program("boxreel_bench", f"echo '{engine_line()}' | sed \"s/ab/$$/\"")
         result = engine.Engine().measure(self.folder / "build", SCENE, OPTIONS, self.folder)
         self.assertEqual(result["methods"][0]["bits"], "vary")
@@ -137,7 +137,7 @@ class Charts(unittest.TestCase):
         self.assertIn("4 escaped", bars[1][1])
         self.assertEqual(chart.series, ["than Box2D 2.4.1", "than Chipmunk 7"])
 
-    def test_say_in_words_how_our_run_ended(self) -> None:
+    def test_name_the_verdict_of_our_run(self) -> None:
         chart = engine.Engine().drawn([judged(method(meanHeight=10.4))])[""]
         [(ratio, label)] = chart.groups[0][3]
         self.assertIsNone(ratio)

@@ -81,7 +81,7 @@ class Programs(BuildCase):
         self.assertEqual([(method["role"], method["verdict"]) for method in one["methods"]],
                          [("boxreel", "sound"), ("start", "sound"), ("encodeOnly", "sound")])
 
-    def test_film_alone_where_ffmpeg_does_not_run(self) -> None:
+    def test_film_without_peers_when_ffmpeg_is_missing(self) -> None:
         words = ["record", "pyramid", "--frames", "3", "--size", "64x36", "--rounds", "1", "--json", "-"]
         done = self.bench(*words, BOXREEL_BUILD_DIR=str(BUILD), PATH="/nowhere")
         self.assertIn("install ffmpeg", done.stderr)
@@ -95,7 +95,7 @@ class Programs(BuildCase):
         self.assertTrue(all(found[change] for change, truth in truths.items() if truth == "different"), found)
         self.assertFalse(found["equal"] or found["stray"], found)
 
-    def test_refuse_a_scene_that_is_not_there(self) -> None:
+    def test_refuse_unknown_scenes(self) -> None:
         self.assert_refused(1, "nothing", "golden", "nothing", BOXREEL_BUILD_DIR=str(BUILD))
 
     def test_list_every_case_that_has_a_goal(self) -> None:

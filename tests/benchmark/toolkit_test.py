@@ -31,21 +31,21 @@ def picture(*methods: dict, case: str = "1500-720p", shapes: int = 1500) -> dict
 class Drawing(BuildCase):
     """Frames and their errors."""
 
-    def test_holds_ours_with_one_thread_against_each_goal(self) -> None:
+    def test_compares_one_thread_with_each_goal(self) -> None:
         text = toolkit.Drawing().text([picture(painted(full=6e-3, empty=3e-3, rms=1.2), painted(threads="own", full=1e-3))])
         self.assertEqual([line.split()[-1] for line in text.splitlines() if line.endswith(("met", "MISSED"))],
                          ["MISSED", "met", "met", "met", "MISSED", "MISSED"])
 
-    def test_lets_no_wrong_frame_meet_a_goal(self) -> None:
+    def test_misses_goals_with_wrong_frames(self) -> None:
         result = picture({**painted(), "wrong": "apart"})
         self.assertIsNone(result["reached"]["full redraw [ms]"])
         self.assertIn("apart", toolkit.Drawing().text([result]))
 
-    def test_shows_what_a_peer_has_not_as_nothing(self) -> None:
+    def test_omits_figures_that_a_peer_lacks(self) -> None:
         peer = {**painted("Cairo 1", False), "works": {"full": {"cpu": 3e-2, "wall": 3e-2}}}
         self.assertIn("30.0 ms", toolkit.Drawing().text([picture(painted(), peer)]))
 
-    def test_charts_a_curve_a_renderer_and_kind_of_frame(self) -> None:
+    def test_charts_a_curve_for_each_renderer_and_kind(self) -> None:
         cairo = {**painted("Cairo 1", False, rms=3.0), "works": {"full": {"cpu": 3e-2, "wall": 3e-2}}}
         twin = {**cairo, "method": "Cairo 1, best"}
         results = [picture(painted(), cairo, twin, case=f"{count}-720p", shapes=count) for count in (1500, 50)]
@@ -81,13 +81,13 @@ def filmed(*films: dict, case: str = "pyramid", **more: object) -> dict:
 class Recording(BuildCase):
     """Films."""
 
-    def test_holds_ours_against_the_peers(self) -> None:
+    def test_compares_ours_with_the_peers(self) -> None:
         reached = filmed(film("boxreel"), film("encodeOnly", wall=4.0, memory=150e6), film("immediate", wall=12.0))["reached"]
         self.assertEqual([reached[f"wall time over {name}"] for name in ("encoding only", "immediate mode")], [0.75, 0.25])
         self.assertAlmostEqual(reached["memory over the encoder's [MB]"], 50.0)
         self.assertAlmostEqual(reached["bytes over encoding only"], 1.0)
 
-    def test_lets_no_broken_film_win(self) -> None:
+    def test_misses_goals_with_broken_films(self) -> None:
         for broken in (0, 1):
             films = [film("boxreel"), film("encodeOnly", wall=4.0)]
             films[broken]["seen"] = "599 frames"
@@ -146,7 +146,7 @@ esac""")
         toolkit.Comparing().judge(result)
         return result
 
-    def test_counts_what_is_found_missed_and_a_false_alarm(self) -> None:
+    def test_counts_found_missed_and_false_alarms(self) -> None:
         self.build()
         result = self.measured()
         ours = result["methods"][0]

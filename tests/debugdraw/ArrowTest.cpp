@@ -41,7 +41,7 @@ TEST(Arrow, HasAShaftThatEndsWhereItsHeadBegins)
     EXPECT_EQ(list.points[4], (Vec2{5.0f, 1.6f}));
 }
 
-TEST(Arrow, WithAnOpenHeadIsThreeStrokesThatMeetAtItsPoint)
+TEST(Arrow, HasThreeStrokesWithAnOpenHead)
 {
     DrawList list;
     AddArrow(list, TenPixelsAMeter(), {1.0f, 2.0f}, {6.0f, 2.0f}, kInk,

@@ -71,7 +71,7 @@ TEST(Axes, HaveTicksAtNiceSteps)
     }
 }
 
-TEST(Axes, NumbersStandInTheMiddleOfTheirTicks)
+TEST(Axes, CentreNumbersAtTheirTicks)
 {
     int units = 0;
     for (double zoom = 0.3; zoom < 3000.0; zoom *= 1.23)
@@ -116,7 +116,7 @@ TEST(Axes, HideNothingOfThePicture)
     }
 }
 
-TEST(Axes, NumbersHaveRoomBesideEachOtherAndInTheirMargin)
+TEST(Axes, KeepNumbersApartAndInTheirMargin)
 {
     for (double zoom = 0.01; zoom < 30000.0; zoom *= 1.37)
     {
@@ -166,7 +166,7 @@ TEST(OriginMark, LiesAtTheOrigin)
     EXPECT_NEAR(list.points[list.items[2].first].y, 0.0, 1e-5);
 }
 
-TEST(ScaleBar, IsLeftOutWhereItsLengthCannotBeSaid)
+TEST(ScaleBar, IsOmittedWithoutRoomForItsText)
 {
     const Camera tiny = PaperCamera(31, 60); // a bar of 10 px and 7 px of room for "2 m"
     DrawList list;
@@ -176,7 +176,7 @@ TEST(ScaleBar, IsLeftOutWhereItsLengthCannotBeSaid)
     EXPECT_THAT(list.texts, ElementsAre("2 m"));
 }
 
-TEST(ScaleBar, IsAsLongAsItSays)
+TEST(ScaleBar, HasTheLengthOfItsText)
 {
     for (const auto& [zoom, text] :
          {std::pair{40.0, "2 m"}, std::pair{3.0, "20 m"}, std::pair{1000.0, "0.1 m"}})

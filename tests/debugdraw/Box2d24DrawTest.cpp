@@ -71,7 +71,7 @@ constexpr uint32 kEverything = 0x1f;
 
 } // namespace
 
-TEST_F(Box2d24Draw, ItemsAreWhatTheLibraryAskedFor)
+TEST_F(Box2d24Draw, CollectsTheItemsOfEachCall)
 {
     const b2Vec2 triangle[3] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}};
     b2Transform xf;
@@ -97,7 +97,7 @@ TEST_F(Box2d24Draw, ItemsAreWhatTheLibraryAskedFor)
     EXPECT_EQ(ToText(list), ToText(expected));
 }
 
-TEST_F(Box2d24Draw, ItemsHaveTheLayerAndTheOwnerOfTheList)
+TEST_F(Box2d24Draw, GivesItemsLayerAndOwnerOfTheList)
 {
     list.layer = DrawLayer::Scene;
     list.owner = 7;
@@ -106,7 +106,7 @@ TEST_F(Box2d24Draw, ItemsHaveTheLayerAndTheOwnerOfTheList)
     EXPECT_EQ(list.items.at(0).owner, 7u);
 }
 
-TEST_F(Box2d24Draw, PolygonsOfTwoCornersAreSegments)
+TEST_F(Box2d24Draw, DrawsPolygonsOfTwoCornersAsSegments)
 {
     const b2Vec2 line[2] = {{0.0f, 0.0f}, {1.0f, 0.0f}};
     collector.DrawPolygon(line, 2, b2Color(1.0f, 1.0f, 1.0f));
@@ -117,7 +117,7 @@ TEST_F(Box2d24Draw, PolygonsOfTwoCornersAreSegments)
     EXPECT_EQ(list.items[1].kind, DrawKind::Segment);
 }
 
-TEST_F(Box2d24Draw, ColoursOutOfRangeAreCutToIt)
+TEST_F(Box2d24Draw, ClampsColoursToTheirRange)
 {
     const float none = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(Of(b2Color(2.0f, -1.0f, none, 0.25f)), (Color{255, 0, 0, 64}));
@@ -133,7 +133,7 @@ TEST_F(Box2d24World, IsDrawnLayerByLayer)
     EXPECT_GE(counts.at(DrawLayer::Shapes), 3);
 }
 
-TEST_F(Box2d24World, ShowsOnlyTheLayersThatWereAskedFor)
+TEST_F(Box2d24World, ShowsOnlyTheGivenLayers)
 {
     EXPECT_THAT(LayersOf(b2Draw::e_aabbBit),
                 testing::ElementsAre(testing::Pair(DrawLayer::Aabbs, 3)));

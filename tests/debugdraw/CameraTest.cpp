@@ -212,7 +212,7 @@ TEST(FitTo, StaysFiniteForTheLargestArea)
     EXPECT_TRUE(IsInside({{0.0f, 0.0f}, {0.0f, 0.0f}}, camera.VisibleArea(), 0.0));
 }
 
-TEST(Camera, BetweenTwoViewsChangesItsCentreAndHeightInProportion)
+TEST(Camera, InterpolatesCentreAndHeightOfTwoViews)
 {
     const Camera from{.centerX = 0.0, .centerY = 10.0, .pixelsPerMeter = 10.0};
     const Camera to{.centerX = 4.0, .centerY = 10.0, .pixelsPerMeter = 20.0};

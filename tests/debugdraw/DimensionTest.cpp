@@ -55,7 +55,7 @@ Vec2 TextMiddle(const DrawList& list)
 
 } // namespace
 
-TEST(Dimension, SaysTheDistanceAboveWhatLies)
+TEST(Dimension, ShowsDistanceAboveHorizontalPoints)
 {
     const DrawList list = DimensionOf({-5, 0}, {7.5f, 0});
     EXPECT_THAT(list.texts, ElementsAre("12.5 m"));
@@ -65,14 +65,14 @@ TEST(Dimension, SaysTheDistanceAboveWhatLies)
     EXPECT_EQ(list.items.front().layer, DrawLayer::Annotations);
 }
 
-TEST(Dimension, StandsLeftOfWhatStands)
+TEST(Dimension, IsLeftOfVerticalPoints)
 {
     const DrawList list = DimensionOf({0, -5}, {0, 5});
     EXPECT_THAT(Tips(list), ElementsAre(Vec2{-3, -5}, Vec2{-3, 5}));
     EXPECT_LT(TextMiddle(list).x + 0.5 * TextWidth("10.0 m"), 290.0);
 }
 
-TEST(Dimension, OfANegativeOffsetIsOnTheOtherSideWithItsText)
+TEST(Dimension, IsOnTheOtherSideForNegativeOffset)
 {
     DimensionSettings settings;
     settings.offset = -30.0;
@@ -102,7 +102,7 @@ TEST(Dimension, GoesToTheOtherSideAtTheEdgeOfThePicture)
     EXPECT_LT(slanted.at(1).y, 17.0f);
 }
 
-TEST(Dimension, HasItsArrowsOutsideWhereTheyDoNotFit)
+TEST(Dimension, HasArrowsOutsideWhenTheyDoNotFit)
 {
     const DrawList list = DimensionOf({0, 0}, {1, 0});
     ASSERT_EQ(Tips(list).size(), 2u);
@@ -116,7 +116,7 @@ TEST(Dimension, HasItsArrowsOutsideWhereTheyDoNotFit)
     EXPECT_TRUE(fromOutside);
 }
 
-TEST(Dimension, TextIsClearOfASlantedLineAndInThePicture)
+TEST(Dimension, KeepsTextOffSlantedLineAndInPicture)
 {
     for (int degrees = 0; degrees < 360; degrees += 7)
     {
@@ -137,7 +137,7 @@ TEST(Dimension, TextIsClearOfASlantedLineAndInThePicture)
     EXPECT_GE(View().ToPixel(atTheEdge.points[atTheEdge.items.back().first]).x, 3.9f);
 }
 
-TEST(Dimension, TextMovesAlongItsLineOffWhatIsThere)
+TEST(Dimension, MovesTextAlongItsLineOffOtherItems)
 {
     DrawList list;
     list.AddSegment({0, -10}, {0, 10}, Color{}); // through where the text of the next would be
@@ -148,7 +148,7 @@ TEST(Dimension, TextMovesAlongItsLineOffWhatIsThere)
     EXPECT_NEAR(middle.y, TextMiddle(DimensionOf({-10, 0}, {10, 0})).y, 0.01);
 }
 
-TEST(Dimension, TextStaysWithinABodyWhoseOutlineItDoesNotTouch)
+TEST(Dimension, KeepsTextInBodyWhoseOutlineItDoesNotTouch)
 {
     DrawList list;
     const Vec2 corners[4] = {{-20, -10}, {20, -10}, {20, 10}, {-20, 10}};
@@ -157,7 +157,7 @@ TEST(Dimension, TextStaysWithinABodyWhoseOutlineItDoesNotTouch)
     EXPECT_NEAR(TextMiddle(list).x, 320.0, 0.5);
 }
 
-TEST(Dimension, HasTheLabelItIsGiven)
+TEST(Dimension, ShowsTheGivenLabel)
 {
     EXPECT_THAT(DimensionOf({0, 0}, {9, 0}, {.label = "L"}).texts, ElementsAre("L"));
 }

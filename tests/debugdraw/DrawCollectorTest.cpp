@@ -12,7 +12,7 @@ using namespace boxreel;
 namespace
 {
 
-struct Collected : testing::Test
+struct CollectedItems : testing::Test
 {
     DrawList list;
     DrawCollector collector{list};
@@ -31,7 +31,7 @@ const b2Vec2 kOctagonAndMore[9] = {{3.0f, 0.0f},  {2.0f, 2.0f},   {0.0f, 3.0f},
 
 } // namespace
 
-TEST_F(Collected, ItemsAreWhatTheEngineAskedFor)
+TEST_F(CollectedItems, AreThoseOfTheCalls)
 {
     const b2Vec2 triangle[3] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}};
     b2Transform xf;
@@ -68,7 +68,7 @@ TEST_F(Collected, ItemsAreWhatTheEngineAskedFor)
                            ColorRole::Joint, ColorRole::Pair, ColorRole::Aabb, ColorRole::None}));
 }
 
-TEST_F(Collected, ColoursOfAUserHaveNoRole)
+TEST_F(CollectedItems, HaveNoRoleForColoursOfAUser)
 {
     const b2Color likeStatic(0.5f, 0.9f, 0.5f);
     collector.DrawSegment({0.0f, 1.0f}, {2.0f, 3.0f}, likeStatic);
@@ -82,7 +82,7 @@ TEST_F(Collected, ColoursOfAUserHaveNoRole)
     }
 }
 
-TEST_F(Collected, SceneItemsHaveTheRolesOfTheLayerTheyAnnounce)
+TEST_F(CollectedItems, HaveRolesOfTheAnnouncedLayer)
 {
     const b2Color likeJoint(0.5f, 0.8f, 0.8f);
     list.layer = DrawLayer::Scene;
@@ -95,7 +95,7 @@ TEST_F(Collected, SceneItemsHaveTheRolesOfTheLayerTheyAnnounce)
     EXPECT_EQ(list.items[1].layer, DrawLayer::Scene);
 }
 
-TEST_F(Collected, ColoursAreRoundedToTheNearestAndCutToTheirRange)
+TEST_F(CollectedItems, HaveColoursRoundedAndClamped)
 {
     EXPECT_EQ(Of(b2Color(0.9f, 0.7f, 0.5f, 0.3f)), (Color{230, 179, 128, 77}));
     EXPECT_EQ(Of(b2Color(0.0f, 1.0f, 1.0f)), (Color{0, 255, 255, 255}));
@@ -108,7 +108,7 @@ TEST_F(Collected, ColoursAreRoundedToTheNearestAndCutToTheirRange)
     }
 }
 
-TEST_F(Collected, FillsSolidPolygonsOfAtMostEightCorners)
+TEST_F(CollectedItems, AreFilledForAtMostEightCorners)
 {
     collector.DrawSolidPolygon(kOctagonAndMore, 8, b2Color(1.0f, 1.0f, 1.0f));
     collector.DrawSolidPolygon(kOctagonAndMore, 9, b2Color(1.0f, 1.0f, 1.0f));
@@ -120,7 +120,7 @@ TEST_F(Collected, FillsSolidPolygonsOfAtMostEightCorners)
     EXPECT_EQ(list.points.back(), (Vec2{2.0f, -2.0f}));
 }
 
-TEST_F(Collected, DegeneratePolygonsAreSegmentsOrNothing)
+TEST_F(CollectedItems, AreSegmentsOrNothingForFewCorners)
 {
     collector.DrawPolygon(kOctagonAndMore, 0, b2Color(1.0f, 1.0f, 1.0f));
     collector.DrawSolidPolygon(kOctagonAndMore, 0, b2Color(1.0f, 1.0f, 1.0f));
@@ -131,7 +131,7 @@ TEST_F(Collected, DegeneratePolygonsAreSegmentsOrNothing)
                             "world shapes segment #ffffff (3, 0) (2, 2)\n");
 }
 
-TEST_F(Collected, OnlyWhatAViewMayShowAndTheAxesThatReachIntoIt)
+TEST_F(CollectedItems, AreOnlyThoseThatTheViewMayShow)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2CircleShape ball;

@@ -32,7 +32,7 @@ TEST(DrawListText, IsEmptyForAnEmptyList)
     EXPECT_EQ(ToText(DrawList()), "");
 }
 
-TEST(DrawListText, TellsNeighbouringFloatsApartAndReadsBackExactly)
+TEST(DrawListText, KeepsFloatsExactly)
 {
     std::mt19937 random(3);
     for (int i = 0; i < 2000; ++i)

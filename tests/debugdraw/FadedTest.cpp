@@ -22,7 +22,7 @@ DrawList BoxAt(float x, std::uint32_t owner)
 
 } // namespace
 
-TEST(Append, AddsAListAsItIs)
+TEST(Append, AddsAListUnchanged)
 {
     DrawList example;
     FillExample(example);
@@ -37,7 +37,7 @@ TEST(Append, AddsAListAsItIs)
     EXPECT_EQ(both.points[both.items.back().first], first.points[first.items.back().first]);
 }
 
-TEST(AddFaded, MultipliesTheOpacityOfWhatTheFilterLetsPass)
+TEST(AddFaded, MultipliesOpacityOfFilteredItems)
 {
     DrawList both = BoxAt(0.0f, 1);
     Append(both, BoxAt(4.0f, 2));
@@ -52,7 +52,7 @@ TEST(AddFaded, MultipliesTheOpacityOfWhatTheFilterLetsPass)
     EXPECT_EQ(faded.points[0], (Vec2{4, 0}));
 }
 
-TEST(AddFaded, LeavesOutWhatHasNoOpacity)
+TEST(AddFaded, OmitsItemsWithoutOpacity)
 {
     DrawList frame;
     frame.AddTransform({0, 0}, {1, 0}, 1.0f);

@@ -130,7 +130,7 @@ TEST(FitCamera, StaysBitForBitStillWhenABoxTwitchesInside)
     }
 }
 
-TEST(FitCamera, GlidesToABodyThatStopsNearTheEdgeAndComesToRest)
+TEST(FitCamera, MovesSmoothlyToABodyNearTheEdgeAndRests)
 {
     FitCamera camera(1280, 720, kScene);
     const Edges home(camera.View());
@@ -155,7 +155,7 @@ TEST(FitCamera, GlidesToABodyThatStopsNearTheEdgeAndComesToRest)
     EXPECT_LT(stepsToRest, 300) << "comes to rest";
 }
 
-TEST(FitCamera, DoesNotCreepAfterABodyThatRestsWhereTheViewEnded)
+TEST(FitCamera, DoesNotMoveOnceABodyRestsAtTheEdge)
 {
     FitCamera camera(1280, 720, kScene);
     const Edges home(camera.View());
@@ -172,7 +172,7 @@ TEST(FitCamera, DoesNotCreepAfterABodyThatRestsWhereTheViewEnded)
     }
 }
 
-TEST(FitCamera, ReachesOutAtOnceForABodyThatLeapsOutOfTheFrame)
+TEST(FitCamera, ShowsABodyAtOnceThatLeapsOutOfTheFrame)
 {
     FitCamera camera(1280, 720, kScene);
     const Edges home(camera.View());
@@ -195,7 +195,7 @@ TEST(FitCamera, KeepsALevelChainInViewWhenItSwingsDownFromOneEnd)
     }
 }
 
-TEST(FitCamera, LetsGoOfABodyThatFellOffTheWorld)
+TEST(FitCamera, StopsShowingABodyThatFellOffTheWorld)
 {
     FitCamera camera(1280, 720, kScene);
     const Edges home(camera.View());

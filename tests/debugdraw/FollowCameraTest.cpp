@@ -114,7 +114,7 @@ TEST(FollowCamera, StaysAtRestWhenBoxMovesSlightly)
     }
 }
 
-TEST(FollowCamera, NeverGoesBeyondABodyThatStops)
+TEST(FollowCamera, DoesNotGoBeyondABodyThatStops)
 {
     for (const double speed : {0.5, 5.0, 50.0, 500.0}) // [m/s]
     {
@@ -137,7 +137,7 @@ TEST(FollowCamera, NeverGoesBeyondABodyThatStops)
     }
 }
 
-TEST(FollowCamera, StaysWhereTheSubjectHasBeenAndKeepsItInTheFrame)
+TEST(FollowCamera, KeepsSubjectInFrameAndCentreInItsBounds)
 {
     const int sizes[][2] = {{1280, 720}, {720, 1280}, {333, 333}, {8191, 4321}};
     for (std::uint32_t seed = 0; seed < 40; ++seed)

@@ -6,7 +6,7 @@
 using namespace boxreel;
 using testing::ElementsAre;
 
-TEST(TextWidth, OfATabIsThatOfASpaceAndLinesArePartedAtIt)
+TEST(TextWidth, TreatsTabsAsSpaces)
 {
     EXPECT_EQ(TextWidth("two\ttabs"), TextWidth("two tabs"));
     EXPECT_EQ(WrapText("two\ttabs", 30.0), WrapText("two tabs", 30.0));
@@ -28,7 +28,7 @@ TEST(TextWidth, IsFiniteForInvalidText)
     EXPECT_EQ(TextWidth("\n\x01"), 0.0);
 }
 
-TEST(WrapText, PartsAtSpacesAndKeepsEveryWord)
+TEST(WrapText, BreaksAtSpacesAndKeepsEveryWord)
 {
     EXPECT_THAT(WrapText("a caption", 1000.0), ElementsAre("a caption"));
     EXPECT_THAT(WrapText("00 00 00", 40.0), ElementsAre("00 00", "00"));
@@ -40,7 +40,7 @@ TEST(WrapText, PartsAtSpacesAndKeepsEveryWord)
     }
 }
 
-TEST(WrapText, PartsAWordThatIsLongerThanTheLine)
+TEST(WrapText, BreaksAWordLongerThanTheLine)
 {
     EXPECT_THAT(WrapText("000000 0", 34.0), ElementsAre("0000", "00 0"));
     EXPECT_THAT(WrapText("µµ", 1.0), ElementsAre("µ", "µ")) << "a letter a line at least";

@@ -134,7 +134,7 @@ Theme Named(std::string_view name)
 
 } // namespace
 
-TEST(Theme, HasANameEach)
+TEST(Theme, IsFoundByItsName)
 {
     EXPECT_THAT(ThemeNames(), testing::ElementsAre("classic", "okabe-ito", "print", "dark"));
     EXPECT_FALSE(FindTheme("Classic"));
@@ -142,7 +142,7 @@ TEST(Theme, HasANameEach)
     EXPECT_EQ(Named("print").background, (Color{255, 255, 255}));
 }
 
-TEST(Theme, ClassicDrawsEveryColourAsAsked)
+TEST(Theme, KeepsEveryColourInClassic)
 {
     const Theme classic = Theme::Classic();
     for (const Paint asked : {Paint(ColorRole::StaticBody), Paint(1, 2, 3, 4), Paint(26, 26, 26)})
@@ -183,7 +183,7 @@ TEST(Theme, KeepsAUsersColourThatEqualsAClassicOne)
     }
 }
 
-TEST(Theme, ColoursStandOutFromTheirGround)
+TEST(Theme, ContrastsWithItsBackground)
 {
     for (const std::string_view name : ThemeNames())
     {
@@ -199,7 +199,7 @@ TEST(Theme, ColoursStandOutFromTheirGround)
     }
 }
 
-TEST(Theme, KeepsUsersColoursAndMakesTheirOutlinesSeen)
+TEST(Theme, KeepsUsersColoursWithVisibleOutlines)
 {
     const Color brick{180, 40, 20, 200};
     EXPECT_EQ(Theme::Print().Outline(brick), brick) << "it is seen as it is";
@@ -222,7 +222,7 @@ TEST(Theme, KeepsUsersColoursAndMakesTheirOutlinesSeen)
 // In OKLab a difference of about 0.02 is just visible side by side. The classic palette goes down
 // to 0.002 (contacts to a protanope), this one never below 0.079. All layers may overlap, so every
 // role is compared with every other.
-TEST(Theme, OkabeItoIsDistinctForEveryColourVision)
+TEST(Theme, IsDistinctForEveryColourVisionInOkabeIto)
 {
     for (const Vision vision : kVisions)
     {
@@ -231,7 +231,7 @@ TEST(Theme, OkabeItoIsDistinctForEveryColourVision)
     EXPECT_LT(LeastDistance(kClassicPalette, Vision::Protanopia), 0.01) << "the measure can fail";
 }
 
-TEST(Theme, ArrowsAreDistinctForEveryColourVision)
+TEST(Theme, HasDistinctArrowsForEveryColourVision)
 {
     for (const std::string_view name : {"okabe-ito", "print", "dark"})
     {
@@ -253,7 +253,7 @@ TEST(Theme, ArrowsAreDistinctForEveryColourVision)
     }
 }
 
-TEST(Theme, ClassicKeepsTheColoursThatEverybodyKnows)
+TEST(Theme, KeepsTheColoursOfBox2DInClassic)
 {
     const auto classic = [](ColorRole role) { return kClassicPalette[std::size_t(role)]; };
     EXPECT_EQ(classic(ColorRole::AwakeBody), (Color{230, 179, 179}));
@@ -265,7 +265,7 @@ TEST(Theme, ClassicKeepsTheColoursThatEverybodyKnows)
         << "they look the same";
 }
 
-TEST(Theme, JointsAndPairsAreDistinctAsThinLines)
+TEST(Theme, HasDistinctThinJointsAndPairs)
 {
     for (const Theme& theme : {Theme::Print(), Theme::Dark()})
     {

@@ -94,7 +94,7 @@ TEST(Trail, FadesTowardsItsBeginning)
     EXPECT_NEAR(std::hypot(next.x - end.x, next.y - end.y), 0.098, 0.02);
 }
 
-TEST(Trail, SeenFromVeryNearIsNotTakenApartWithoutEnd)
+TEST(Trail, HasFewItemsAtAnyZoom)
 {
     for (const double zoom : {1e6, 1e300, 0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
     {
@@ -115,7 +115,7 @@ TEST(Trail, IsInterruptedWhereAPlaceIsNotFinite)
     EXPECT_EQ(list.points[2], (Vec2{5, 0}));
 }
 
-TEST(Trail, NeighboursHaveDifferentColours)
+TEST(Trail, HasAnotherColourThanItsNeighbour)
 {
     for (std::size_t i = 0; i < 12; ++i)
     {

@@ -40,12 +40,12 @@ TEST(View, CountsPixelsBesideAPoint)
     EXPECT_FALSE(view.Shows(Vec2{100.0f, 44.0f}, Vec2{100.0f, 43.0f}, 9.0));
 }
 
-TEST(View, OfEverythingShowsEverything)
+TEST(ViewOfEverything, ShowsEverything)
 {
     EXPECT_TRUE(ViewOfEverything(SomeCamera()).Shows(Vec2{-1e30f, 1e30f}));
 }
 
-TEST(View, LosesNothingWhereFloatsAreCoarse)
+TEST(View, OmitsNothingWhereFloatsAreCoarse)
 {
     Camera camera = SomeCamera();
     camera.centerX = 16'777'217.0; // no float; 2 m apart they are there

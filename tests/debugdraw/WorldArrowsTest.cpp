@@ -31,7 +31,7 @@ b2Joint* Hang(dynamics::Scene& scene)
 
 } // namespace
 
-TEST_F(WorldArrows, AVelocityIsTheDisplacementInSomeSeconds)
+TEST_F(WorldArrows, ShowDisplacementInGivenSeconds)
 {
     scene.Body(b2_staticBody, 9.0f, 9.0f);
     b2Body* const box = scene.Box(1.0f, 2.0f);
@@ -53,7 +53,7 @@ TEST_F(WorldArrows, AreNotDrawnForBodiesAtRest)
     EXPECT_TRUE(list.items.empty());
 }
 
-TEST_F(WorldArrows, AVelocityIsSeenWhenItsTipIs)
+TEST_F(WorldArrows, AreDrawnWhenTheirTipIsVisible)
 {
     scene.Box(15.0f, 0.0f)->SetLinearVelocity(b2Vec2(-100.0f, 0.0f));
     AddVelocities(scene.world, ViewOf(camera, 2.0), 0.01, list);
@@ -81,7 +81,7 @@ TEST_F(WorldArrows, ShowWeightHeldByJoint)
     EXPECT_TRUE(list.items.empty());
 }
 
-TEST_F(WorldArrows, TheScaleOfForcesSuitsTheWorld)
+TEST_F(WorldArrows, HaveForceScaleThatSuitsTheWorld)
 {
     EXPECT_GT(MetersPerNewtonFor(scene.world), 0.0) << "an empty one";
     scene.Box(0.0f, 0.0f, 0.5f, 0.5f); // 1 kg
@@ -93,7 +93,7 @@ TEST_F(WorldArrows, TheScaleOfForcesSuitsTheWorld)
     EXPECT_NEAR(MetersPerNewtonFor(scene.world) * 50.0, 2.02 / 8.0, 1e-4);
 }
 
-TEST_F(WorldArrows, OrdersVelocitiesByBodyAgeAfterSleep)
+TEST_F(WorldArrows, AreOrderedByBodyAgeAfterSleep)
 {
     for (int i = 0; i < 6; ++i)
     {

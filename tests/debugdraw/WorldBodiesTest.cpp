@@ -39,7 +39,7 @@ struct WorldBodies : testing::Test
 
 } // namespace
 
-TEST_F(WorldBodies, EachCarriesItsNumberAtItsCentreOfMass)
+TEST_F(WorldBodies, ShowTheirNumberAtTheirCentreOfMass)
 {
     AddBodyNames(scene.world, ViewOfEverything(camera), {}, list);
     ASSERT_EQ(list.items.size(), 2u);
@@ -56,7 +56,7 @@ TEST_F(WorldBodies, EachCarriesItsNumberAtItsCentreOfMass)
     EXPECT_EQ(list.owner, kNoOwner) << "what follows has no owner";
 }
 
-TEST_F(WorldBodies, ANameTakesTheNumbersPlaceInTheMiddle)
+TEST_F(WorldBodies, ShowNameInPlaceOfNumber)
 {
     AddBodyNames(scene.world, ViewOfEverything(camera), {{1, "M\u00fchle"}, {0, ""}}, list);
     EXPECT_THAT(list.texts, testing::ElementsAre("0", "M\u00fchle"));
@@ -64,7 +64,7 @@ TEST_F(WorldBodies, ANameTakesTheNumbersPlaceInTheMiddle)
         << "as wide as its letters, not its bytes";
 }
 
-TEST_F(WorldBodies, ALongNameIsCutBetweenLetters)
+TEST_F(WorldBodies, CutLongNamesBetweenLetters)
 {
     std::string name = "x";
     for (int i = 0; i < 400; ++i)
@@ -83,7 +83,7 @@ TEST_F(WorldBodies, ALongNameIsCutBetweenLetters)
     EXPECT_GE(TextWidth(narrow), 180.0);
 }
 
-TEST_F(WorldBodies, NamesAreAlwaysOneLine)
+TEST_F(WorldBodies, ShowNamesInOneLine)
 {
     const std::string zero(1, '\0');
     const BodyNames names{{0, "tab\tand\r\nline\u2028end\u0085\x7f"}, {1, zero + "\u00bd\u2026"}};
@@ -91,7 +91,7 @@ TEST_F(WorldBodies, NamesAreAlwaysOneLine)
     EXPECT_THAT(list.texts, testing::ElementsAre("tab and  line end  ", " \u00bd\u2026"));
 }
 
-TEST_F(WorldBodies, NamesAndMarksOutsideOfThePictureAreLeftOut)
+TEST_F(WorldBodies, OmitNamesAndMarksOutsideThePicture)
 {
     AddBodyNames(scene.world, ViewOf(camera, 2.0), {}, list);
     EXPECT_THAT(list.texts, testing::ElementsAre("0"));
@@ -105,7 +105,7 @@ TEST_F(WorldBodies, NamesAndMarksOutsideOfThePictureAreLeftOut)
     }
 }
 
-TEST_F(WorldBodies, MarksLieOnCentresOfMassAndTurnWithTheBody)
+TEST_F(WorldBodies, HaveMarksAtCentresThatTurnWithThem)
 {
     scene.Body(b2_staticBody, 0.0f, 0.0f); // weighs nothing
     AddCenterMarks(scene.world, ViewOfEverything(camera), list);
@@ -204,7 +204,7 @@ void ExpectClear(const b2World& world, const DrawList& list, const Camera& camer
 
 } // namespace
 
-TEST_F(WorldBodies, NamesMoveAsideFromSignsAndFromEachOther)
+TEST_F(WorldBodies, MoveNamesAsideFromSignsAndEachOther)
 {
     b2CircleShape ball;
     ball.m_radius = 0.2f;
@@ -260,7 +260,7 @@ struct Labels : testing::Test
 
 } // namespace
 
-TEST_F(Labels, StandOnTheirBodiesOrAreTiedToThemOverFreeGround)
+TEST_F(Labels, LieOnTheirBodiesOrAreTiedToThem)
 {
     for (int i = 0; i < 24; ++i)
     {
@@ -293,7 +293,7 @@ TEST_F(Labels, StandOnTheirBodiesOrAreTiedToThemOverFreeGround)
     EXPECT_GE(away, 5);
 }
 
-TEST_F(Labels, OfCrowdsAreLeftOutRatherThanOnOthers)
+TEST_F(Labels, AreOmittedInCrowdsRatherThanOverlapping)
 {
     for (int i = 0; i < 400; ++i)
     {
@@ -340,7 +340,7 @@ TEST_F(Labels, AvoidAnnotations)
     EXPECT_FALSE(Overlap(beside, Rect{{-0.6f, -0.001f}, {0.6f, 0.001f}}));
 }
 
-TEST_F(Labels, DoNotMindWhatTheirBodyLiesOver)
+TEST_F(Labels, IgnoreItemsBelowTheirBody)
 {
     Box(0.0f, 0.0f, 0.2f, 0.2f); // a region
     Box(0.1f, 0.13f, 0.05f, 0.05f);
@@ -377,7 +377,7 @@ TEST_F(Labels, AreBesideBodiesThinnerThanTheirLetters)
     EXPECT_TRUE(Holds(labels.at(2).box, b2Vec2(1.0f, 0.0f)));
 }
 
-TEST_F(Labels, ThatMoveAsideKeepWithinTheirBodyWhereItHasRoom)
+TEST_F(Labels, StayWithinTheirBodyWhenMovedAside)
 {
     Box(0.0f, 0.0f, 0.5f, 0.2f); // above the middle a label of 12 px would lie on its edge
     Paper(signs, camera).Line({158.0, 120.0}, {162.0, 120.0}, Color{});
@@ -397,7 +397,7 @@ TEST_F(Labels, KeepClearOfSigns)
     EXPECT_FALSE(Overlap(box, Rect{{-0.12f, 0.055f}, {0.12f, 0.105f}}));
 }
 
-TEST_F(WorldBodies, NamesBodiesInViewInOrderOfWholeWorld)
+TEST_F(WorldBodies, ShowNamesInViewInOrderOfWholeWorld)
 {
     for (int i = 0; i < 40; ++i)
     {
@@ -434,7 +434,7 @@ TEST_F(WorldBodies, NamesBodiesInViewInOrderOfWholeWorld)
     }
 }
 
-TEST_F(WorldBodies, JointsThatHaveANameCarryItBetweenTheirAnchors)
+TEST_F(WorldBodies, ShowNamesOfJointsBetweenAnchors)
 {
     b2Body* const ball = scene.world.GetBodyList()->GetNext();
     b2RevoluteJointDef hinge;

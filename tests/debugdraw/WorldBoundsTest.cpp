@@ -37,14 +37,14 @@ struct WorldBoundsFixture : testing::Test
 
 using WorldBounds = WorldBoundsFixture;
 
-TEST_F(WorldBounds, TheStartShowsWhatCanMove)
+TEST_F(WorldBounds, IncludeMovableBodiesAtStart)
 {
     Add(b2_dynamicBody, -3.0f, 2.0f, 1.0f, 1.0f);
     Add(b2_kinematicBody, 5.0f, 8.0f, 1.0f, 0.5f);
     ExpectNear(BoundsAtStart(world), -4.0f, 1.0f, 6.0f, 8.5f);
 }
 
-TEST_F(WorldBounds, AWideGroundIsShownOnlyNearWhatMoves)
+TEST_F(WorldBounds, IncludeWideGroundOnlyNearMovableBodies)
 {
     Add(b2_dynamicBody, 0.0f, 5.0f, 2.0f, 4.0f);
     Add(b2_staticBody, 0.0f, 0.0f, 500.0f, 0.5f);
@@ -52,7 +52,7 @@ TEST_F(WorldBounds, AWideGroundIsShownOnlyNearWhatMoves)
     ExpectNear(BoundsAtStart(world), -6.0f, -0.5f, 6.0f, 9.0f);
 }
 
-TEST_F(WorldBounds, AnAnchorInTheAirIsShown)
+TEST_F(WorldBounds, IncludeAnchorsInTheAir)
 {
     b2Body* ball = Add(b2_dynamicBody, 0.0f, 0.0f, 1.0f, 1.0f);
     b2BodyDef nothing;
@@ -62,13 +62,13 @@ TEST_F(WorldBounds, AnAnchorInTheAirIsShown)
     ExpectNear(BoundsAtStart(world), -1.0f, -1.0f, 1.0f, 12.0f);
 }
 
-TEST_F(WorldBounds, AWorldAtRestShowsAllOfIt)
+TEST_F(WorldBounds, IncludeAllOfAStaticWorld)
 {
     Add(b2_staticBody, 0.0f, 0.0f, 500.0f, 0.5f);
     ExpectNear(BoundsAtStart(world), -500.0f, -0.5f, 500.0f, 0.5f);
 }
 
-TEST_F(WorldBounds, WhatIsDrawnBesideTheWorldIsShown)
+TEST_F(WorldBounds, IncludeWhatIsDrawnBesideTheWorld)
 {
     const Rect picture{{-20.0f, -1.0f}, {3.0f, 30.0f}};
     ExpectNear(BoundsAtStart(world, picture), -20.0f, -1.0f, 3.0f, 30.0f);
@@ -78,12 +78,12 @@ TEST_F(WorldBounds, WhatIsDrawnBesideTheWorldIsShown)
     ExpectNear(BoundsOfEverything(world, picture), -500.0f, -90.5f, 500.0f, 30.0f);
 }
 
-TEST_F(WorldBounds, AnEmptyWorldShowsThePlaceAroundTheOrigin)
+TEST_F(WorldBounds, AreNotEmptyForAnEmptyWorld)
 {
     EXPECT_FALSE(BoundsAtStart(world).IsEmpty());
 }
 
-TEST_F(WorldBounds, EverythingIsTheWideGroundToo)
+TEST_F(WorldBounds, IncludeWideGroundForEverything)
 {
     Add(b2_dynamicBody, 0.0f, 5.0f, 2.0f, 4.0f);
     Add(b2_staticBody, 0.0f, 0.0f, 500.0f, 0.5f);
@@ -91,7 +91,7 @@ TEST_F(WorldBounds, EverythingIsTheWideGroundToo)
     EXPECT_FALSE(BoundsOfEverything(b2World(b2Vec2(0.0f, 0.0f))).IsEmpty());
 }
 
-TEST_F(WorldBounds, TreatsChosenBodiesWithoutShapesAsPoints)
+TEST_F(WorldBounds, TreatChosenBodiesWithoutShapesAsPoints)
 {
     const b2Body* box = Add(b2_staticBody, -3.0f, 2.0f, 1.0f, 1.0f);
     Add(b2_dynamicBody, 90.0f, 90.0f, 1.0f, 1.0f);
@@ -103,7 +103,7 @@ TEST_F(WorldBounds, TreatsChosenBodiesWithoutShapesAsPoints)
     EXPECT_EQ(BoundsOfCenters({box, nullptr, point}), (Rect{{-3.0f, -4.0f}, {5.0f, 2.0f}}));
 }
 
-TEST_F(WorldBounds, MoversAreTheBodiesThatAreAwake)
+TEST_F(WorldBounds, IncludeOnlyAwakeBodiesForMovers)
 {
     Add(b2_dynamicBody, 0.0f, 0.0f, 1.0f, 1.0f)->SetAwake(false);
     Add(b2_dynamicBody, 10.0f, 0.0f, 1.0f, 1.0f);

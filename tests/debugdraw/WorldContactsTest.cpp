@@ -15,7 +15,7 @@ namespace
 {
 
 /// A box of 4 kg comes to rest on the ground.
-struct Resting : testing::Test
+struct RestingContacts : testing::Test
 {
     dynamics::Scene scene;
     b2Body* box = nullptr;
@@ -23,7 +23,7 @@ struct Resting : testing::Test
     Camera camera{.width = 200, .height = 200, .centerY = 0.0, .pixelsPerMeter = 20.0};
     ContactLook look;
 
-    explicit Resting(float32 height = 1.01f)
+    explicit RestingContacts(float32 height = 1.01f)
     {
         b2EdgeShape ground;
         ground.Set(b2Vec2(-20.0f, 0.0f), b2Vec2(20.0f, 0.0f));
@@ -59,7 +59,7 @@ struct Resting : testing::Test
 
 } // namespace
 
-TEST_F(Resting, PointsLieWhereTheBodiesTouch)
+TEST_F(RestingContacts, HavePointsWhereTheBodiesTouch)
 {
     Step(60);
     look.points = true;
@@ -74,7 +74,7 @@ TEST_F(Resting, PointsLieWhereTheBodiesTouch)
     }
 }
 
-TEST_F(Resting, PointsAreNewInOneStepAndOldInTheNext)
+TEST_F(RestingContacts, AreNewInOneStepAndOldInTheNext)
 {
     look.points = true;
     for (int i = 0; i < 60 && Collected().items.empty(); ++i)
@@ -98,7 +98,7 @@ TEST_F(Resting, PointsAreNewInOneStepAndOldInTheNext)
     EXPECT_EQ(Collected().items[0].role, ColorRole::NewContact) << "they were away";
 }
 
-TEST_F(Resting, ImpulsesCarryTheWeight)
+TEST_F(RestingContacts, HaveImpulsesThatCarryTheWeight)
 {
     Step(120);
     look.impulses = true;
@@ -116,7 +116,7 @@ TEST_F(Resting, ImpulsesCarryTheWeight)
     EXPECT_NEAR(sum, 0.1 * 4.0 * 10.0, 0.05) << "4 kg at 10 m/s^2";
 }
 
-TEST_F(Resting, ArrowsDoNotDependOnTheLengthOfAStep)
+TEST_F(RestingContacts, HaveArrowsIndependentOfStepLength)
 {
     look.impulses = true;
     look.metersPerNewton = 0.1;
@@ -131,7 +131,7 @@ TEST_F(Resting, ArrowsDoNotDependOnTheLengthOfAStep)
     EXPECT_NEAR(HeightOf(Collected()), long60, 0.03 * long60);
 }
 
-TEST_F(Resting, NormalsAreOfSomePixelsInEveryView)
+TEST_F(RestingContacts, HaveNormalsOfEqualPixelsInEveryView)
 {
     Step(60);
     look.normals = true;
@@ -142,7 +142,7 @@ TEST_F(Resting, NormalsAreOfSomePixelsInEveryView)
     EXPECT_EQ(Collected().items[0].role, ColorRole::ContactNormal);
 }
 
-TEST_F(Resting, FrictionHoldsBackWhatSlides)
+TEST_F(RestingContacts, HaveFrictionAgainstSliding)
 {
     Step(60);
     look.friction = true;
@@ -163,7 +163,7 @@ TEST_F(Resting, FrictionHoldsBackWhatSlides)
     EXPECT_LT(sum, -0.5) << "to the left";
 }
 
-TEST_F(Resting, NothingThatIsOffIsCollectedAndNothingFarAway)
+TEST_F(RestingContacts, AreNotCollectedWhenOffOrFarAway)
 {
     Step(60);
     EXPECT_TRUE(Collected().items.empty());

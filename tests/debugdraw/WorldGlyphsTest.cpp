@@ -49,7 +49,7 @@ struct WorldGlyphs : testing::Test
 
 } // namespace
 
-TEST_F(WorldGlyphs, DrawsHingeAsCircleWithDotOfFixedPixelSize)
+TEST_F(WorldGlyphs, DrawHingeAsCircleWithDotOfFixedPixelSize)
 {
     b2RevoluteJointDef hinge;
     hinge.Initialize(a, b, b2Vec2(1.0f, 2.0f));
@@ -68,7 +68,7 @@ TEST_F(WorldGlyphs, DrawsHingeAsCircleWithDotOfFixedPixelSize)
     }
 }
 
-TEST_F(WorldGlyphs, AMotorHasAnArrowThatTurnsItsWay)
+TEST_F(WorldGlyphs, ShowDirectionOfMotorByArrow)
 {
     b2RevoluteJointDef hinge;
     hinge.Initialize(a, b, b2Vec2(0.0f, 0.0f));
@@ -84,7 +84,7 @@ TEST_F(WorldGlyphs, AMotorHasAnArrowThatTurnsItsWay)
     EXPECT_LT(left.points[left.items.back().first].y, 0.0f) << "down on the left";
 }
 
-TEST_F(WorldGlyphs, ARailReachesToItsLimits)
+TEST_F(WorldGlyphs, DrawRailToItsLimits)
 {
     b2PrismaticJointDef slider;
     slider.Initialize(a, b, b2Vec2(1.0f, 0.0f), b2Vec2(0.0f, 1.0f));
@@ -97,7 +97,7 @@ TEST_F(WorldGlyphs, ARailReachesToItsLimits)
     EXPECT_FLOAT_EQ(bounds.upper.y, 4.0f);
 }
 
-TEST_F(WorldGlyphs, ASoftDistanceIsASpringAndAStiffOneABar)
+TEST_F(WorldGlyphs, DrawSpringWhenSoftAndBarWhenStiff)
 {
     b2DistanceJointDef distance;
     distance.Initialize(a, b, b2Vec2(0.0f, 0.0f), b2Vec2(3.0f, 0.0f));
@@ -109,7 +109,7 @@ TEST_F(WorldGlyphs, ASoftDistanceIsASpringAndAStiffOneABar)
     EXPECT_EQ(Glyphs().items.size(), 4u) << "no blot";
 }
 
-TEST_F(WorldGlyphs, ARopeSagsUntilItIsTautAndSaysHowLongItIs)
+TEST_F(WorldGlyphs, DrawSaggingRopeWithItsLength)
 {
     b2RopeJointDef rope;
     rope.localAnchorA.SetZero();
@@ -127,7 +127,7 @@ TEST_F(WorldGlyphs, ARopeSagsUntilItIsTautAndSaysHowLongItIs)
     EXPECT_NEAR(BoundsOf(Glyphs()).lower.y, -2.5f, 0.1f) << "both ends in one place";
 }
 
-TEST_F(WorldGlyphs, ASlackRopeBetweenEndsAboveEachOtherHasAWidth)
+TEST_F(WorldGlyphs, DrawSlackVerticalRopeWithAWidth)
 {
     b2RopeJointDef rope;
     rope.localAnchorA.SetZero();
@@ -145,7 +145,7 @@ TEST_F(WorldGlyphs, ASlackRopeBetweenEndsAboveEachOtherHasAWidth)
     EXPECT_NEAR(taut.upper.x - taut.lower.x, 0.0f, 1e-4f);
 }
 
-TEST_F(WorldGlyphs, AGearLiesAroundTheHingesThatItIsOn)
+TEST_F(WorldGlyphs, DrawGearAroundItsHinges)
 {
     b2RevoluteJointDef hinge;
     hinge.Initialize(a, b, b2Vec2(3.0f, 0.0f));
@@ -166,7 +166,7 @@ TEST_F(WorldGlyphs, AGearLiesAroundTheHingesThatItIsOn)
     EXPECT_GT(list.items[hinges].size * camera.pixelsPerMeter, hingeReach) << "and its motor";
 }
 
-TEST_F(WorldGlyphs, EachKindHasASignOfItsOwn)
+TEST_F(WorldGlyphs, DrawADifferentSignForEachKind)
 {
     b2RevoluteJointDef revolute;
     revolute.Initialize(a, b, b2Vec2(0.0f, 0.0f));
@@ -227,7 +227,7 @@ TEST_F(WorldGlyphs, EachKindHasASignOfItsOwn)
     }
 }
 
-TEST_F(WorldGlyphs, WhatIsNotInThePictureIsNotCollected)
+TEST_F(WorldGlyphs, AreOmittedOutsideThePicture)
 {
     b2RevoluteJointDef hinge;
     hinge.Initialize(a, b, b2Vec2(1.0f, 2.0f));

@@ -36,7 +36,7 @@ TEST(DrawWorld, DrawsThePicturesThatItPromises)
     EXPECT_THAT(svg, testing::HasSubstr(">A throw.</text>"));
 }
 
-TEST(DrawWorld, IsShownInTheDocumentationAsItIs)
+TEST(DrawWorld, IsShownUnchangedInTheDocumentation)
 {
     EXPECT_TRUE(IsShown("draw_world.cpp", "figures.md"));
 }

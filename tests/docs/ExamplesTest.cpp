@@ -47,7 +47,7 @@ bool HasBlock(const std::string& page, const std::string& language, const std::s
                std::string::npos;
 }
 
-TEST(Examples, AreShownOnTheirPagesAsTheyAre)
+TEST(Examples, AreShownUnchangedOnTheirPages)
 {
     EXPECT_TRUE(IsShown("hello_world.cpp", "examples/hello-world.md"));
     EXPECT_TRUE(IsShown("film_catapult.cpp", "examples/own-film.md"));
@@ -77,14 +77,14 @@ std::ptrdiff_t ReadmeLines(const std::string& language)
     return std::count(begin, end, '\n');
 }
 
-TEST(Examples, OfTheReadmeAreShort)
+TEST(Examples, AreShortInTheReadme)
 {
     EXPECT_LE(ReadmeLines("cpp"), 15);
     EXPECT_LE(ReadmeLines("python"), 4);
     EXPECT_LE(ReadmeLines("cmake"), 10);
 }
 
-TEST(Examples, HelloWorldPrintsWhatItsPageSays)
+TEST(Examples, PrintWhatThePageOfHelloWorldShows)
 {
     const TemporaryFolder folder;
     std::istringstream output(OutputIn(folder, BOXREEL_HELLO_WORLD));
@@ -99,7 +99,7 @@ TEST(Examples, HelloWorldPrintsWhatItsPageSays)
     EXPECT_TRUE(HasBlock("hello-world.md", "text", shown)) << shown;
 }
 
-TEST(Examples, TheFilmOfTheCatapultEndsWhenAllRests)
+TEST(Examples, EndFilmOfCatapultWhenAllRests)
 {
     const TemporaryFolder folder;
     OutputIn(folder, BOXREEL_FILM_CATAPULT);
@@ -110,7 +110,7 @@ TEST(Examples, TheFilmOfTheCatapultEndsWhenAllRests)
     EXPECT_NE(frames[0], frames[60]);
 }
 
-TEST(Examples, TheCatapultSaysWhatIsWrong)
+TEST(Examples, NameFileThatCatapultCannotWrite)
 {
     const TemporaryFolder folder;
     const std::string command = "cd '" + (folder / "").string() + "' && ";
@@ -118,7 +118,7 @@ TEST(Examples, TheCatapultSaysWhatIsWrong)
     EXPECT_THAT(ReadBytes(folder / "said"), testing::HasSubstr("film.doc"));
 }
 
-TEST(Examples, TheFilmOfTheWallStaysSmallInLightAndDark)
+TEST(Examples, KeepFilmOfWallSmallInLightAndDark)
 {
     const TemporaryFolder folder;
     OutputIn(folder, BOXREEL_FILM_WALL " light.webp");
@@ -133,7 +133,7 @@ TEST(Examples, TheFilmOfTheWallStaysSmallInLightAndDark)
     EXPECT_LT(std::filesystem::file_size(folder / "dark.webp"), 950'000u);
 }
 
-TEST(Examples, TheSweepDrawsSixPicturesTwice)
+TEST(Examples, DrawSixPicturesOfSweepInTwoThemes)
 {
     const TemporaryFolder folder;
     OutputIn(folder, BOXREEL_SWEEP);
@@ -146,7 +146,7 @@ TEST(Examples, TheSweepDrawsSixPicturesTwice)
     EXPECT_THAT(ReadBytes(folder / "sweep.pdf"), testing::StartsWith("%PDF"));
 }
 
-TEST(Examples, TheSweepDrawsDrawingsOnly)
+TEST(Examples, RefusePngOfSweep)
 {
     const TemporaryFolder folder;
     const std::string command = "cd '" + (folder / "").string() + "' && ";
@@ -155,7 +155,7 @@ TEST(Examples, TheSweepDrawsDrawingsOnly)
     EXPECT_FALSE(std::filesystem::exists(folder / "sweep.png"));
 }
 
-TEST(Examples, PortedProgramPrintsWhatItsPageSays)
+TEST(Examples, PrintWhatThePageOfThePortShows)
 {
     const TemporaryFolder folder;
     const std::string output = OutputIn(folder, BOXREEL_PORT_AFTER);
@@ -163,13 +163,13 @@ TEST(Examples, PortedProgramPrintsWhatItsPageSays)
 }
 
 #ifdef BOXREEL_BOX2D24_FILM
-TEST(Examples, ProgramBeforeThePortPrintsTheSame)
+TEST(Examples, PrintTheSameBeforeAndAfterThePort)
 {
     const TemporaryFolder folder;
     EXPECT_EQ(OutputIn(folder, BOXREEL_PORT_BEFORE), OutputIn(folder, BOXREEL_PORT_AFTER));
 }
 
-TEST(Examples, AWorldOfBox2D24IsFilmed)
+TEST(Examples, FilmAWorldOfBox2D24)
 {
     const TemporaryFolder folder;
     OutputIn(folder, BOXREEL_BOX2D24_FILM);
@@ -179,13 +179,13 @@ TEST(Examples, AWorldOfBox2D24IsFilmed)
     EXPECT_NE(frames[0].Pixel(30, 150)[1], frames[0].Pixel(240, 250)[1]) << "a bank, and nothing";
 }
 #else
-TEST(Examples, AWorldOfBox2D24IsFilmed)
+TEST(Examples, FilmAWorldOfBox2D24)
 {
     GTEST_SKIP() << "Box2D 2.4 is not installed; apt install libbox2d-dev and configure again";
 }
 #endif
 
-TEST(Examples, ArePagesThatTheListNames)
+TEST(Examples, AreAllListedOnTheFirstPage)
 {
     const std::string list = ReadBytes(kExamples / "README.md");
     int pages = 0;
@@ -201,7 +201,7 @@ TEST(Examples, ArePagesThatTheListNames)
     EXPECT_EQ(pages, 9);
 }
 
-TEST(Examples, EveryPictureIsShownAndMadeByAPage)
+TEST(Examples, ShowAndMakeEveryPicture)
 {
     std::string pages = ReadBytes(kExamples.parent_path().parent_path() / "README.md");
     for (const auto& entry : std::filesystem::directory_iterator(kExamples))

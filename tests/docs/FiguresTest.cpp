@@ -41,7 +41,7 @@ std::set<std::string> DrawnNames(const std::filesystem::path& folder)
 const char* const kRemedy =
     "; look at the drawings, then run: cmake --build build/release --target figures";
 
-TEST(Figures, AreThoseThatTheirProgramDraws)
+TEST(Figures, EqualThoseThatTheirProgramDraws)
 {
     const TemporaryFolder drawn;
     ASSERT_EQ(Draw(drawn), 0) << ReadBytes(drawn / "errors");
@@ -55,7 +55,7 @@ TEST(Figures, AreThoseThatTheirProgramDraws)
     }
 }
 
-TEST(Figures, HaveNoStaleOnesAmongThem)
+TEST(Figures, IncludeNoStaleOnes)
 {
     const TemporaryFolder drawn;
     ASSERT_EQ(Draw(drawn), 0) << ReadBytes(drawn / "errors");
@@ -67,14 +67,14 @@ TEST(Figures, HaveNoStaleOnesAmongThem)
     }
 }
 
-TEST(Figures, AreDrawnAloneWhenTheyAreNamed)
+TEST(Figures, AreDrawnAloneWhenNamed)
 {
     const TemporaryFolder drawn;
     ASSERT_EQ(Draw(drawn, "chain"), 0) << ReadBytes(drawn / "errors");
     EXPECT_THAT(DrawnNames(drawn / ""), testing::ElementsAre("chain-dark.svg", "chain-light.svg"));
 }
 
-TEST(Figures, AreNotDrawnIntoAFolderCalledHelp)
+TEST(Figures, AreNotDrawnForHelpAndUnknownOptions)
 {
     const TemporaryFolder drawn;
     const std::string program = "cd '" + (drawn / "").string() + "' && " BOXREEL_DOCS_FIGURES;
@@ -84,7 +84,7 @@ TEST(Figures, AreNotDrawnIntoAFolderCalledHelp)
     EXPECT_THAT(ReadBytes(drawn / "errors"), testing::StartsWith("usage: boxreel_docs_figures"));
 }
 
-TEST(Figures, ThatNobodyKnowsAreRefused)
+TEST(Figures, AreRefusedWhenUnknown)
 {
     const TemporaryFolder drawn;
     EXPECT_NE(Draw(drawn, "chian"), 0);

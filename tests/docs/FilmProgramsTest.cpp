@@ -32,7 +32,7 @@ std::vector<Frame> Decode(const std::filesystem::path& path)
     return frames;
 }
 
-TEST(FilmPrograms, OfAWorldMakeItsFilm)
+TEST(FilmPrograms, MakeFilmOfAWorld)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(RunIn(folder, BOXREEL_FILM_WORLD), 0);
@@ -43,7 +43,7 @@ TEST(FilmPrograms, OfAWorldMakeItsFilm)
     EXPECT_THAT(folder.Names(), testing::ElementsAre("ball.mp4"));
 }
 
-TEST(FilmPrograms, SayWhatIsWrong)
+TEST(FilmPrograms, NameFileThatExists)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(RunIn(folder, BOXREEL_FILM_WORLD), 0);
@@ -51,7 +51,7 @@ TEST(FilmPrograms, SayWhatIsWrong)
     EXPECT_THAT(ReadBytes(folder / "said"), testing::HasSubstr("ball.mp4"));
 }
 
-TEST(FilmPrograms, OfPixelsMakeTheirFilm)
+TEST(FilmPrograms, MakeFilmOfPixels)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(RunIn(folder, BOXREEL_FILM_PIXELS), 0);
@@ -61,7 +61,7 @@ TEST(FilmPrograms, OfPixelsMakeTheirFilm)
     EXPECT_EQ(frames[10].Pixel(7, 24)[1], 0);
 }
 
-TEST(FilmPrograms, OfPagesMakeTheirPage)
+TEST(FilmPrograms, MakePageOfAWorld)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(RunIn(folder, BOXREEL_FILM_PAGE), 0);
@@ -72,7 +72,7 @@ TEST(FilmPrograms, OfPagesMakeTheirPage)
     EXPECT_THAT(folder.Names(), testing::ElementsAre("ball.html"));
 }
 
-TEST(FilmPrograms, AreShownInTheDocumentationAsTheyAre)
+TEST(FilmPrograms, AreShownUnchangedInTheDocumentation)
 {
     EXPECT_TRUE(IsShown("film_world.cpp", "recording.md"));
     EXPECT_TRUE(IsShown("film_pixels.cpp", "recording.md"));

@@ -16,7 +16,7 @@ bool IsShownInTheGuide(const std::string& file, const std::string& language)
     return !text.empty() && ReadBytes(BOXREEL_DOCS "/golden.md").find(shown) != std::string::npos;
 }
 
-TEST(GoldenTesting, ShowsTheProjectThatIsTestedAsItIs)
+TEST(GoldenTesting, ShowsTheTestedProjectUnchanged)
 {
     EXPECT_TRUE(IsShownInTheGuide("CMakeLists.txt", "cmake"));
     for (const char* const source : {"Seesaw.h", "Seesaw.cpp", "SeesawTest.cpp"})

@@ -214,7 +214,7 @@ std::vector<std::string> TargetsOf(const fs::path& page)
     return targets;
 }
 
-TEST(Manual, LeadsOnlyToWhatExists)
+TEST(Manual, LinksOnlyToExistingTargets)
 {
     std::size_t targets = 0;
     for (const auto& entry : fs::directory_iterator(kPages))
@@ -259,7 +259,7 @@ std::set<std::string> PicturesOf(const fs::path& page)
     return pictures;
 }
 
-TEST(Manual, ShowsEveryFigureThatIsDrawnForItByTheSameWords)
+TEST(Manual, ShowsEveryFigureWithTheSameWords)
 {
     std::set<std::string> shown;
     for (const std::string& chapter : Chapters())

@@ -39,7 +39,7 @@ struct Row
     std::vector<b2Body*> boxes;
 };
 
-TEST(AwakeIslands, AreAllThatAStepLooksAt)
+TEST(AwakeIslands, AreTheOnlyOnesThatAStepProcesses)
 {
     for (const int subSteps : {2, 4})
     {
@@ -53,7 +53,7 @@ TEST(AwakeIslands, AreAllThatAStepLooksAt)
     }
 }
 
-TEST(AwakeIslands, AreLookedAtAgainWhenTheyWake)
+TEST(AwakeIslands, AreProcessedAgainWhenTheyWake)
 {
     Row row(10);
     row.boxes[3]->SetSleepingAllowed(false);
@@ -66,7 +66,7 @@ TEST(AwakeIslands, AreLookedAtAgainWhenTheyWake)
     row.ExpectLookedAt(1);
 }
 
-TEST(AwakeIslands, AreNotLookedForWhereNothingIsHeld)
+TEST(AwakeIslands, AreNotCountedWithoutConstraints)
 {
     Row row(1);
     row.boxes[0]->SetTransform(b2Vec2(0.0f, 50.0f), 0.0f);
@@ -80,7 +80,7 @@ TEST(AwakeIslands, AreNotLookedForWhereNothingIsHeld)
     EXPECT_EQ(row.World().subSteps->contacts.Count(), 0u);
 }
 
-TEST(AwakeIslands, AreNumberedFromZeroOn)
+TEST(AwakeIslands, AreNumberedFromZero)
 {
     Row row(5);
     row.boxes[1]->SetAwake(false);

@@ -53,7 +53,7 @@ TEST_P(Bouncer, PassesASpeedThroughARowOfTouchingBalls)
     EXPECT_NEAR(row.balls[4]->GetLinearVelocity().x, 4.0f, 1e-3f);
 }
 
-TEST_P(Bouncer, KeepsTheShareThatTheRestitutionSays)
+TEST_P(Bouncer, KeepsTheSpeedRatioOfTheRestitution)
 {
     for (const float32 restitution : {1.0f, 0.5f, 0.25f})
     {

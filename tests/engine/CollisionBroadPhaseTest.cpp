@@ -43,7 +43,7 @@ b2AABB RandomBox(Random& random)
 }
 } // namespace
 
-TEST(BroadPhase, TellsEveryPairOfMovedProxiesOnceAndInOrder)
+TEST(BroadPhase, ReportsEveryPairOfMovedProxiesOnceAndInOrder)
 {
     Random random(51);
     b2BroadPhase broadPhase;
@@ -113,7 +113,7 @@ TEST(BroadPhase, TellsEveryPairOfMovedProxiesOnceAndInOrder)
     EXPECT_GE(broadPhase.GetTreeBalance(), 0);
 }
 
-TEST(WorldProxies, TellThePairsOfManyThatMoveAtATime)
+TEST(WorldProxies, ReportThePairsOfManyThatMoveTogether)
 {
     Random random(53);
     std::vector<b2FixtureProxy> every(300);

@@ -45,7 +45,7 @@ private:
 };
 } // namespace
 
-TEST(SameBits, OfManifolds)
+TEST(Collision, GivesTheSameManifoldsToTheBit)
 {
     Random random(81);
     Hash hash;
@@ -77,7 +77,7 @@ TEST(SameBits, OfManifolds)
     EXPECT_EQ(hash.Value(), 654408181072957852u);
 }
 
-TEST(SameBits, OfDistancesImpactsAndMasses)
+TEST(Collision, GivesTheSameDistancesImpactsAndMassesToTheBit)
 {
     Random random(82);
     Hash hash;
@@ -117,7 +117,7 @@ TEST(SameBits, OfDistancesImpactsAndMasses)
     EXPECT_EQ(hash.Value(), 17329439337926011232u);
 }
 
-TEST(SameBits, OfTheOrderInATree)
+TEST(Collision, VisitsATreeInTheSameOrder)
 {
     Random random(83);
     Hash hash;

@@ -87,7 +87,7 @@ b2DistanceInput MakeInput(const b2Shape& a, const b2Shape& b, Random& random, fl
 }
 } // namespace
 
-TEST(Distance, EqualsEveryCornerAgainstEverySide)
+TEST(Distance, EqualsTheMinimumOverAllCornersAndSides)
 {
     Random random(21);
     int apart = 0;
@@ -137,7 +137,7 @@ TEST(Distance, IsTheSameWithAWarmCacheWhileShapesMove)
     EXPECT_LT(warm, cold);
 }
 
-TEST(Distance, WithRadiiIsMeasuredFromTheSkins)
+TEST(Distance, IsMeasuredFromTheSkinsWithRadii)
 {
     b2CircleShape a;
     a.m_radius = 0.5f;
@@ -159,7 +159,7 @@ TEST(Distance, WithRadiiIsMeasuredFromTheSkins)
     EXPECT_EQ(output.distance, 0.0f);
 }
 
-TEST(Distance, ProxyOfAnEdgeCanBeCopied)
+TEST(DistanceProxy, KeepsTheVerticesOfAnEdgeWhenCopied)
 {
     b2EdgeShape edge;
     edge.Set(b2Vec2(1.0f, 2.0f), b2Vec2(3.0f, 4.0f));
@@ -171,7 +171,7 @@ TEST(Distance, ProxyOfAnEdgeCanBeCopied)
     EXPECT_EQ(copy.GetSupportVertex(b2Vec2(-1.0f, 0.0f)), b2Vec2(1.0f, 2.0f));
 }
 
-TEST(Distance, OfAChainsClosingEdgeIsRight)
+TEST(Distance, IsRightForTheClosingEdgeOfAChain)
 {
     const b2Vec2 vs[3] = {{0.0f, 0.0f}, {4.0f, 0.0f}, {0.0f, 3.0f}};
     b2ChainShape loop;
@@ -187,7 +187,7 @@ TEST(Distance, OfAChainsClosingEdgeIsRight)
     EXPECT_FLOAT_EQ(output.distance, 1.0f);
 }
 
-TEST(Distance, OverlapTestAgreesWithTheDistance)
+TEST(OverlapTest, AgreesWithTheDistance)
 {
     Random random(23);
     int overlaps = 0;

@@ -89,7 +89,7 @@ float DistanceToEdge(const b2EdgeShape& edge, const b2Shape& shape, const b2Tran
 
 // A flat chain gives only the normal of the ground: for every shape and angle, from either side, on
 // edges of either direction.
-TEST(EdgeManifold, NothingCatchesOnAFlatChain)
+TEST(EdgeManifold, HasTheNormalOfAFlatChainForPolygons)
 {
     Random random(71);
     for (int round = 0; round < 40; ++round)
@@ -128,7 +128,7 @@ TEST(EdgeManifold, NothingCatchesOnAFlatChain)
     }
 }
 
-TEST(EdgeManifold, CircleRollsOverAFlatChainWithoutAJolt)
+TEST(EdgeManifold, HasTheNormalOfAFlatChainForCircles)
 {
     Random random(72);
     b2CircleShape circle;
@@ -153,7 +153,7 @@ TEST(EdgeManifold, CircleRollsOverAFlatChainWithoutAJolt)
 
 // No hole: where the cores of a shape and a chain are so close that their skins overlap, at least
 // one edge answers.
-TEST(EdgeManifold, SomeEdgeAnswersWhereverTheSkinsOverlap)
+TEST(EdgeManifold, HasPointsOfSomeEdgeWhereverSkinsOverlap)
 {
     Random random(73);
     int compared = 0;
@@ -203,7 +203,7 @@ TEST(EdgeManifold, SomeEdgeAnswersWhereverTheSkinsOverlap)
 
 // A corner of the box exactly on a blunt vertex has a face on either side. Each is beyond the
 // normal of the other edge, so neither edge may rely on the other for the contact.
-TEST(EdgeManifold, CornerThatMeetsABluntVertexHeadOnIsHeld)
+TEST(EdgeManifold, PushesUpACornerExactlyOnABluntVertex)
 {
     const b2Vec2 vs[3] = {{-5.0f, -0.5f}, {0.0f, 0.0f}, {5.0f, -0.5f}};
     b2ChainShape chain;
@@ -225,7 +225,7 @@ TEST(EdgeManifold, CornerThatMeetsABluntVertexHeadOnIsHeld)
     }
 }
 
-TEST(EdgeManifold, BoxAtTheCornerOfAPlatformIsPushedUpOnly)
+TEST(EdgeManifold, PushesABoxAtTheCornerOfAPlatformOnlyUp)
 {
     // A square platform as a loop. The box is on its top and overhangs the right side.
     const b2Vec2 vs[4] = {{2.0f, -2.0f}, {2.0f, 0.0f}, {-2.0f, 0.0f}, {-2.0f, -2.0f}};
@@ -247,7 +247,7 @@ TEST(EdgeManifold, BoxAtTheCornerOfAPlatformIsPushedUpOnly)
     }
 }
 
-TEST(EdgeManifold, BoxInACornerIsPushedByTheFloorAndByTheWall)
+TEST(EdgeManifold, PushesABoxInACornerFromTheFloorAndTheWall)
 {
     const b2Vec2 vs[3] = {{-5.0f, 0.0f}, {0.0f, 0.0f}, {0.0f, 5.0f}};
     b2ChainShape chain;
@@ -263,7 +263,7 @@ TEST(EdgeManifold, BoxInACornerIsPushedByTheFloorAndByTheWall)
     EXPECT_EQ(contacts[1].manifold.pointCount, 2);
 }
 
-TEST(EdgeManifold, OfSingleEdgeHasMinimalTranslation)
+TEST(EdgeManifold, HasMinimalTranslationForASingleEdge)
 {
     b2EdgeShape edge;
     edge.Set(b2Vec2(-1.0f, 0.0f), b2Vec2(1.0f, 0.0f));
@@ -310,7 +310,7 @@ TEST(EdgeManifold, KeepsItsIdsWhileABoxRests)
     }
 }
 
-TEST(EdgeManifold, OfAnEdgeWithoutLengthIsStillFinite)
+TEST(EdgeManifold, IsFiniteForAnEdgeWithoutLength)
 {
     b2EdgeShape edge;
     edge.Set(b2Vec2(0.0f, 0.0f), b2Vec2(0.0f, 0.0f));
@@ -331,7 +331,7 @@ TEST(EdgeManifold, OfAnEdgeWithoutLengthIsStillFinite)
 }
 
 // Tested by itself for the ends: a circle beside a vertex belongs to the neighbour above its edge.
-TEST(EdgeManifold, CircleAtConcaveVertexTouchesEdgesNotVertex)
+TEST(EdgeManifold, TouchesEdgesNotTheVertexAtAConcaveVertex)
 {
     const b2Vec2 vs[3] = {{-5.0f, 2.0f}, {0.0f, 0.0f}, {5.0f, 2.0f}};
     b2ChainShape chain;

@@ -121,14 +121,14 @@ TEST(Hull, WeldsBelowTheSlopAndNotAboveIt)
     EXPECT_EQ(MakePolygon({{0.0f, 0.0f}, {1.0f, 0.0f}, {1.0f, above}, {0.0f, 1.0f}}).m_count, 4);
 }
 
-TEST(Hull, AcceptsBodiesOfACentimetre)
+TEST(Hull, AcceptsShapesOfACentimetre)
 {
     const b2PolygonShape polygon = MakePolygon(RegularPolygon(8, 0.01f));
     EXPECT_EQ(polygon.m_count, 8);
     EXPECT_TRUE(polygon.Validate());
 }
 
-TEST(Hull, QuestionNamesWhatIsWrong)
+TEST(WhyNotConvex, NamesWhatIsWrong)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(Why({{0.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, 1.0f}}), "");
@@ -140,14 +140,14 @@ TEST(Hull, QuestionNamesWhatIsWrong)
 }
 
 #if BOXREEL_ASSERTS
-TEST(HullDeathTest, DegeneratePointsAreExplained)
+TEST(HullDeathTest, NamesWhatIsWrongWithDegeneratePoints)
 {
     EXPECT_DEATH(MakePolygon({{0.0f, 0.0f}, {1.0f, 0.0f}, {2.0f, 0.0f}}), "one line");
     b2PolygonShape polygon;
     EXPECT_DEATH(polygon.SetAsBox(0.0f, 1.0f), "positive");
 }
 #else
-TEST(Hull, DegeneratePointsBecomeASmallBoxThatHoldsThem)
+TEST(Hull, IsABoxForDegeneratePoints)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<std::vector<b2Vec2>> cases = {{},

@@ -135,7 +135,7 @@ Plain ClipPlainly(const Polygon& reference, const Polygon& incident, std::size_t
 }
 } // namespace
 
-TEST(Manifold, OfPolygonsEqualsPlainClipping)
+TEST(Manifold, EqualsPlainClippingForPolygons)
 {
     Random random(61);
     int twoPoints = 0;
@@ -216,7 +216,7 @@ int32 PlainFace(const b2PolygonShape& polygon, const b2PolygonShape& other,
     return face;
 }
 
-TEST(Manifold, OfPolygonsHasTheFaceOfAPlainSearchToTheBit)
+TEST(Manifold, HasTheFaceOfAPlainSearchToTheBit)
 {
     Random random(64);
     int touching = 0;
@@ -260,7 +260,7 @@ TEST(Manifold, OfPolygonsHasTheFaceOfAPlainSearchToTheBit)
     EXPECT_GT(apart, 2000);
 }
 
-TEST(Manifold, OfABoxOnABoxHasTwoPointsAndTheWorldSeesThemMidway)
+TEST(Manifold, HasTwoPointsMidwayBetweenStackedBoxes)
 {
     b2PolygonShape ground;
     ground.SetAsBox(10.0f, 1.0f);
@@ -308,7 +308,7 @@ TEST(Manifold, KeepsItsIdsWhileABoxSlidesAndRocks)
     }
 }
 
-TEST(Manifold, ReferenceFaceDoesNotFlipBetweenAlignedBoxes)
+TEST(Manifold, KeepsItsReferenceFaceBetweenAlignedBoxes)
 {
     b2PolygonShape box;
     box.SetAsBox(0.5f, 0.5f);
@@ -346,7 +346,7 @@ TEST(Manifold, DoesNotDependOnThePlaceInTheWorld)
     }
 }
 
-TEST(Manifold, OfCirclesTouchesMidway)
+TEST(Manifold, HasItsPointMidwayBetweenCircles)
 {
     b2CircleShape a;
     a.m_radius = 1.0f;
@@ -368,7 +368,7 @@ TEST(Manifold, OfCirclesTouchesMidway)
     EXPECT_EQ(world.normal, b2Vec2(1.0f, 0.0f));
 }
 
-TEST(Manifold, OfPolygonAndCircleFollowsTheNearestPoint)
+TEST(Manifold, HasTheNearestPointForPolygonAndCircle)
 {
     Random random(64);
     int corners = 0;
@@ -428,7 +428,7 @@ TEST(Manifold, OfPolygonAndCircleFollowsTheNearestPoint)
     EXPECT_GT(faces, 500);
 }
 
-TEST(PointStates, TellWhatWasAddedKeptAndRemoved)
+TEST(PointStates, ReportAddedKeptAndRemovedPoints)
 {
     b2Manifold before;
     before.pointCount = 2;

@@ -63,7 +63,7 @@ void ExpectSame(const Hit& expected, bool isHit, const b2RayCastOutput& output, 
 }
 } // namespace
 
-TEST(RayCast, AgainstPolygonsEqualsTheSidesOneByOne)
+TEST(RayCast, HitsAPolygonWhereItHitsTheFirstSide)
 {
     Random random(11);
     int compared = 0;
@@ -101,7 +101,7 @@ TEST(RayCast, AgainstPolygonsEqualsTheSidesOneByOne)
     EXPECT_GT(hits, 2000);
 }
 
-TEST(RayCast, AgainstEdgesHitsBothSidesWithTheNormalAgainstTheRay)
+TEST(RayCast, HitsBothSidesOfAnEdgeWithAnOpposingNormal)
 {
     Random random(12);
     int hits = 0;
@@ -132,7 +132,7 @@ TEST(RayCast, AgainstEdgesHitsBothSidesWithTheNormalAgainstTheRay)
     EXPECT_GT(hits, 2000);
 }
 
-TEST(RayCast, AgainstCirclesEqualsTheQuadratic)
+TEST(RayCast, HitsACircleAtTheRootOfTheQuadratic)
 {
     Random random(13);
     int hits = 0;
@@ -165,7 +165,7 @@ TEST(RayCast, AgainstCirclesEqualsTheQuadratic)
     EXPECT_GT(hits, 2000);
 }
 
-TEST(RayCast, NeverSlipsThroughBetweenTheEdgesOfAChain)
+TEST(RayCast, NeverPassesBetweenTheEdgesOfAChain)
 {
     Random random(14);
     b2Vec2 vs[50];
@@ -192,7 +192,7 @@ TEST(RayCast, NeverSlipsThroughBetweenTheEdgesOfAChain)
     }
 }
 
-TEST(RayCast, AgainstABoxOfATreeHitsOutsideInOnly)
+TEST(RayCast, HitsABoxOfATreeOnlyFromOutside)
 {
     b2AABB box;
     box.lowerBound.Set(-1.0f, -2.0f);
@@ -208,7 +208,7 @@ TEST(RayCast, AgainstABoxOfATreeHitsOutsideInOnly)
     EXPECT_FALSE(box.RayCast(&output, {{-3.0f, 3.0f}, {3.0f, 3.0f}, 1.0f}));
 }
 
-TEST(Aabb, OfAShapeHoldsItsSkin)
+TEST(Aabb, IncludesTheSkinOfAShape)
 {
     Random random(15);
     for (int i = 0; i < 2000; ++i)

@@ -41,7 +41,7 @@ Exact Integrate(const b2PolygonShape& polygon)
 }
 } // namespace
 
-TEST(Mass, OfACircleIsExact)
+TEST(Mass, IsExactForACircle)
 {
     b2CircleShape circle;
     circle.m_p.Set(3.0f, -4.0f);
@@ -53,7 +53,7 @@ TEST(Mass, OfACircleIsExact)
     EXPECT_FLOAT_EQ(data.I, data.mass * (2.0f + 25.0f)); // m r^2 / 2 + m d^2
 }
 
-TEST(Mass, OfABoxIsExactFarFromTheOrigin)
+TEST(Mass, IsExactForABoxFarFromTheOrigin)
 {
     b2PolygonShape box;
     box.SetAsBox(0.5f, 0.25f, b2Vec2(4096.0f, -2048.0f), 0.0f);
@@ -65,7 +65,7 @@ TEST(Mass, OfABoxIsExactFarFromTheOrigin)
     EXPECT_DOUBLE_EQ(exact.centralInertia, 1.5 * (1.0 + 0.25) / 12.0);
 }
 
-TEST(Mass, OfRandomPolygonsEqualsTheIntegral)
+TEST(Mass, EqualsTheIntegralForRandomPolygons)
 {
     Random random(6);
     for (int i = 0; i < 5000; ++i)
@@ -95,7 +95,7 @@ TEST(Mass, OfRandomPolygonsEqualsTheIntegral)
     }
 }
 
-TEST(Mass, OfEdgesAndChainsIsZero)
+TEST(Mass, IsZeroForEdges)
 {
     b2EdgeShape edge;
     edge.Set(b2Vec2(0.0f, 0.0f), b2Vec2(2.0f, 4.0f));
@@ -106,7 +106,7 @@ TEST(Mass, OfEdgesAndChainsIsZero)
     EXPECT_EQ(data.center, b2Vec2(1.0f, 2.0f));
 }
 
-TEST(Shape, BoxHasItsCornersCounterClockwise)
+TEST(Box, HasItsCornersCounterClockwise)
 {
     b2PolygonShape box;
     box.SetAsBox(1.0f, 2.0f, b2Vec2(10.0f, 0.0f), 0.5f * b2_pi);
@@ -117,7 +117,7 @@ TEST(Shape, BoxHasItsCornersCounterClockwise)
     EXPECT_EQ(box.m_centroid, b2Vec2(10.0f, 0.0f));
 }
 
-TEST(Shape, ClonesAreEqualAndIndependent)
+TEST(Clone, IsEqualAndIndependent)
 {
     b2BlockAllocator allocator;
     const b2Vec2 vs[3] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {2.0f, 1.0f}};
@@ -140,7 +140,7 @@ TEST(Shape, ClonesAreEqualAndIndependent)
     EXPECT_EQ(static_cast<b2PolygonShape*>(other)->m_vertices[2], polygon.m_vertices[2]);
 }
 
-TEST(Chain, LoopClosesItselfAndKnowsItsNeighbours)
+TEST(ChainLoop, ClosesItselfAndHasTheNeighboursOfEachEdge)
 {
     const b2Vec2 vs[4] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {1.0f, 1.0f}, {0.0f, 1.0f}};
     b2ChainShape loop;
@@ -159,7 +159,7 @@ TEST(Chain, LoopClosesItselfAndKnowsItsNeighbours)
 }
 
 #if BOXREEL_ASSERTS
-TEST(ChainDeathTest, VerticesThatAreTooCloseAreExplained)
+TEST(ChainDeathTest, NamesWhatIsWrongWithVertices)
 {
     const b2Vec2 vs[3] = {{0.0f, 0.0f}, {0.001f, 0.0f}, {2.0f, 0.0f}};
     b2ChainShape chain;

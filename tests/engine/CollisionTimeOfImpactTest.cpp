@@ -114,7 +114,7 @@ Counts Check(std::uint64_t seed, int pairs, float way, float turn, float size)
 }
 } // namespace
 
-TEST(TimeOfImpact, OfShapesThatDoNotTurnNeverMisses)
+TEST(TimeOfImpact, MissesNothingWhenShapesDoNotTurn)
 {
     const Counts counts = Check(31, 2000, 4.0f, 0.0f, 0.5f);
     EXPECT_EQ(counts.failed, 0);
@@ -123,7 +123,7 @@ TEST(TimeOfImpact, OfShapesThatDoNotTurnNeverMisses)
     EXPECT_GT(counts.overlapped, 30);
 }
 
-TEST(TimeOfImpact, OfTurningShapesNeverMissesEither)
+TEST(TimeOfImpact, MissesNothingWhenShapesTurn)
 {
     const Counts counts = Check(32, 2000, 4.0f, 1.5f, 0.5f);
     EXPECT_EQ(counts.failed, 0);
@@ -131,7 +131,7 @@ TEST(TimeOfImpact, OfTurningShapesNeverMissesEither)
     EXPECT_GT(counts.separated, 200);
 }
 
-TEST(TimeOfImpact, OfSpinningShapesInPlaceNeverMissesEither)
+TEST(TimeOfImpact, MissesNothingWhenShapesSpinInPlace)
 {
     const Counts counts = Check(33, 2000, 0.1f, 3.0f, 1.0f);
     EXPECT_EQ(counts.failed, 0);
@@ -156,7 +156,7 @@ TEST(TimeOfImpact, StopsABulletAtAThinWall)
     EXPECT_NEAR(output.t, (2.0f - target) / 5.0f, 1.0e-3f);
 }
 
-TEST(TimeOfImpact, OfAThinRodSpinningIntoAnEdgeIsFound)
+TEST(TimeOfImpact, IsFoundForAThinRodSpinningIntoAnEdge)
 {
     b2PolygonShape rod;
     rod.SetAsBox(1.0f, 0.02f);
@@ -175,7 +175,7 @@ TEST(TimeOfImpact, OfAThinRodSpinningIntoAnEdgeIsFound)
 
 /// One bar on another, with 3 mm between their skins. Along a fixed axis one end of a side
 /// approaches fast, and the search ran out of steps.
-TEST(TimeOfImpact, OfLongBarsTurningTogetherIsSearchedToTheEnd)
+TEST(TimeOfImpact, IsFoundForLongBarsTurningTogether)
 {
     constexpr float32 kApart = 0.223f; // from centre to centre [m]
     for (const float32 half : {2.0f, 5.0f, 20.0f})

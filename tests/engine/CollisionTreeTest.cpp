@@ -107,7 +107,7 @@ void CompareWithList(const b2DynamicTree& tree, const std::map<int32, b2AABB>& l
 }
 } // namespace
 
-TEST(Tree, EqualsAListUnderRandomInsertMoveAndRemove)
+TEST(Tree, EqualsAListAfterRandomInsertionsMovesAndRemovals)
 {
     Random random(41);
     b2DynamicTree tree;
@@ -152,7 +152,7 @@ TEST(Tree, EqualsAListUnderRandomInsertMoveAndRemove)
     }
 }
 
-TEST(Tree, RayMeetsEveryBoxThatItCrosses)
+TEST(Tree, ReportsEveryBoxThatARayCrosses)
 {
     Random random(42);
     b2DynamicTree tree;
@@ -177,7 +177,7 @@ TEST(Tree, RayMeetsEveryBoxThatItCrosses)
     }
 }
 
-TEST(Tree, RayAsksOnlyBoxesThatWhatIsLeftOfItMeets)
+TEST(Tree, ReportsOnlyBoxesNearTheClippedRay)
 {
     // Answers that cut the ray at random, as hits would.
     struct Cutter
@@ -235,7 +235,7 @@ TEST(Tree, RayAsksOnlyBoxesThatWhatIsLeftOfItMeets)
     EXPECT_GT(cutter.calls, 1000);
 }
 
-TEST(Tree, RebuildIsIndependentOfPreviousTree)
+TEST(Tree, IsIndependentOfThePreviousTreeWhenRebuilt)
 {
     Random random(45);
     std::vector<b2AABB> boxes;
@@ -271,7 +271,7 @@ TEST(Tree, RebuildIsIndependentOfPreviousTree)
     EXPECT_EQ(orders[0], orders[1]);
 }
 
-TEST(Tree, BuiltEvenlyFindsTheSameAndIsAsLowAsCanBe)
+TEST(Tree, HasMinimalHeightAndFindsTheSameWhenBuiltEvenly)
 {
     Random random(45);
     for (const int32 count : {0, 1, 2, 3, 5, 64, 1000})
@@ -301,7 +301,7 @@ TEST(Tree, BuiltEvenlyFindsTheSameAndIsAsLowAsCanBe)
     }
 }
 
-TEST(Tree, TellsEveryPairOnce)
+TEST(Tree, ReportsEveryPairOnce)
 {
     Random random(47);
     for (const int32 count : {0, 1, 2, 3, 300})
@@ -333,7 +333,7 @@ TEST(Tree, TellsEveryPairOnce)
     }
 }
 
-TEST(Tree, BuiltEvenlyIsNotMuchWorseThanTheBest)
+TEST(Tree, IsNearlyAsGoodBuiltEvenlyAsBottomUp)
 {
     Random random(46);
     b2DynamicTree tree;
@@ -405,7 +405,7 @@ TEST(Tree, StaysLowForAnyOrderOfInsertion)
     }
 }
 
-TEST(Tree, IsNearlyAsGoodAfterInsertionAsAfterAFullBuild)
+TEST(Tree, IsNearlyAsGoodInsertedAsBuiltBottomUp)
 {
     Random random(43);
     b2DynamicTree tree;
@@ -456,7 +456,7 @@ TEST(Tree, StopsAQueryAndARayOnRequest)
     EXPECT_EQ(once.calls, 1);
 }
 
-TEST(Tree, EmptyTreeAnswersEverything)
+TEST(Tree, ReturnsNothingWhenEmpty)
 {
     b2DynamicTree tree;
     Collector collector;

@@ -44,7 +44,7 @@ struct CountedMemory : testing::Test
 };
 } // namespace
 
-TEST(Log, CanBeSentToTheProgram)
+TEST(Log, CallsTheFunctionThatIsSet)
 {
     g_logged.clear();
     b2SetLog([](const char* text) { g_logged += text; });
@@ -53,7 +53,7 @@ TEST(Log, CanBeSentToTheProgram)
     EXPECT_EQ(g_logged, "body 3 at 1.5\n");
 }
 
-TEST(Timer, DoesNotRunBackwards)
+TEST(Timer, IsNotNegative)
 {
     b2Timer timer;
     EXPECT_GE(timer.GetMilliseconds(), 0.0f);
@@ -73,7 +73,7 @@ TEST_F(CountedMemory, AllocatesLargeBlocksByReplaceableFunctions)
     EXPECT_EQ(g_freed, 5);
 }
 
-TEST_F(CountedMemory, BlocksOfOneSizeShareAChunkAndAreUsedAgain)
+TEST_F(CountedMemory, SharesAChunkAmongBlocksAndReusesThem)
 {
     b2BlockAllocator blocks;
     void* first = blocks.Allocate(50);
@@ -87,7 +87,7 @@ TEST_F(CountedMemory, BlocksOfOneSizeShareAChunkAndAreUsedAgain)
     EXPECT_EQ(blocks.Allocate(0), nullptr);
 }
 
-TEST(BlockAllocator, BlocksOfWholeCacheLinesStartWithOne)
+TEST(BlockAllocator, AlignsBlocksOfWholeCacheLines)
 {
     b2BlockAllocator blocks;
     for (int i = 0; i < 200; ++i)
@@ -120,7 +120,7 @@ TEST_F(CountedMemory, AlignsCacheLineArraysAndFreesAll)
     EXPECT_EQ(g_allocated, g_freed);
 }
 
-TEST(BlockAllocator, BlocksNeverOverlapUnderRandomUse)
+TEST(BlockAllocator, ReturnsNoOverlappingBlocksUnderRandomUse)
 {
     struct Held
     {
@@ -161,7 +161,7 @@ TEST(BlockAllocator, BlocksNeverOverlapUnderRandomUse)
 }
 
 #if BOXREEL_ASSERTS
-TEST(BlockAllocator, FillsWhatIsFreedWithFD)
+TEST(BlockAllocator, FillsFreedBlocksWithFD)
 {
     b2BlockAllocator blocks;
     unsigned char* memory = static_cast<unsigned char*>(blocks.Allocate(64));
@@ -175,7 +175,7 @@ TEST(BlockAllocator, FillsWhatIsFreedWithFD)
     blocks.Clear();
 }
 
-TEST(StackAllocatorDeathTest, WantsTheLastBlockBackFirst)
+TEST(StackAllocatorDeathTest, RefusesToFreeOutOfOrder)
 {
     b2StackAllocator stack;
     void* first = stack.Allocate(10);
@@ -185,20 +185,20 @@ TEST(StackAllocatorDeathTest, WantsTheLastBlockBackFirst)
     stack.Free(first);
 }
 
-TEST(AssertDeathTest, SaysWhatWasWrong)
+TEST(AssertDeathTest, PrintsTheConditionOrTheMessage)
 {
     EXPECT_DEATH(b2Assert(1 + 1 == 3), "1 \\+ 1 == 3");
     EXPECT_DEATH(B2_REQUIRE(false, "A box needs a size."), "A box needs a size.");
 }
 #else
-TEST(Assert, IsSilentWhenOffAndRequirementsAreFalse)
+TEST(Assert, DoesNothingWhenOffAndRequirementsReturnFalse)
 {
     b2Assert(1 + 1 == 3);
     EXPECT_FALSE(B2_REQUIRE(false, "A box needs a size."));
     EXPECT_TRUE(B2_REQUIRE(true, "A box needs a size."));
 }
 
-TEST(StackAllocator, SurvivesTheWrongOrderOfFrees)
+TEST(StackAllocator, IgnoresFreesOutOfOrder)
 {
     b2StackAllocator stack;
     void* first = stack.Allocate(10);
@@ -225,7 +225,7 @@ TEST(StackAllocator, ReusesMemoryAndTracksItsMaximum)
     stack.Free(a);
 }
 
-TEST(GrowableStack, KeepsItsOrderWhenItOutgrowsItself)
+TEST(GrowableStack, KeepsItsOrderWhenItGrows)
 {
     b2GrowableStack<int32, 4> stack;
     for (int32 i = 0; i < 1000; ++i)

@@ -27,7 +27,7 @@ TEST(Vec2, IsZeroUntilItIsSet)
     EXPECT_EQ(b2Transform().q.c, 1.0f);
 }
 
-TEST(Vec2, NormalizeReturnsTheLengthAndLeavesATinyVectorAlone)
+TEST(Vec2, ReturnsItsLengthFromNormalizeAndKeepsTinyVectors)
 {
     b2Vec2 v(3.0f, 4.0f);
     EXPECT_FLOAT_EQ(v.Normalize(), 5.0f);
@@ -37,7 +37,7 @@ TEST(Vec2, NormalizeReturnsTheLengthAndLeavesATinyVectorAlone)
     EXPECT_EQ(tiny, b2Vec2(1.0e-9f, 0.0f));
 }
 
-TEST(Vec2, CrossProductsAgree)
+TEST(Vec2, HasConsistentCrossProducts)
 {
     const b2Vec2 a(1.0f, 2.0f);
     const b2Vec2 b(-3.0f, 5.0f);
@@ -47,7 +47,7 @@ TEST(Vec2, CrossProductsAgree)
     EXPECT_EQ(b2Cross(a, 2.0f), b2Vec2(4.0f, -2.0f));
 }
 
-TEST(Vec2, ComponentsCanBeReachedByNumber)
+TEST(Vec2, ReturnsItsComponentsByNumber)
 {
     b2Vec2 v(1.0f, 2.0f);
     v(1) = 7.0f;
@@ -140,7 +140,7 @@ TEST(Sweep, MovesTheCentreOnALineAndTurnsEvenly)
     ExpectNear(b2Mul(xf, sweep.localCenter), b2Vec2(2.0f, 1.0f));
 }
 
-TEST(Sweep, AdvanceMovesStartAlongThePath)
+TEST(Sweep, MovesItsStartAlongThePathWhenAdvanced)
 {
     b2Sweep sweep;
     sweep.c.Set(4.0f, 2.0f);
@@ -153,7 +153,7 @@ TEST(Sweep, AdvanceMovesStartAlongThePath)
     ExpectNear(sweep.c0, b2Vec2(2.5f, 1.25f));
 }
 
-TEST(Sweep, NormalizeTakesWholeTurnsOffBothAngles)
+TEST(Sweep, RemovesWholeTurnsFromBothAnglesWhenNormalized)
 {
     b2Sweep sweep;
     sweep.a0 = 13.0f;

@@ -142,7 +142,7 @@ TEST(Atan2, HasTheSpecialCasesOfTheStandardLibrary)
     EXPECT_TRUE(std::isnan(box2d::Atan2(std::nan(""), 1.0)));
 }
 
-TEST(Rotation, GivesBackItsAngle)
+TEST(Rotation, ReturnsItsAngle)
 {
     for (float angle = -3.1f; angle < 3.1f; angle += 0.01f)
     {

@@ -17,7 +17,7 @@ class ContactSystem : public testing::TestWithParam<int32>
 {};
 INSTANTIATE_TEST_SUITE_P(SubSteps, ContactSystem, testing::Values(2, 4, 8));
 
-TEST_P(ContactSystem, HoldsASuddenLoadOfAThousandWeights)
+TEST_P(ContactSystem, HoldsASuddenLoadOfAThousandTimesTheWeight)
 {
     Scene scene;
     scene.world.SetSubStepCount(GetParam());

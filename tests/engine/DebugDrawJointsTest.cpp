@@ -48,7 +48,7 @@ std::vector<Line> LinesOf(b2World& world)
 
 } // namespace
 
-TEST(DebugDrawJoints, APulleyIsItsRopeOverTheGroundAnchors)
+TEST(DebugDrawJoints, DrawsAPulleyAsItsRopeOverTheGroundAnchors)
 {
     Scene scene;
     const b2Vec2 groundA(-3.0f, 5.0f);
@@ -78,7 +78,7 @@ TEST(DebugDrawJoints, DrawsMouseJointFromTargetToAnchor)
         << "nothing from the first body, which takes no part";
 }
 
-TEST(DebugDrawJoints, AHingeIsLinesFromBothOrigins)
+TEST(DebugDrawJoints, DrawsAHingeAsLinesFromBothOrigins)
 {
     Scene scene;
     b2RevoluteJointDef def;

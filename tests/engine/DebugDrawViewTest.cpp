@@ -115,7 +115,7 @@ b2AABB Grown(b2AABB box)
 
 } // namespace
 
-TEST(DebugDrawView, LeavesOutNothingThatLiesInItAndKeepsTheOrder)
+TEST(DebugDrawView, DrawsAllThatLiesInItInTheSameOrder)
 {
     int seen = 0;
     int all = 0;
@@ -154,7 +154,7 @@ TEST(DebugDrawView, LeavesOutNothingThatLiesInItAndKeepsTheOrder)
     EXPECT_LT(4 * seen, all);
 }
 
-TEST(DebugDrawView, ShowsOfAChainTheChildrenThatAreSeen)
+TEST(DebugDrawView, DrawsOnlyTheChildrenOfAChainInView)
 {
     Scene scene;
     std::vector<b2Vec2> points;
@@ -170,7 +170,7 @@ TEST(DebugDrawView, ShowsOfAChainTheChildrenThatAreSeen)
     EXPECT_EQ(Drawn(scene.world, nullptr, b2Draw::e_shapeBit).calls.size(), 1000u);
 }
 
-TEST(DebugDrawView, ShowsInactiveBodiesWhenTheyAreSeen)
+TEST(DebugDrawView, DrawsInactiveBodiesInView)
 {
     Scene scene;
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -189,7 +189,7 @@ TEST(DebugDrawView, ShowsInactiveBodiesWhenTheyAreSeen)
     EXPECT_EQ(count(), 1u);
 }
 
-TEST(DebugDrawView, BeginsOnlyBodiesOfWhichSomethingIsSeen)
+TEST(DebugDrawView, BeginsOnlyBodiesInView)
 {
     Scene scene;
     scene.Box(50.0f, 0.0f);
@@ -201,7 +201,7 @@ TEST(DebugDrawView, BeginsOnlyBodiesOfWhichSomethingIsSeen)
                 testing::ElementsAre(1, -1));
 }
 
-TEST(DebugDrawView, CanBeTakenAwayAgain)
+TEST(DebugDrawView, HidesNothingWhenCleared)
 {
     Scene scene;
     scene.Box(50.0f, 0.0f);
@@ -218,7 +218,7 @@ TEST(DebugDrawView, CanBeTakenAwayAgain)
     scene.world.SetDebugDraw(nullptr);
 }
 
-TEST(DebugDrawView, BodiesKnowTheNumberThatIsDrawn)
+TEST(DebugDrawView, ReportsTheNumberOfABody)
 {
     Scene scene;
     scene.world.DestroyBody(scene.Box(0.0f, 0.0f));

@@ -78,7 +78,7 @@ std::unique_ptr<b2World> RunStored()
     return std::unique_ptr<b2World>(m_world);
 }
 
-TEST(Dump, IsTheCodeThatIsStoredAndCompiledHere)
+TEST(Dump, EqualsTheStoredCode)
 {
     Scene scene;
     Build(scene);
@@ -91,7 +91,7 @@ TEST(Dump, IsTheCodeThatIsStoredAndCompiledHere)
     }
 }
 
-TEST(Dump, MakesAWorldThatMovesLikeTheOneThatWasDumped)
+TEST(Dump, CreatesAWorldThatMovesAsTheDumpedOne)
 {
     Scene original;
     Build(original);

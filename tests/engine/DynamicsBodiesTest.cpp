@@ -14,7 +14,7 @@ namespace
 
 using namespace dynamics;
 
-TEST(DynamicsBodies, MassComesFromTheFixtures)
+TEST(DynamicsBodies, HaveTheMassOfTheirFixtures)
 {
     Scene scene;
     b2Body* body = scene.Box(0.0f, 0.0f, 1.0f, 0.5f);
@@ -32,7 +32,7 @@ TEST(DynamicsBodies, MassComesFromTheFixtures)
     EXPECT_FLOAT_EQ(body->GetLocalCenter().x, 0.0f);
 }
 
-TEST(DynamicsBodies, UpdatesExtentsByNewFixtureAsByReset)
+TEST(DynamicsBodies, UpdateExtentsByANewFixtureAsByAReset)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 1.0f, 2.0f);
@@ -54,7 +54,7 @@ TEST(DynamicsBodies, UpdatesExtentsByNewFixtureAsByReset)
     }
 }
 
-TEST(DynamicsBodies, ComputesInertiaOfShapeFarFromBodyOrigin)
+TEST(DynamicsBodies, HaveTheInertiaOfAShapeFarFromTheirOrigin)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
@@ -65,7 +65,7 @@ TEST(DynamicsBodies, ComputesInertiaOfShapeFarFromBodyOrigin)
     EXPECT_NEAR(body->GetAngularVelocity(), 6.0f, 0.01f);
 }
 
-TEST(DynamicsBodies, ABodyWithoutMassGetsAKilogramAndDoesNotTurn)
+TEST(DynamicsBodies, HaveAKilogramAndNoRotationWhenSetToNoMass)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -84,7 +84,7 @@ TEST(DynamicsBodies, ABodyWithoutMassGetsAKilogramAndDoesNotTurn)
     EXPECT_EQ(scene.Body(b2_dynamicBody, 0.0f, 9.0f)->GetMass(), 1.0f);
 }
 
-TEST(DynamicsBodies, MassDataCanBeSetAndResetToWhatTheFixturesGive)
+TEST(DynamicsBodies, KeepSetMassDataUntilItIsReset)
 {
     Scene scene;
     b2Body* body = scene.Box(3.0f, 4.0f);
@@ -105,7 +105,7 @@ TEST(DynamicsBodies, MassDataCanBeSetAndResetToWhatTheFixturesGive)
     EXPECT_EQ(body->GetWorldCenter(), b2Vec2(3.0f, 4.0f));
 }
 
-TEST(DynamicsBodies, AFixtureWithoutDensityLeavesSetMassDataAlone)
+TEST(DynamicsBodies, KeepSetMassDataWithANewFixtureOfNoDensity)
 {
     Scene scene;
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -120,7 +120,7 @@ TEST(DynamicsBodies, AFixtureWithoutDensityLeavesSetMassDataAlone)
     EXPECT_EQ(body->GetMass(), 7.0f);
 }
 
-TEST(DynamicsBodies, DensityCountsFromTheNextResetOn)
+TEST(DynamicsBodies, UseANewDensityFromTheNextReset)
 {
     Scene scene;
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -130,7 +130,7 @@ TEST(DynamicsBodies, DensityCountsFromTheNextResetOn)
     EXPECT_FLOAT_EQ(body->GetMass(), 5.0f);
 }
 
-TEST(DynamicsBodies, StaticAndKinematicBodiesHaveNoMass)
+TEST(DynamicsBodies, HaveNoMassWhenStaticOrKinematic)
 {
     Scene scene;
     b2Body* kinematic = scene.Body(b2_kinematicBody, 0.0f, 0.0f);
@@ -142,7 +142,7 @@ TEST(DynamicsBodies, StaticAndKinematicBodiesHaveNoMass)
     }
 }
 
-TEST(DynamicsBodies, HasZeroInertiaForAnyCentreIfRotationIsFixed)
+TEST(DynamicsBodies, HaveNoInertiaForAnyCentreIfRotationIsFixed)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
@@ -157,7 +157,7 @@ TEST(DynamicsBodies, HasZeroInertiaForAnyCentreIfRotationIsFixed)
     EXPECT_NEAR(body->GetInertia(), 1.0f / 6.0f + 4.0f, 1e-5f);
 }
 
-TEST(DynamicsBodies, KeepsPlaceAndPointVelocitiesWhenMassChanges)
+TEST(DynamicsBodies, KeepPlaceAndPointVelocitiesWhenMassChanges)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* body = scene.Box(1.0f, 2.0f);
@@ -173,7 +173,7 @@ TEST(DynamicsBodies, KeepsPlaceAndPointVelocitiesWhenMassChanges)
     EXPECT_NEAR(after.y, before.y, 1e-5f);
 }
 
-TEST(DynamicsBodies, KeepsVelocityBetweenDynamicAndKinematic)
+TEST(DynamicsBodies, KeepVelocityBetweenDynamicAndKinematic)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -190,7 +190,7 @@ TEST(DynamicsBodies, KeepsVelocityBetweenDynamicAndKinematic)
     EXPECT_EQ(body->GetAngularVelocity(), 0.0f);
 }
 
-TEST(DynamicsBodies, ChangesToEveryTypeWhileTouchedAndJoined)
+TEST(DynamicsBodies, ChangeToEveryTypeWhileTouchedAndJoined)
 {
     for (const b2BodyType from : {b2_staticBody, b2_kinematicBody, b2_dynamicBody})
     {
@@ -221,7 +221,7 @@ TEST(DynamicsBodies, ChangesToEveryTypeWhileTouchedAndJoined)
     }
 }
 
-TEST(DynamicsBodies, AnInactiveBodyTakesNoPartUntilItIsActivated)
+TEST(DynamicsBodies, AreNotSimulatedWhileInactive)
 {
     Scene scene;
     b2Body* ground = scene.Ground();
@@ -240,7 +240,7 @@ TEST(DynamicsBodies, AnInactiveBodyTakesNoPartUntilItIsActivated)
     EXPECT_LT(box->GetPosition().y, place.y);
 }
 
-TEST(DynamicsBodies, DiscardsForceWhenBodyIsDeactivated)
+TEST(DynamicsBodies, DiscardForcesWhenDeactivated)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* box = scene.Box(0.0f, 0.0f);
@@ -252,7 +252,7 @@ TEST(DynamicsBodies, DiscardsForceWhenBodyIsDeactivated)
     EXPECT_EQ(box->GetLinearVelocity().x, 0.0f);
 }
 
-TEST(DynamicsBodies, SetTransformPutsTheOriginExactlyThere)
+TEST(DynamicsBodies, HaveExactlyThePositionThatSetTransformSets)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
@@ -338,7 +338,7 @@ TEST(DynamicsBodies, KeepForcesUntilTheyAreClearedOnRequest)
     EXPECT_NEAR(body->GetLinearVelocity().x, 3.0f, 1e-5f);
 }
 
-TEST(DynamicsBodies, AreWokenByForcesUnlessTheCallerSaysOtherwise)
+TEST(DynamicsBodies, AreWokenByForcesUnlessWakeIsFalse)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -361,7 +361,7 @@ TEST(DynamicsBodies, AreWokenByForcesUnlessTheCallerSaysOtherwise)
     EXPECT_TRUE(body->IsAwake());
 }
 
-TEST(DynamicsBodies, ThatAreStaticOrKinematicFeelNoForces)
+TEST(DynamicsBodies, IgnoreForcesWhenStaticOrKinematic)
 {
     Scene scene;
     for (const b2BodyType type : {b2_staticBody, b2_kinematicBody})
@@ -380,7 +380,7 @@ TEST(DynamicsBodies, ThatAreStaticOrKinematicFeelNoForces)
     EXPECT_EQ(ground->GetLinearVelocity(), b2Vec2(0.0f, 0.0f));
 }
 
-TEST(DynamicsBodies, TellTheVelocityOfTheirPoints)
+TEST(DynamicsBodies, ReturnTheVelocityOfTheirPoints)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* body = scene.Body(b2_dynamicBody, 2.0f, 3.0f, 0.5f * b2_pi);
@@ -397,7 +397,7 @@ TEST(DynamicsBodies, TellTheVelocityOfTheirPoints)
     EXPECT_NEAR(body->GetLocalVector(body->GetWorldVector(b2Vec2(0.3f, 0.4f))).y, 0.4f, 1e-6f);
 }
 
-TEST(DynamicsBodies, KinematicBodiesCarryBodiesOnTop)
+TEST(DynamicsBodies, CarryBodiesOnTopWhenKinematic)
 {
     Scene scene;
     b2Body* lift = scene.Body(b2_kinematicBody, 0.0f, -0.5f);
@@ -444,7 +444,7 @@ std::vector<float32> HeightsOfStackAt(float32 place)
     return heights;
 }
 
-TEST(DynamicsBodies, StacksTenKilometresAwayAsAtOrigin)
+TEST(DynamicsBodies, StackTenKilometresAwayAsAtTheOrigin)
 {
     constexpr float32 kSpacingOfFloats = 0.001f; // at 10 km
     const std::vector<float32> near = HeightsOfStackAt(0.0f);

@@ -65,7 +65,7 @@ TEST(BulletPairs, HaveNoContactWhenPathsStayApart)
     }
 }
 
-TEST(BulletPairs, OneThatHasStoppedIsMetByOneThatComesSlowly)
+TEST(BulletPairs, FindASlowBulletThatHitsOneAtRest)
 {
     // After the last fast step one is in the other's box, and does not leave that box on its slow
     // way back. Their pair has to be searched although no box has changed.

@@ -125,7 +125,7 @@ TEST(DynamicsContactEvents, EndOutsideAStepWhenABodyOrFixtureGoes)
     }
 }
 
-TEST(DynamicsContactEvents, DoNotComeWhenTheWorldGoes)
+TEST(DynamicsContactEvents, AreNotSentWhenTheWorldIsDestroyed)
 {
     Recorder events;
     {
@@ -176,7 +176,7 @@ TEST(DynamicsContactEvents, NameTheOlderBodyFirst)
     }
 }
 
-TEST(DynamicsContactEvents, DisabledContactPushesInNextStep)
+TEST(DynamicsContactEvents, DisableAContactForOneStepOnly)
 {
     Scene scene;
     Recorder events;
@@ -199,7 +199,7 @@ TEST(DynamicsContactEvents, DisabledContactPushesInNextStep)
     EXPECT_GE(box->GetLinearVelocity().y, -1e-3f);
 }
 
-TEST(DynamicsContactEvents, OneSidedPlatformPassesFromBelowOnly)
+TEST(DynamicsContactEvents, MakeAPlatformOneSidedWhenDisabled)
 {
     Scene scene;
     Recorder events;
@@ -225,7 +225,7 @@ TEST(DynamicsContactEvents, OneSidedPlatformPassesFromBelowOnly)
     EXPECT_NEAR(ball->GetPosition().y, 2.3f, 0.02f);
 }
 
-TEST(DynamicsContactEvents, MayChangeVelocitiesAndApplyImpulses)
+TEST(DynamicsContactEvents, MayChangeVelocities)
 {
     struct Kicker : b2ContactListener
     {
@@ -254,7 +254,7 @@ b2Vec2 GravityOnSlope(float32 angle)
 }
 
 // s = (g sin a - mu g cos a) t^2 / 2
-TEST(DynamicsFriction, BoxSlidesDownSlopeByClosedForm)
+TEST(DynamicsFriction, SlidesABoxDownASlopeByTheClosedForm)
 {
     constexpr float32 angle = 0.5f;
     Scene scene(GravityOnSlope(angle));
@@ -269,7 +269,7 @@ TEST(DynamicsFriction, BoxSlidesDownSlopeByClosedForm)
     EXPECT_NEAR(box->GetLinearVelocity().x, acceleration * 2.0f, 0.05f);
 }
 
-TEST(DynamicsFriction, BoxHoldsBelowAngleOfReposeAndSlidesAbove)
+TEST(DynamicsFriction, HoldsABoxUpToTheAngleOfRepose)
 {
     for (const float32 mu : {0.2f, 0.5f, 1.0f})
     {
@@ -314,7 +314,7 @@ TEST(DynamicsFriction, MixesByTheGeometricMeanUntilOverridden)
     EXPECT_NEAR(box->GetLinearVelocity().x, 0.0f, 1e-3f);
 }
 
-TEST(DynamicsFriction, ABeltCarriesWhatLiesOnIt)
+TEST(DynamicsFriction, MovesABodyAtTheTangentSpeed)
 {
     Scene scene;
     Recorder events;
@@ -349,7 +349,7 @@ TEST(DynamicsRestitution, IsTheLargerOfTheTwo)
     EXPECT_NEAR(SpeedAfterBounce(60.0f, 1.0f, 1.0f), 60.0f, 1e-3f) << "also when it is fast";
 }
 
-TEST(DynamicsRestitution, DoesNotCountBelowTheThreshold)
+TEST(DynamicsRestitution, IsIgnoredBelowTheThreshold)
 {
     EXPECT_NEAR(SpeedAfterBounce(0.95f * b2_velocityThreshold, 1.0f, 1.0f), 0.0f, 1e-4f);
     EXPECT_NEAR(SpeedAfterBounce(1.05f * b2_velocityThreshold, 1.0f, 1.0f), 1.05f, 1e-4f);
@@ -368,7 +368,7 @@ TEST(DynamicsRestitution, CanBeOverriddenInPreSolve)
     EXPECT_NEAR(ball->GetLinearVelocity().y, 2.0f, 1e-4f);
 }
 
-TEST(DynamicsRestitution, EqualBallsExchangeTheirSpeeds)
+TEST(DynamicsRestitution, ExchangesTheSpeedsOfEqualBalls)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* moving = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
@@ -440,7 +440,7 @@ TEST(DynamicsFilters, LetGroupsDecideBeforeCategories)
     EXPECT_TRUE(Meet(Filter(1, 1, 2), Filter(1, 1, 0)));
 }
 
-TEST(DynamicsFilters, LetOnlyDynamicBodiesCollideSensorsToo)
+TEST(DynamicsFilters, NeedADynamicBodyAlsoForSensors)
 {
     const b2BodyType types[] = {b2_staticBody, b2_kinematicBody, b2_dynamicBody};
     for (const b2BodyType a : types)
@@ -454,7 +454,7 @@ TEST(DynamicsFilters, LetOnlyDynamicBodiesCollideSensorsToo)
     }
 }
 
-TEST(DynamicsFilters, AskTheProgramsFilter)
+TEST(DynamicsFilters, CallTheFilterOfTheProgram)
 {
     struct Picky : b2ContactFilter
     {
@@ -481,7 +481,7 @@ TEST(DynamicsFilters, AskTheProgramsFilter)
     EXPECT_NEAR(held->GetPosition().y, 0.5f, 0.02f);
 }
 
-TEST(DynamicsFilters, LetJoinedBodiesCollideOnlyWhenTheJointSaysSo)
+TEST(DynamicsFilters, LetJoinedBodiesCollideIfTheirJointAllowsIt)
 {
     for (const bool collide : {false, true})
     {
@@ -503,7 +503,7 @@ TEST(DynamicsFilters, LetJoinedBodiesCollideOnlyWhenTheJointSaysSo)
     }
 }
 
-TEST(DynamicsFilters, JoinedTwiceTheStricterJointCounts)
+TEST(DynamicsFilters, LetNoBodiesCollideIfOneOfTwoJointsForbidsIt)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* a = scene.Ball(0.0f, 0.0f);
@@ -522,7 +522,7 @@ TEST(DynamicsFilters, JoinedTwiceTheStricterJointCounts)
 
 // ---- Sensors
 
-TEST(DynamicsSensors, NoticeButDoNotPush)
+TEST(DynamicsSensors, ReportContactsButDoNotPush)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     Recorder events;
@@ -629,7 +629,7 @@ struct TouchCheck
     int apart = 0;
 };
 
-TEST(DynamicsContacts, TouchWhenTheirShapesDoAndOnlyThen)
+TEST(DynamicsContacts, TouchExactlyWhenTheirShapesDo)
 {
     Scene scene;
     scene.world.SetGravity(b2Vec2(0.0f, -2.0f));

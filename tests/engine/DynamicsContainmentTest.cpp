@@ -59,22 +59,22 @@ void Press(int32 subSteps, b2BodyType type, float32 wallSpeed, int32 walls = 1)
     }
 }
 
-TEST_P(Containment, KeepsWhatIsLightBetweenAThinWallAndAPress)
+TEST_P(Containment, KeepsALightBodyBetweenAThinWallAndAPress)
 {
     Press(GetParam(), b2_staticBody, 0.0f);
 }
 
-TEST_P(Containment, KeepsItBeforeAWallThatMoves)
+TEST_P(Containment, KeepsALightBodyBeforeAMovingWall)
 {
     Press(GetParam(), b2_kinematicBody, -1.0f);
 }
 
-TEST_P(Containment, KeepsItBeforeTheFirstOfSeveralWalls)
+TEST_P(Containment, KeepsALightBodyBeforeTheFirstOfSeveralWalls)
 {
     Press(GetParam(), b2_staticBody, 0.0f, 4);
 }
 
-TEST_P(Containment, LetsThroughWhatTheListenerLetsThrough)
+TEST_P(Containment, LetsBodiesPassWhenTheListenerDisablesContacts)
 {
     struct OneWay : b2ContactListener
     {
@@ -122,7 +122,7 @@ TEST_P(Containment, LetsABodyMoveThatHasAWallBetweenItsShapes)
 }
 
 /// Rods that spin, thrown at a rough wall that throws them back.
-TEST_P(Containment, ImpactsGainNoEnergyByFriction)
+TEST_P(Containment, GainsNoEnergyByFrictionInImpacts)
 {
     double widest = 0.0;
     for (int i = 0; i < 200; ++i)
@@ -153,7 +153,7 @@ TEST_P(Containment, ImpactsGainNoEnergyByFriction)
 
 /// Rods that lie in a floor and spin: one end comes out of it, where they touch, while the other
 /// goes in.
-TEST_P(Containment, KeepsOutTheOtherEndOfWhatTurnsOutOfAWall)
+TEST_P(Containment, KeepsTheOtherEndOfATurningRodOutOfAWall)
 {
     constexpr float32 kHalf = 1.0f;
     for (int i = 0; i < 20; ++i)

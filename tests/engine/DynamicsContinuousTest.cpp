@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Speeds, DynamicsBullets,
                          testing::Values(Shot{100.0f, 60.0f}, Shot{300.0f, 60.0f},
                                          Shot{300.0f, 240.0f}));
 
-TEST(DynamicsContinuous, AThinSpinningRodDoesNotPassAnEdge)
+TEST(DynamicsContinuous, StopsAThinSpinningRodAtAnEdge)
 {
     std::mt19937 random(5);
     const auto real = [&](float32 low, float32 high) {
@@ -151,7 +151,7 @@ TEST(DynamicsContinuous, StopsRodThatIsThinAlongDiagonal)
     }
 }
 
-TEST(DynamicsContinuous, AFastPlatformTakesASleepingBallAlong)
+TEST(DynamicsContinuous, MovesASleepingBallBeforeAFastPlatform)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* ball = scene.Ball(1.0f, 0.0f, 0.1f);
@@ -167,7 +167,7 @@ TEST(DynamicsContinuous, AFastPlatformTakesASleepingBallAlong)
 }
 
 // A body on the platform makes it part of an impact as a neighbour. That must have no effect.
-TEST(DynamicsContinuous, SleepingPlatformStopsBodiesAfterImpact)
+TEST(DynamicsContinuous, StopsABallAtAPlatformThatWasHitBefore)
 {
     for (int i = 0; i < 20; ++i)
     {
@@ -188,7 +188,7 @@ TEST(DynamicsContinuous, SleepingPlatformStopsBodiesAfterImpact)
     }
 }
 
-TEST(DynamicsContinuous, ABallBetweenTwoWallsStaysThere)
+TEST(DynamicsContinuous, KeepsAFastBallBetweenTwoWalls)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     for (const float32 x : {-0.5f, 0.5f})
@@ -219,7 +219,7 @@ TEST(DynamicsContinuous, CanBeSwitchedOff)
     EXPECT_GT(ball->GetPosition().x, 5.5f) << "which shows that the other tests test something";
 }
 
-TEST(DynamicsContinuous, ASensorIsPassed)
+TEST(DynamicsContinuous, LetsBulletsPassSensors)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     scene.Wall(5.0f, 0.01f)->GetFixtureList()->SetSensor(true);
@@ -267,7 +267,7 @@ TEST(DynamicsContinuous, ReportsImpulseOfImpactWithinStep)
     EXPECT_NEAR(counter.largest, 100.0f * ball->GetMass(), 0.01f);
 }
 
-TEST(DynamicsContinuous, BothWallsOfACornerTakePartInTheImpact)
+TEST(DynamicsContinuous, SolvesAnImpactInACornerWithBothWalls)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     Counter counter;
@@ -289,7 +289,7 @@ TEST(DynamicsContinuous, BothWallsOfACornerTakePartInTheImpact)
 }
 
 /// Both walls at once: what one gives back turns the box against the other.
-TEST(DynamicsContinuous, ABoxThatSpinsIntoACornerKeepsItsEnergy)
+TEST(DynamicsContinuous, KeepsTheEnergyOfABoxSpinningIntoACorner)
 {
     double minimum = 1.0; // of what it had
     double maximum = 1.0;
@@ -320,7 +320,7 @@ TEST(DynamicsContinuous, ABoxThatSpinsIntoACornerKeepsItsEnergy)
     EXPECT_LT(maximum, 1.0001);
 }
 
-TEST(DynamicsContinuous, BodyContinuesWhenContactIsDisabled)
+TEST(DynamicsContinuous, LetsABodyContinueWhenItsContactIsDisabled)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     Counter counter;
@@ -354,7 +354,7 @@ TEST(DynamicsContinuous, CallsPreSolveOnceForDisabledBulletPair)
     EXPECT_GT(left->GetPosition().x, right->GetPosition().x);
 }
 
-TEST(DynamicsContinuous, SubSteppingStopsAtEveryImpact)
+TEST(DynamicsContinuous, StopsAtEveryImpactWithSubStepping)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     scene.world.SetSubStepping(true);
@@ -377,7 +377,7 @@ TEST(DynamicsContinuous, SubSteppingStopsAtEveryImpact)
     EXPECT_EQ(WhyBroken(scene.world, false), "");
 }
 
-TEST(DynamicsContinuous, BulletsInAStackEndTheStep)
+TEST(DynamicsContinuous, EndsTheStepWithBulletsInAStack)
 {
     Scene scene;
     scene.Ground();
@@ -466,7 +466,7 @@ TEST(DynamicsContinuous, DoesNotCallListenerRemovedInImpact)
 }
 
 // The parts of a step that stops at each impact may be of different lengths.
-TEST(DynamicsContinuous, BoxHoldsTurningPlatformWithinStep)
+TEST(DynamicsContinuous, UpdatesBoxOfPlatformTurningWithinStep)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     scene.world.SetSubStepping(true);
@@ -522,7 +522,7 @@ TEST(DynamicsContinuous, EndsPartialStepWithoutContinuousPhysics)
 }
 
 // Thin, so that its box has hardly any margin.
-TEST(DynamicsContinuous, PlatformIgnoresImpactsInStepsOfAnyLength)
+TEST(DynamicsContinuous, MovesAPlatformThroughImpactsUnchanged)
 {
     BrokenOff scene;
     b2Body* platforms[2];
@@ -543,7 +543,7 @@ TEST(DynamicsContinuous, PlatformIgnoresImpactsInStepsOfAnyLength)
 }
 
 // They hit each other and the wall by turns, more often than a step has impacts.
-TEST(DynamicsContinuous, HeavyBulletPushesNoLightBodyThroughWall)
+TEST(DynamicsContinuous, KeepsLightBodyBetweenHeavyBulletAndWall)
 {
     for (int i = 0; i < 100; ++i)
     {
@@ -590,7 +590,7 @@ struct Lullaby : public b2ContactListener
 };
 
 // After an impact stops a body, awake bodies joined to it are pulled back to it.
-TEST(DynamicsContinuous, ListenerMayPutJoinedBodyToSleep)
+TEST(DynamicsContinuous, LetsListenerPutJoinedBodyToSleep)
 {
     for (const int32 subSteps : {1, 2, 8})
     {

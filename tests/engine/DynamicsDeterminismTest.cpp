@@ -94,7 +94,7 @@ std::uint64_t RunScene(bool otherMemory, int32 subSteps)
     return StateHash(scene.world).Value();
 }
 
-TEST(DynamicsDeterminism, SceneBitsAreIndependentOfAddresses)
+TEST(DynamicsDeterminism, GivesTheSameBitsAtOtherAddresses)
 {
     for (const int32 subSteps : {1, 4})
     {
@@ -106,7 +106,7 @@ TEST(DynamicsDeterminism, SceneBitsAreIndependentOfAddresses)
 }
 
 // The hash of another build. A change of what sub-steps compute changes it.
-TEST(DynamicsDeterminism, SubStepsGiveTheBitsOfEveryCompiler)
+TEST(DynamicsDeterminism, GivesTheBitsOfEveryCompiler)
 {
     EXPECT_EQ(RunScene(false, 4), 1789455862155921807ull);
 }

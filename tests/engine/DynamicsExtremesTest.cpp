@@ -16,7 +16,7 @@ namespace
 
 using namespace dynamics;
 
-TEST(DynamicsExtremes, ZeroIterationsMoveBodiesFreely)
+TEST(DynamicsExtremes, MoveBodiesFreelyWithZeroIterations)
 {
     Scene scene;
     b2Body* box = scene.Box(0.0f, 5.0f);
@@ -24,7 +24,7 @@ TEST(DynamicsExtremes, ZeroIterationsMoveBodiesFreely)
     EXPECT_NEAR(box->GetLinearVelocity().y, -10.0f * kStep, 1e-6f);
 }
 
-TEST(DynamicsExtremes, AStepWithoutTimeUpdatesContactsOnly)
+TEST(DynamicsExtremes, UpdateContactsOnlyInAStepOfZero)
 {
     Scene scene;
     scene.Ground();
@@ -65,7 +65,7 @@ Scene* MachineWithEverything()
     return scene;
 }
 
-TEST(DynamicsExtremes, TimeStepsOfAnyLengthLeaveTheWorldFinite)
+TEST(DynamicsExtremes, KeepTheWorldFiniteInStepsOfAnyLength)
 {
     const float32 steps[] = {1e-45f, 1e-38f, 1e-30f, 1e-20f, 1e-10f,
                              1e-5f,  0.5f,   10.0f,  1e4f,   1e5f};
@@ -80,7 +80,7 @@ TEST(DynamicsExtremes, TimeStepsOfAnyLengthLeaveTheWorldFinite)
     }
 }
 
-TEST(DynamicsExtremes, HugeNumbersOfEveryKindLeaveTheWorldFinite)
+TEST(DynamicsExtremes, KeepTheWorldFiniteWithHugeNumbers)
 {
     std::mt19937 random(11);
     const auto huge = [&] {
@@ -134,7 +134,7 @@ TEST(DynamicsExtremes, HugeNumbersOfEveryKindLeaveTheWorldFinite)
     }
 }
 
-TEST(DynamicsExtremes, DensitiesOfAnySizeLeaveTheWorldFinite)
+TEST(DynamicsExtremes, KeepTheWorldFiniteWithAnyDensity)
 {
     for (const float32 density : {1e-45f, 1e-38f, 1e-30f, 1e-10f, 1e10f, 1e30f, FLT_MAX})
     {
@@ -155,7 +155,7 @@ TEST(DynamicsExtremes, DensitiesOfAnySizeLeaveTheWorldFinite)
     }
 }
 
-TEST(DynamicsExtremes, FrictionOfAnySizeLeavesTheWorldFinite)
+TEST(DynamicsExtremes, KeepTheWorldFiniteWithAnyFriction)
 {
     Scene scene;
     b2Body* ground = scene.Body(b2_staticBody, 0.0f, -1.0f);
@@ -171,7 +171,7 @@ TEST(DynamicsExtremes, FrictionOfAnySizeLeavesTheWorldFinite)
     EXPECT_LT(box->GetPosition().x, 10.0f);
 }
 
-TEST(DynamicsExtremes, PlacesAsFarAsTheWorldReachesLeaveItFinite)
+TEST(DynamicsExtremes, KeepTheWorldFiniteAtItsFarthestPlaces)
 {
     for (const float32 place : {1e6f, 1e10f, 1e15f})
     {
@@ -201,7 +201,7 @@ TEST(DynamicsExtremes, PlacesAsFarAsTheWorldReachesLeaveItFinite)
     }
 }
 
-TEST(DynamicsExtremes, AsFastAsFloatsGoIsAsFastAsAStepAllows)
+TEST(DynamicsExtremes, LimitTheLargestVelocityToTheMaxTranslation)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* ball = scene.Ball(0.0f, 0.0f);
@@ -213,7 +213,7 @@ TEST(DynamicsExtremes, AsFastAsFloatsGoIsAsFastAsAStepAllows)
     EXPECT_TRUE(b2IsValid(ball->GetAngularVelocity()));
 }
 
-TEST(DynamicsExtremes, AStepTooShortToCountChangesNoVelocity)
+TEST(DynamicsExtremes, ChangeNoVelocityInATinyStep)
 {
     for (const float32 step : {1e-45f, 1e-30f, 1e-12f})
     {
@@ -231,7 +231,7 @@ TEST(DynamicsExtremes, AStepTooShortToCountChangesNoVelocity)
 }
 
 // A hit gives the same impulse however short the step, and must not be taken for a lasting force.
-TEST(DynamicsExtremes, AHitInAShortStepDoesNotBurstAChainInTheNext)
+TEST(DynamicsExtremes, KeepAChainCalmAfterAHitInAShortStep)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* last = scene.Body(b2_staticBody, 0.0f, 0.0f);
@@ -255,7 +255,7 @@ TEST(DynamicsExtremes, AHitInAShortStepDoesNotBurstAChainInTheNext)
     }
 }
 
-TEST(DynamicsExtremes, AJointRecoversFromNumbersThatWereTooLarge)
+TEST(DynamicsExtremes, LetAJointRecoverFromNumbersThatWereTooLarge)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* ground = scene.Ground();

@@ -35,7 +35,7 @@ TEST(DynamicsRevoluteJoint, KeepsTheTwoPointsTogetherWhileItSwings)
 }
 
 // T = 2 pi sqrt(I / (m g d)) for small swings.
-TEST(DynamicsRevoluteJoint, APendulumHasItsPeriod)
+TEST(DynamicsRevoluteJoint, SwingsAPendulumWithItsPeriod)
 {
     Scene scene;
     b2Body* ceiling = scene.Body(b2_staticBody, 0.0f, 0.0f);
@@ -85,7 +85,7 @@ TEST(DynamicsRevoluteJoint, HoldsABodyUpWithItsWeight)
     EXPECT_NEAR(joint->GetReactionTorque(60.0f), 0.0f, 1e-4f);
 }
 
-TEST(DynamicsRevoluteJoint, MeasuresItsAngleFromWhereItWasMade)
+TEST(DynamicsRevoluteJoint, MeasuresItsAngleFromTheInitialPoses)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* a = scene.Body(b2_staticBody, 0.0f, 0.0f, 0.7f);
@@ -102,7 +102,7 @@ TEST(DynamicsRevoluteJoint, MeasuresItsAngleFromWhereItWasMade)
     EXPECT_NEAR(b->GetAngle(), 1.6f, 0.01f);
 }
 
-TEST(DynamicsRevoluteJoint, AMotorTakesNoMoreTorqueThanItMay)
+TEST(DynamicsRevoluteJoint, AppliesNoMoreThanItsMaxMotorTorque)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* hub = scene.Body(b2_staticBody, 0.0f, 0.0f);
@@ -122,7 +122,7 @@ TEST(DynamicsRevoluteJoint, AMotorTakesNoMoreTorqueThanItMay)
     EXPECT_EQ(joint->GetMotorTorque(60.0f), 0.0f);
 }
 
-TEST(DynamicsRevoluteJoint, MotorHoldsArmUpToItsMaxTorque)
+TEST(DynamicsRevoluteJoint, HoldsAnArmUpToItsMaxMotorTorque)
 {
     for (const float32 share : {0.9f, 1.1f})
     {
@@ -159,7 +159,7 @@ TEST(DynamicsRevoluteJoint, StaysWithinItsLimits)
     }
 }
 
-TEST(DynamicsRevoluteJoint, ALimitHoldsTheWeightOfAnArm)
+TEST(DynamicsRevoluteJoint, HoldsTheWeightOfAnArmAtItsLimit)
 {
     Scene scene;
     b2Body* wall = scene.Body(b2_staticBody, 0.0f, 0.0f);
@@ -173,7 +173,7 @@ TEST(DynamicsRevoluteJoint, ALimitHoldsTheWeightOfAnArm)
     EXPECT_NEAR(joint->GetJointAngle(), 0.0f, b2_angularSlop);
 }
 
-TEST(DynamicsRevoluteJoint, EqualLimitsMakeItRigid)
+TEST(DynamicsRevoluteJoint, IsRigidWithEqualLimits)
 {
     Scene scene;
     b2Body* wall = scene.Body(b2_staticBody, 0.0f, 0.0f);
@@ -185,7 +185,7 @@ TEST(DynamicsRevoluteJoint, EqualLimitsMakeItRigid)
     EXPECT_NEAR(arm->GetPosition().y, 0.0f, 0.02f);
 }
 
-TEST(DynamicsRevoluteJoint, ChangesOfLimitAndMotorWakeTheBodies)
+TEST(DynamicsRevoluteJoint, WakesTheBodiesWhenLimitOrMotorChanges)
 {
     Scene scene;
     b2Body* wall = scene.Body(b2_staticBody, 0.0f, 0.0f);
@@ -243,7 +243,7 @@ TEST(DynamicsDistanceJoint, KeepsItsLengthAndCarriesTheWeight)
     }
 }
 
-TEST(DynamicsDistanceJoint, TwoFreeBodiesKeepTheirCommonCentre)
+TEST(DynamicsDistanceJoint, KeepsTheCommonCentreOfTwoFreeBodies)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* a = scene.Ball(-1.0f, 0.0f, 0.3f);
@@ -257,7 +257,7 @@ TEST(DynamicsDistanceJoint, TwoFreeBodiesKeepTheirCommonCentre)
     EXPECT_NEAR(b2Distance(a->GetPosition(), b->GetPosition()), 2.0f, 0.01f);
 }
 
-TEST(DynamicsDistanceJoint, ASoftOneSwingsWithItsFrequency)
+TEST(DynamicsDistanceJoint, SwingsWithItsFrequencyWhenSoft)
 {
     for (const float32 hertz : {1.0f, 2.0f, 4.0f})
     {
@@ -287,7 +287,7 @@ TEST(DynamicsDistanceJoint, ASoftOneSwingsWithItsFrequency)
     }
 }
 
-TEST(DynamicsDistanceJoint, ACriticallyDampedOneDoesNotSwing)
+TEST(DynamicsDistanceJoint, DoesNotSwingWhenCriticallyDamped)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* wall = scene.Body(b2_staticBody, 0.0f, 0.0f);
@@ -303,7 +303,7 @@ TEST(DynamicsDistanceJoint, ACriticallyDampedOneDoesNotSwing)
 }
 
 // A load sinks by g / omega^2 on a spring.
-TEST(DynamicsDistanceJoint, ASoftOneGivesUnderItsLoad)
+TEST(DynamicsDistanceJoint, StretchesUnderItsLoadWhenSoft)
 {
     Scene scene;
     b2Body* ceiling = scene.Body(b2_staticBody, 0.0f, 5.0f);
@@ -371,7 +371,7 @@ TEST(DynamicsJoints, AreNotSimulatedWhileABodyIsInactive)
     EXPECT_LT(load->GetPosition().y, 1.0f) << "it falls freely";
 }
 
-TEST(DynamicsJoints, GiveSamePushesWhenTheTimeStepChanges)
+TEST(DynamicsJoints, ReportTheSameForceWhenTheTimeStepChanges)
 {
     Scene scene;
     b2Body* ceiling = scene.Body(b2_staticBody, 0.0f, 5.0f);

@@ -11,10 +11,10 @@ using namespace dynamics;
 
 /// A wide box on a narrow pedestal: the contact's points are the pedestal's corners, as seen from
 /// the box.
-class OnPedestal : public testing::Test
+class KeptManifold : public testing::Test
 {
 protected:
-    OnPedestal()
+    KeptManifold()
     {
         Scene::AddBox(scene.Body(b2_staticBody, 0.0f, -1.0f), 0.5f, 1.0f);
         box = scene.Box(0.0f, 0.515f, 2.0f, 0.5f);
@@ -39,20 +39,20 @@ protected:
     b2Body* box = nullptr;
 };
 
-TEST_F(OnPedestal, AManifoldIsKeptWhileABodyMovesAHairsBreadth)
+TEST_F(KeptManifold, IsKeptWhileABodyMovesAFractionOfAMillimetre)
 {
     const float32 before = PointAfter(0.0f);
     EXPECT_NEAR(before, -0.5f, 0.03f); // and the skins
     EXPECT_EQ(PointAfter(0.0002f), before);
 }
 
-TEST_F(OnPedestal, AManifoldIsRecomputedWhenABodyHasMoved)
+TEST_F(KeptManifold, IsRecomputedWhenABodyHasMoved)
 {
     const float32 before = PointAfter(0.0f);
     EXPECT_NEAR(PointAfter(0.002f), before - 0.002f, 1e-4f);
 }
 
-TEST_F(OnPedestal, ManySmallMovesDoNotAddUp)
+TEST_F(KeptManifold, IsRecomputedAfterManySmallMoves)
 {
     const float32 before = PointAfter(0.0f);
     for (int i = 1; i <= 40; ++i)
@@ -62,7 +62,7 @@ TEST_F(OnPedestal, ManySmallMovesDoNotAddUp)
     }
 }
 
-TEST_F(OnPedestal, AManifoldIsRecomputedWhenABodyHasTurned)
+TEST_F(KeptManifold, IsRecomputedWhenABodyHasTurned)
 {
     const b2Contact* contact = box->GetContactList()->contact;
     const b2Vec2 normal = contact->GetManifold()->localNormal;
@@ -75,7 +75,7 @@ TEST_F(OnPedestal, AManifoldIsRecomputedWhenABodyHasTurned)
                 second != contact->GetManifold()->points[1].localPoint);
 }
 
-TEST_F(OnPedestal, AKeptContactCanBecomeASensorAndBack)
+TEST_F(KeptManifold, IsEmptyWhileAFixtureIsASensor)
 {
     b2Contact* contact = box->GetContactList()->contact;
     box->GetFixtureList()->SetSensor(true);
@@ -100,7 +100,7 @@ struct OnePoint : b2ContactListener
     bool edits = true;
 };
 
-TEST_F(OnPedestal, WhatAListenerChangesLastsOneStep)
+TEST_F(KeptManifold, IsRecomputedAfterAListenerChangedIt)
 {
     OnePoint listener;
     scene.world.SetContactListener(&listener);
@@ -113,7 +113,7 @@ TEST_F(OnPedestal, WhatAListenerChangesLastsOneStep)
     scene.world.SetContactListener(nullptr);
 }
 
-TEST_F(OnPedestal, AnEmptiedManifoldIsRecomputed)
+TEST_F(KeptManifold, IsRecomputedWhenEmptied)
 {
     b2Manifold& manifold = *box->GetContactList()->contact->GetManifold();
     manifold.pointCount = 0;
@@ -122,7 +122,7 @@ TEST_F(OnPedestal, AnEmptiedManifoldIsRecomputed)
     EXPECT_NEAR(box->GetLinearVelocity().y, 0.0f, 1e-3f);
 }
 
-TEST_F(OnPedestal, AShapeChangedInPlaceIsTakenUpWithTheMassOfItsBody)
+TEST_F(KeptManifold, IsRecomputedWhenItsShapeAndMassChange)
 {
     static_cast<b2PolygonShape*>(box->GetFixtureList()->GetShape())->SetAsBox(2.0f, 0.25f);
     box->ResetMassData();
@@ -130,7 +130,7 @@ TEST_F(OnPedestal, AShapeChangedInPlaceIsTakenUpWithTheMassOfItsBody)
     EXPECT_NEAR(box->GetPosition().y, 0.265f, 0.01f);
 }
 
-TEST_F(OnPedestal, AKeptContactEndsWhenTheBoxIsLifted)
+TEST_F(KeptManifold, EndsWhenTheBoxIsLifted)
 {
     box->SetTransform(box->GetPosition() + b2Vec2(0.0f, 0.05f), 0.0f);
     scene.Step(1);

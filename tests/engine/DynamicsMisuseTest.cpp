@@ -44,7 +44,7 @@ protected:
     b2Body* other = nullptr;
 };
 
-TEST_F(DynamicsMisuse, OfBodyDefinitions)
+TEST_F(DynamicsMisuse, IsRefusedInBodyDefinitions)
 {
     b2BodyDef def;
     def.type = b2_dynamicBody;
@@ -83,7 +83,7 @@ TEST_F(DynamicsMisuse, OfBodyDefinitions)
     ExpectMisuse("definition", [&] { EXPECT_EQ(scene.world.CreateBody(nullptr), nullptr); });
 }
 
-TEST_F(DynamicsMisuse, OfPlacesBeyondTheWorldsReach)
+TEST_F(DynamicsMisuse, IsRefusedForPlacesBeyondTheWorldsReach)
 {
     for (const float32 far : {1.1e15f, 1e20f, -1e38f})
     {
@@ -105,7 +105,7 @@ TEST_F(DynamicsMisuse, OfPlacesBeyondTheWorldsReach)
     }
 }
 
-TEST_F(DynamicsMisuse, OfABodysSetters)
+TEST_F(DynamicsMisuse, IsRefusedByTheSettersOfABody)
 {
     for (const float32 bad : {kNaN, kInfinity, -kInfinity})
     {
@@ -124,7 +124,7 @@ TEST_F(DynamicsMisuse, OfABodysSetters)
     ExpectMisuse("type", [&] { box->SetType(static_cast<b2BodyType>(3)); });
 }
 
-TEST_F(DynamicsMisuse, OfMassData)
+TEST_F(DynamicsMisuse, IsRefusedInMassData)
 {
     for (const float32 bad : {kNaN, kInfinity, -1.0f})
     {
@@ -146,7 +146,7 @@ TEST_F(DynamicsMisuse, OfMassData)
     EXPECT_GT(box->GetMass(), 0.0f);
 }
 
-TEST_F(DynamicsMisuse, OfFixtureDefinitions)
+TEST_F(DynamicsMisuse, IsRefusedInFixtureDefinitions)
 {
     b2CircleShape circle;
     circle.m_radius = 0.5f;
@@ -174,7 +174,7 @@ TEST_F(DynamicsMisuse, OfFixtureDefinitions)
     ExpectMisuse("of this body", [&] { box->DestroyFixture(nullptr); });
 }
 
-TEST_F(DynamicsMisuse, RefusesInvalidShapes)
+TEST_F(DynamicsMisuse, IsRefusedInShapes)
 {
     const int32 proxies = scene.world.GetProxyCount();
     for (const float32 bad : {kNaN, kInfinity, -1.0f})
@@ -194,7 +194,7 @@ TEST_F(DynamicsMisuse, RefusesInvalidShapes)
     EXPECT_EQ(scene.world.GetProxyCount(), proxies);
 }
 
-TEST_F(DynamicsMisuse, OfJointDefinitions)
+TEST_F(DynamicsMisuse, IsRefusedInJointDefinitions)
 {
     b2RevoluteJointDef def;
     ExpectMisuse("two bodies", [&] { EXPECT_EQ(scene.world.CreateJoint(&def), nullptr); });
@@ -212,7 +212,7 @@ TEST_F(DynamicsMisuse, OfJointDefinitions)
     EXPECT_EQ(scene.world.GetJointCount(), 0);
 }
 
-TEST_F(DynamicsMisuse, OfNumbersInJointDefinitions)
+TEST_F(DynamicsMisuse, IsRefusedInNumbersOfJointDefinitions)
 {
     for (const float32 bad : {kNaN, kInfinity})
     {
@@ -254,7 +254,7 @@ TEST_F(DynamicsMisuse, OfNumbersInJointDefinitions)
     EXPECT_EQ(joint->GetMaxMotorTorque(), 0.0f);
 }
 
-TEST_F(DynamicsMisuse, OfTheWorldsNumbers)
+TEST_F(DynamicsMisuse, IsRefusedInNumbersOfTheWorld)
 {
     ExpectMisuse("gravity", [&] { scene.world.SetGravity(b2Vec2(kNaN, 0.0f)); });
     ExpectMisuse("gravity", [] { b2World world(b2Vec2(0.0f, kInfinity)); });
@@ -272,7 +272,7 @@ TEST_F(DynamicsMisuse, OfTheWorldsNumbers)
     EXPECT_EQ(scene.world.GetRestitutionThreshold(), b2_velocityThreshold);
 }
 
-TEST_F(DynamicsMisuse, OfContactMaterials)
+TEST_F(DynamicsMisuse, IsRefusedInContactMaterials)
 {
     scene.Step();
     b2Contact* contact = box->GetContactList()->contact;
@@ -284,7 +284,7 @@ TEST_F(DynamicsMisuse, OfContactMaterials)
     ExpectMisuse("tangent speed", [&] { contact->SetTangentSpeed(kNaN); });
 }
 
-TEST_F(DynamicsMisuse, OfTheWorldFromItsListeners)
+TEST_F(DynamicsMisuse, IsRefusedFromContactListeners)
 {
     struct Meddler : b2ContactListener
     {
@@ -321,7 +321,7 @@ TEST_F(DynamicsMisuse, OfTheWorldFromItsListeners)
     scene.world.SetContactListener(nullptr);
 }
 
-TEST_F(DynamicsMisuse, OfTheWorldFromQueriesAndRayCasts)
+TEST_F(DynamicsMisuse, IsRefusedFromQueriesAndRayCasts)
 {
     struct Destroyer : b2QueryCallback, b2RayCastCallback
     {
@@ -349,7 +349,7 @@ TEST_F(DynamicsMisuse, OfTheWorldFromQueriesAndRayCasts)
     EXPECT_FALSE(scene.world.IsLocked());
 }
 
-TEST_F(DynamicsMisuse, OfTheWorldFromFarewells)
+TEST_F(DynamicsMisuse, IsRefusedFromEndContactAndSayGoodbye)
 {
     struct Destroyer : b2ContactListener, b2DestructionListener
     {
@@ -377,7 +377,7 @@ TEST_F(DynamicsMisuse, OfTheWorldFromFarewells)
 
 // ---- Odd numbers that are not forbidden
 
-TEST_F(DynamicsMisuse, OfThingsOfAnotherWorld)
+TEST_F(DynamicsMisuse, IsRefusedForObjectsOfAnotherWorld)
 {
     Scene elsewhere;
     b2Body* post = elsewhere.Ground();
@@ -398,7 +398,7 @@ TEST_F(DynamicsMisuse, OfThingsOfAnotherWorld)
     EXPECT_EQ(elsewhere.world.GetJointCount(), 1);
 }
 
-TEST_F(DynamicsMisuse, OfQueriesWithoutACallback)
+TEST_F(DynamicsMisuse, IsRefusedInQueriesWithoutACallback)
 {
     b2AABB everything;
     everything.lowerBound.Set(-9.0f, -9.0f);

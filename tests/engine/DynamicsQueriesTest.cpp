@@ -147,7 +147,7 @@ float32 NearestHit(b2World& world, const b2Vec2& p1, const b2Vec2& p2, std::set<
     return nearest;
 }
 
-TEST(DynamicsRayCasts, GiveTheNearestAllOrAnyHitAsTheAnswersSay)
+TEST(DynamicsRayCasts, ReportTheHitsThatTheCallbackAsksFor)
 {
     Random random;
     Scene scene(b2Vec2(0.0f, 0.0f));
@@ -195,7 +195,7 @@ TEST(DynamicsRayCasts, GiveTheNearestAllOrAnyHitAsTheAnswersSay)
     EXPECT_GT(hits, 200);
 }
 
-TEST(DynamicsRayCasts, AClippedRayNeverGrowsAgain)
+TEST(DynamicsRayCasts, NeverLengthenAClippedRay)
 {
     Random random;
     Scene scene(b2Vec2(0.0f, 0.0f));
@@ -219,7 +219,7 @@ TEST(DynamicsRayCasts, AClippedRayNeverGrowsAgain)
     }
 }
 
-TEST(DynamicsRayCasts, OfNoLengthHitNothing)
+TEST(DynamicsRayCasts, HitNothingWithoutLength)
 {
     Scene scene;
     scene.Ground();
@@ -237,7 +237,7 @@ TEST(DynamicsRayCasts, OfNoLengthHitNothing)
     EXPECT_EQ(calls, 0);
 }
 
-TEST(DynamicsRayCasts, DoNotMeetInactiveBodies)
+TEST(DynamicsRayCasts, DoNotHitInactiveBodies)
 {
     Scene scene;
     b2Body* ball = scene.Ball(0.0f, 0.0f);
@@ -345,7 +345,7 @@ TEST(DynamicsDump, NamesEveryPartOfTheWorld)
         << "nine digits give every float back";
 }
 
-TEST(DynamicsDump, NamesTheOldestFirstSoThatACopyHasTheSameOrder)
+TEST(DynamicsDump, ListsTheOldestBodyFirst)
 {
     Scene scene;
     scene.Box(1.0f, 0.0f);

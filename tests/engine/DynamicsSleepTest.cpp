@@ -12,7 +12,7 @@ using namespace dynamics;
 
 constexpr int kTimeToRest = 120; // steps: half a second of stillness and what it takes to settle
 
-TEST(DynamicsSleep, AStackFallsAsleepInOneStep)
+TEST(DynamicsSleep, ComesToAWholeStackInOneStep)
 {
     Scene scene;
     scene.Ground();
@@ -33,7 +33,7 @@ TEST(DynamicsSleep, AStackFallsAsleepInOneStep)
     }
 }
 
-TEST(DynamicsSleep, ASleepingStackDoesNotMove)
+TEST(DynamicsSleep, KeepsAStackInPlace)
 {
     Scene scene;
     scene.Ground();
@@ -46,7 +46,7 @@ TEST(DynamicsSleep, ASleepingStackDoesNotMove)
     EXPECT_TRUE(AllAwake(pile, false));
 }
 
-TEST(DynamicsSleep, AnImpactWakesTheWholeStack)
+TEST(DynamicsSleep, EndsForTheWholeStackAtAnImpact)
 {
     Scene scene;
     scene.Ground();
@@ -65,7 +65,7 @@ TEST(DynamicsSleep, AnImpactWakesTheWholeStack)
     EXPECT_LT(steps, 60);
 }
 
-TEST(DynamicsSleep, WakingOneBodyWakesTheStack)
+TEST(DynamicsSleep, EndsForTheWholeStackWhenOneBodyIsWoken)
 {
     Scene scene;
     scene.Ground();
@@ -76,7 +76,7 @@ TEST(DynamicsSleep, WakingOneBodyWakesTheStack)
     EXPECT_TRUE(AllAwake(pile, true));
 }
 
-TEST(DynamicsSleep, OneBodyOfAnAwakeStackCannotStayAsleep)
+TEST(DynamicsSleep, EndsForASingleBodyOfAnAwakeStack)
 {
     Scene scene;
     scene.Ground();
@@ -91,7 +91,7 @@ TEST(DynamicsSleep, OneBodyOfAnAwakeStackCannotStayAsleep)
     EXPECT_TRUE(AllAwake(pile, false));
 }
 
-TEST(DynamicsSleep, TwoStacksSleepAgainAfterABodyRolledOverThem)
+TEST(DynamicsSleep, ComesToBoxesThatABallRolledOver)
 {
     Scene scene;
     b2Body* ground = scene.Body(b2_staticBody, 0.0f, -1.0f);
@@ -110,7 +110,7 @@ TEST(DynamicsSleep, TwoStacksSleepAgainAfterABodyRolledOverThem)
     EXPECT_EQ(WhyBroken(scene.world, true), "");
 }
 
-TEST(DynamicsSleep, SeparatedBodiesWakeIndependently)
+TEST(DynamicsSleep, EndsIndependentlyForSeparatedBodies)
 {
     Scene scene;
     scene.Ground();
@@ -130,7 +130,7 @@ TEST(DynamicsSleep, SeparatedBodiesWakeIndependently)
     EXPECT_FALSE(right->IsAwake()) << "no longer joined";
 }
 
-TEST(DynamicsSleep, NothingSleepsInAWorldThatForbidsIt)
+TEST(DynamicsSleep, NeverComesInAWorldThatForbidsIt)
 {
     Scene scene;
     scene.world.SetAllowSleeping(false);
@@ -145,7 +145,7 @@ TEST(DynamicsSleep, NothingSleepsInAWorldThatForbidsIt)
     EXPECT_TRUE(AllAwake(pile, true));
 }
 
-TEST(DynamicsSleep, OneBodyThatMayNotSleepKeepsItsStackAwake)
+TEST(DynamicsSleep, NeverComesToAStackWithABodyThatMayNotSleep)
 {
     Scene scene;
     scene.Ground();
@@ -157,7 +157,7 @@ TEST(DynamicsSleep, OneBodyThatMayNotSleepKeepsItsStackAwake)
     EXPECT_TRUE(AllAwake(other, false));
 }
 
-TEST(DynamicsSleep, NothingSleepsOnAMovingPlatform)
+TEST(DynamicsSleep, NeverComesToABodyOnAMovingPlatform)
 {
     Scene scene;
     b2Body* platform = scene.Body(b2_kinematicBody, 0.0f, -0.5f);
@@ -171,7 +171,7 @@ TEST(DynamicsSleep, NothingSleepsOnAMovingPlatform)
     EXPECT_NEAR(box->GetPosition().x, 0.05f, 2e-3f);
 }
 
-TEST(DynamicsSleep, PlatformSleepsAndWakesWithItsLoad)
+TEST(DynamicsSleep, ComesAndEndsForAPlatformWithItsLoad)
 {
     Scene scene;
     b2Body* platform = scene.Body(b2_kinematicBody, 0.0f, -0.5f);
@@ -189,7 +189,7 @@ TEST(DynamicsSleep, PlatformSleepsAndWakesWithItsLoad)
                 0.01f);
 }
 
-TEST(DynamicsSleep, PlatformWakesJoinedBodiesWhenItStarts)
+TEST(DynamicsSleep, EndsForJoinedBodiesWhenAPlatformStarts)
 {
     Scene scene;
     b2Body* trolley = scene.Body(b2_kinematicBody, 0.0f, 5.0f);
@@ -221,7 +221,7 @@ enum class Removal
 class DynamicsSupport : public testing::TestWithParam<Removal>
 {};
 
-TEST_P(DynamicsSupport, RemovedBelowASleepingStackLetsItFall)
+TEST_P(DynamicsSupport, LetsASleepingStackFallWhenRemoved)
 {
     Scene scene;
     b2Body* ground = scene.Ground();
@@ -263,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, DynamicsSupport,
                                          Removal::Deactivate, Removal::MoveAway, Removal::Filter,
                                          Removal::BecomeSensor));
 
-TEST(DynamicsSleep, ASleepingBoxMovedIntoTheAirFalls)
+TEST(DynamicsSleep, EndsForABoxMovedIntoTheAir)
 {
     Scene scene;
     scene.Ground();
@@ -276,7 +276,7 @@ TEST(DynamicsSleep, ASleepingBoxMovedIntoTheAirFalls)
     EXPECT_FALSE(box->GetContactList() && box->GetContactList()->contact->IsTouching());
 }
 
-TEST(DynamicsSleep, AnchorWakesLoadWhenDeactivatedOrMoved)
+TEST(DynamicsSleep, EndsForALoadWhenItsAnchorIsDeactivatedOrMoved)
 {
     for (const bool move : {false, true})
     {
@@ -302,7 +302,7 @@ TEST(DynamicsSleep, AnchorWakesLoadWhenDeactivatedOrMoved)
     }
 }
 
-TEST(DynamicsSleep, SomethingThatIsPushedEveryStepDoesNotSleep)
+TEST(DynamicsSleep, ComesDespiteTinyForcesAndEndsByALargeOne)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* box = scene.Box(0.0f, 0.0f);
@@ -318,7 +318,7 @@ TEST(DynamicsSleep, SomethingThatIsPushedEveryStepDoesNotSleep)
     EXPECT_GT(box->GetLinearVelocity().x, 0.0f);
 }
 
-TEST(DynamicsSleep, AListenerMayWakeAndPutToSleepWithinAStep)
+TEST(DynamicsSleep, CanBeChangedByAListenerWithinAStep)
 {
     struct Sleeper : b2ContactListener
     {

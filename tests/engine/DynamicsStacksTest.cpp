@@ -58,7 +58,7 @@ float32 Drift(b2World& world)
     return std::abs(sum) / float32(world.GetBodyCount());
 }
 
-TEST(DynamicsStacks, ATallPyramidSagsLittleAndStandsStraight)
+TEST(DynamicsStacks, KeepATallPyramidStraightWithLittleOverlap)
 {
     Scene scene;
     scene.world.SetAllowSleeping(false);
@@ -88,7 +88,7 @@ float32 WidestGap(const std::vector<b2Joint*>& hinges)
     return widest;
 }
 
-TEST(DynamicsStacks, AHeavyBallOnAChainOpensItsHingesLittle)
+TEST(DynamicsChain, OpensItsHingesLittleUnderAHeavyBall)
 {
     Scene scene;
     b2Body* last = scene.Body(b2_staticBody, 0.0f, 0.0f);
@@ -118,7 +118,7 @@ TEST(DynamicsStacks, AHeavyBallOnAChainOpensItsHingesLittle)
 
 /// Balls of 1 m that fall at 50 m/s: what touches the ground when a step begins must not be pushed
 /// through it by what falls on it.
-TEST(DynamicsStacks, FastBallsStayAboveGround)
+TEST(DynamicsStacks, KeepFastBallsAboveTheGround)
 {
     Scene scene;
     b2EdgeShape line;

@@ -90,7 +90,7 @@ BodyData& Make(Scene& scene, const b2Shape& shape)
     return Data(*body);
 }
 
-TEST(Sweeps, ExcludedPairsHaveNoTimeOfImpact)
+TEST(Sweeps, ExcludeOnlyPairsWithoutATimeOfImpact)
 {
     RandomWays random(71);
     int front = 0;
@@ -166,7 +166,7 @@ TEST(Sweeps, HandleNearMissesAndGrazingHits)
     }
 }
 
-TEST(Sweeps, ImpactOfCirclesInClosedFormIsThatOfTheSearch)
+TEST(CircleImpact, EqualsTheResultOfTheSearch)
 {
     RandomWays random(73);
     int touching = 0;
@@ -226,7 +226,7 @@ TEST(Sweeps, ImpactOfCirclesInClosedFormIsThatOfTheSearch)
     EXPECT_GT(missing, 5000);
 }
 
-TEST(Sweeps, BoxOfACircleIsThatOfItsTransforms)
+TEST(SweptBox, EqualsTheBoxOfBothTransformsForACircle)
 {
     RandomWays random(72);
     for (int i = 0; i < 2000; ++i)

@@ -299,7 +299,7 @@ TEST(DynamicsThreads, ServeSeveralWorldsAtOnce)
     EXPECT_EQ(hashes[1], alone.Hash());
 }
 
-TEST(DynamicsThreads, MustBeOneToSixtyFour)
+TEST(DynamicsThreads, AreRefusedOutsideOneToSixtyFour)
 {
     Scene scene;
     EXPECT_EQ(scene.world.GetThreadCount(), 1);
@@ -318,7 +318,7 @@ struct Changer : public b2ContactListener
     b2World& world;
 };
 
-TEST(DynamicsThreads, MustNotBeChangedFromACallback)
+TEST(DynamicsThreads, CannotBeChangedFromACallback)
 {
     testing::FLAGS_gtest_death_test_style = "fast";
     ExpectMisuse("callback", [] {

@@ -122,7 +122,7 @@ TEST(EnergyGuard, KeepsTheAngularMomentumOfAFreePair)
     EXPECT_NEAR(angular(), before, 1e-5 * std::abs(before));
 }
 
-TEST(EnergyGuard, SlowsDownAllOfWhatIsHeldAlike)
+TEST(EnergyGuard, ScalesAllVelocitiesOfAHeldPairAlike)
 {
     Pair pair;
     b2RevoluteJointDef def;
@@ -160,7 +160,7 @@ TEST(EnergyGuard, CountsWorkOfGravityAlongThePath)
     EXPECT_LT(not_.Energy(), 0.9 * much);
 }
 
-TEST(EnergyGuard, LetsMotorsGiveWhatTheyCanAndNoMore)
+TEST(EnergyGuard, LimitsMotorsToTheirMaximumWork)
 {
     Pair pair;
     pair.hinge->EnableMotor(true);
@@ -182,7 +182,7 @@ TEST(EnergyGuard, LetsMotorsGiveWhatTheyCanAndNoMore)
     EXPECT_LT(pair.Energy(), start + 2.0 * maximum + 1e-3);
 }
 
-TEST(EnergyGuard, LeavesWhatAPlatformMovesAlone)
+TEST(EnergyGuard, IgnoresBodiesJoinedToAMovingPlatform)
 {
     Pair pair;
     b2Body* platform = pair.scene.Body(b2_kinematicBody, 5.0f, 0.0f);
@@ -238,7 +238,7 @@ bool IsGuarded(Pair& pair)
     return pair.At(pair.b).v.y < 50.0f;
 }
 
-TEST(EnergyGuard, LooksOnlyAtWhatIsAtRisk)
+TEST(EnergyGuard, WatchesOnlyPairsWithLongLevers)
 {
     Pair near(b2Vec2_zero, 0.0f);
     EXPECT_FALSE(IsGuarded(near));
@@ -247,7 +247,7 @@ TEST(EnergyGuard, LooksOnlyAtWhatIsAtRisk)
 }
 
 /// A pull along a line turns the body straight in a moment.
-TEST(EnergyGuard, LooksAtShorterLeversWhereALineHoldsThem)
+TEST(EnergyGuard, WatchesShorterLeversWithRodsRopesAndPulleys)
 {
     const auto isGuarded = [](float32 lever, b2JointType type) {
         Pair pair(b2Vec2_zero, 0.0f);
@@ -273,7 +273,7 @@ TEST(EnergyGuard, LooksAtShorterLeversWhereALineHoldsThem)
     }
 }
 
-TEST(EnergyGuard, NoticesThatMassesHaveBecomeUnequal)
+TEST(EnergyGuard, WatchesAPairOnceItsMassesAreUnequal)
 {
     Pair pair(b2Vec2_zero, 0.0f);
     EXPECT_FALSE(IsGuarded(pair));
@@ -282,7 +282,7 @@ TEST(EnergyGuard, NoticesThatMassesHaveBecomeUnequal)
     EXPECT_TRUE(IsGuarded(pair));
 }
 
-TEST(EnergyGuard, NoticesThatASliderHasGoneFar)
+TEST(EnergyGuard, WatchesASliderThatHasMovedFar)
 {
     Pair pair(b2Vec2_zero, 0.0f);
     b2PrismaticJointDef def;
@@ -319,7 +319,7 @@ TEST(EnergyGuard, IgnoresBodiesMovedByTheUser)
     EXPECT_TRUE(IsGuarded(pair)) << "nothing of it was moved";
 }
 
-TEST(EnergyGuard, LeavesAloneWhatAMovedBodyTouches)
+TEST(EnergyGuard, IgnoresBodiesThatAMovedBodyTouches)
 {
     Pair pair;
     b2Body* wall = pair.scene.Body(b2_staticBody, 3.0f, 0.0f);
@@ -330,7 +330,7 @@ TEST(EnergyGuard, LeavesAloneWhatAMovedBodyTouches)
     ExpectGift(pair, "a wall", [&] { wall->SetTransform(b2Vec2(2.95f, 0.0f), 0.0f); });
 }
 
-TEST(EnergyGuard, LeavesAloneWhatAChangedJointMoves)
+TEST(EnergyGuard, IgnoresBodiesOfAChangedJoint)
 {
     Pair pair;
     b2Body* ground = pair.scene.Ground();
@@ -404,7 +404,7 @@ TEST(EnergyGuard, KeepsMotionGivenByTheUser)
     EXPECT_EQ(pair.Energy(), driven);
 }
 
-TEST(EnergyGuard, LeavesWhatAMouseGives)
+TEST(EnergyGuard, KeepsEnergyGivenByAMouseJoint)
 {
     Pair pair;
     b2MouseJointDef def;
@@ -458,7 +458,7 @@ double WidestSwing(float32 ratio, b2BodyType type, int32 subSteps)
     return widest;
 }
 
-TEST(EnergyGuard, TakesNothingOfTheSwingThatAMovedAnchorGives)
+TEST(EnergyGuard, KeepsTheSwingGivenByAMovedAnchor)
 {
     for (const int32 subSteps : {1, 4})
     {
@@ -472,7 +472,7 @@ TEST(EnergyGuard, TakesNothingOfTheSwingThatAMovedAnchorGives)
     }
 }
 
-TEST(EnergyGuard, TakesCorrectionsBackThatWindUpASpring)
+TEST(EnergyGuard, UndoesCorrectionsThatLoadASpring)
 {
     Pair pair;
     b2WeldJointDef def;
@@ -539,7 +539,7 @@ TEST(EnergyGuard, AccumulatesSmallGains)
     EXPECT_LT(pair.Energy(), 1.013 * start);
 }
 
-TEST(EnergyGuard, GivesBackWhatWasLostShortlyBefore)
+TEST(EnergyGuard, AllowsEnergyThatWasLostShortlyBefore)
 {
     Pair pair;
     pair.Begin();
@@ -557,7 +557,7 @@ TEST(EnergyGuard, GivesBackWhatWasLostShortlyBefore)
 }
 
 /// With one step a body that is taken back to an impact keeps the speed of its whole fall.
-TEST(EnergyGuard, ChargesWhatAnImpactWithinTheStepHasLifted)
+TEST(EnergyGuard, ChargesHeightGainedByImpactWithinStep)
 {
     Pair pair(b2Vec2(0.0f, -10.0f));
     pair.Begin();
@@ -611,7 +611,7 @@ TEST(EnergyGuard, GivesNoCreditForPathUndoneByImpact)
     EXPECT_NEAR(debt(), 0.0f, 0.01f);
 }
 
-TEST(EnergyGuard, StopsWhatIsNoNumberAndJudgesTheRest)
+TEST(EnergyGuard, StopsBodiesWithNanAndBalancesTheRest)
 {
     Pair pair;
     pair.Begin();
@@ -638,7 +638,7 @@ TEST(EnergyGuard, SlowsDownLittleForASmallOldDebt)
     EXPECT_GT(pair.Energy(), 0.89 * start);
 }
 
-TEST(EnergyGuard, KeepsTheCreditOfWhatMovesLittle)
+TEST(EnergyGuard, KeepsCreditWhileTheEnergyScaleDecays)
 {
     Pair pair;
     for (b2Body* body : {pair.a, pair.b})

@@ -6,7 +6,7 @@
 // A program of the 2.4 generation, as far as names are concerned. Box2D 2.4 may be installed as
 // well: whoever links this engine includes this engine.
 
-TEST(Header24, IsThisEngine)
+TEST(Header24, DeclaresThisEngine)
 {
     EXPECT_EQ(b2_version.major, 2);
     EXPECT_EQ(b2_version.minor, 3) << "that of Box2D 2.4 says 4";

@@ -45,7 +45,7 @@ class ImpactJoints : public testing::TestWithParam<int32>
 {};
 INSTANTIATE_TEST_SUITE_P(SubSteps, ImpactJoints, testing::Values(2, 4, 8));
 
-TEST_P(ImpactJoints, DrawABodyBackToOneThatAWallStops)
+TEST_P(ImpactJoints, PullABodyBackToOneThatAWallStops)
 {
     for (const float32 speed : {40.0f, 63.0f, 80.0f})
     {

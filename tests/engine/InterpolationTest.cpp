@@ -96,7 +96,7 @@ std::vector<uint8> After(bool looks, int32 subSteps)
     return b2SaveSnapshot(world);
 }
 
-TEST(Interpolation, LeavesNoTraceInTheWorld)
+TEST(Interpolation, LeavesTheWorldUnchanged)
 {
     for (const int32 subSteps : {1, 4})
     {
@@ -104,7 +104,7 @@ TEST(Interpolation, LeavesNoTraceInTheWorld)
     }
 }
 
-TEST(Interpolation, SaysHowFarFromItsPlaceAnythingIsShown)
+TEST(Interpolation, BoundsHowFarAnyShapeIsDisplaced)
 {
     MixedWorld mixed(3u);
     b2World& world = mixed.world;
@@ -144,7 +144,7 @@ TEST(Interpolation, SaysHowFarFromItsPlaceAnythingIsShown)
     EXPECT_GT(farthest, 0.01f);
 }
 
-TEST(Interpolation, JumpsForLargeAndGlidesForSmallUserMoves)
+TEST(Interpolation, InterpolatesSmallButNotLargeUserMoves)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));
     b2Body* jumps = scene.Box(0.0f, 0.0f);
@@ -180,7 +180,7 @@ TEST(Interpolation, ShowsNewBodiesAndSkipsDestroyedOnes)
     EXPECT_EQ(comes->GetPosition(), b2Vec2(-10.0f, 3.0f));
 }
 
-TEST(Interpolation, LocksTheWorldMeanwhile)
+TEST(Interpolation, LocksTheWorldWhileItExists)
 {
     Scene scene;
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -196,7 +196,7 @@ TEST(Interpolation, LocksTheWorldMeanwhile)
     EXPECT_EQ(body->GetPosition(), b2Vec2(1.0f, 1.0f));
 }
 
-TEST(Interpolation, SaysWhatIsWrong)
+TEST(Interpolation, RefusesABadFractionAndNestedUse)
 {
     Scene scene;
     scene.Box(0.0f, 0.0f);

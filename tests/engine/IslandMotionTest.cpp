@@ -79,7 +79,7 @@ TEST(IslandMotion, HasTheEnergyAndMassOfItsBodies)
     EXPECT_NEAR(pair.Motion().Mass(), 5.0, 1e-6);
 }
 
-TEST(IslandMotion, LosesWhatMovesWithinAFreeIslandFirst)
+TEST(IslandMotion, LosesRelativeMotionFirstInAFreeIsland)
 {
     Pair pair(false);
     const double before = pair.Kinetic();
@@ -91,7 +91,7 @@ TEST(IslandMotion, LosesWhatMovesWithinAFreeIslandFirst)
     EXPECT_NEAR(pair.Spin(), spin, 1e-4f);
 }
 
-TEST(IslandMotion, SlowsAHeldIslandDownAlike)
+TEST(IslandMotion, ScalesAllVelocitiesOfAHeldIslandAlike)
 {
     Pair pair(true);
     const double before = pair.Kinetic();
@@ -100,7 +100,7 @@ TEST(IslandMotion, SlowsAHeldIslandDownAlike)
     EXPECT_NEAR(pair.At(pair.b).w, -3.0f, 1e-5f);
 }
 
-TEST(IslandMotion, StandsStillWhenItLosesMoreThanItHas)
+TEST(IslandMotion, StopsWhenItLosesMoreThanItHas)
 {
     for (const bool isHeld : {false, true})
     {

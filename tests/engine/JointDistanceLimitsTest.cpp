@@ -80,7 +80,7 @@ TEST_P(DistanceLimits, HoldALoadAtTheMinimum)
     EXPECT_NEAR(h.Pull(), kGravity, 0.1f);
 }
 
-TEST_P(DistanceLimits, HoldWhatASpringDoesNot)
+TEST_P(DistanceLimits, HoldALoadThatASpringDoesNot)
 {
     // A spring of f Hz sags by g / (2 pi f)^2: 1.01 m here.
     const b2DistanceJointDef soft = Numbers(2.5f, 3.4f, 0.5f);
@@ -107,7 +107,7 @@ TEST_P(DistanceLimits, LeaveASpringAloneBetweenThem)
     }
 }
 
-TEST_P(DistanceLimits, MakeARodWhereBothAreTheSame)
+TEST_P(DistanceLimits, MakeARodWhenEqual)
 {
     Hanger h(GetParam(), -3.4f, Numbers(3.4f, 3.4f, 1.0f));
     EXPECT_FALSE(h.joint->IsSpring());
@@ -139,7 +139,7 @@ TEST_P(DistanceLimits, GainNoEnergy)
 }
 
 // Sub-steps find a limit within a drift of up to 70 m/s, like ropes: only Shake's own checks.
-TEST_P(DistanceLimits, EndureRoughTreatment)
+TEST_P(DistanceLimits, HoldWhileTheLoadIsShaken)
 {
     const float32 maximum = GetParam() == 1 ? 3.0f + 4.0f * b2_linearSlop : b2_maxFloat;
     for (const float32 frequency : {0.0f, 4.0f})
@@ -149,7 +149,7 @@ TEST_P(DistanceLimits, EndureRoughTreatment)
     }
 }
 
-TEST_P(DistanceLimits, GoOnFromASnapshotToTheLastBit)
+TEST_P(DistanceLimits, ContinueFromASnapshotToTheLastBit)
 {
     Hanger h(GetParam(), -2.0f, Numbers(1.0f, 3.0f, 0.4f));
     h.Step(90);
@@ -283,7 +283,7 @@ TEST(DistanceJointLength, IsReturnedAndKeptBelowTheSlop)
     EXPECT_EQ(h.joint->GetLength(), 0.25f * b2_linearSlop);
 }
 
-TEST(DistanceLimitsSetters, WakeWhatTheyMove)
+TEST(DistanceLimitsSetters, WakeTheBodiesThatTheyMove)
 {
     for (const int32 subSteps : {1, 4})
     {
@@ -320,7 +320,7 @@ TEST(DistanceLimitsDump, NamesLimitsOnlyWhereThereAreSome)
     EXPECT_NE(s_log.find("jd.maxLength = 3."), std::string::npos);
 }
 
-TEST(Stiffness, IsThatOfTheOscillator)
+TEST(Stiffness, EqualsThatOfAHarmonicOscillator)
 {
     JointScene scene;
     b2Body* a = scene.Load(0.0f, 0.0f);              // 1 kg

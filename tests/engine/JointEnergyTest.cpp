@@ -13,7 +13,7 @@ using namespace dynamics;
 
 constexpr double kOmega = 2.0 * double(b2_pi) * 2.0; ///< of 2 Hz [1/s]
 
-TEST(JointEnergy, SpringStoresHalfStiffnessTimesStretchSquared)
+TEST(JointEnergy, IsHalfTheStiffnessTimesTheStretchSquared)
 {
     Scene scene;
     b2Body* box = scene.Box(3.0f, 0.0f); // 1 kg
@@ -26,7 +26,7 @@ TEST(JointEnergy, SpringStoresHalfStiffnessTimesStretchSquared)
     EXPECT_NEAR(box2d::SpringOf(*joint, nullptr).Energy(), 0.5 * kOmega * kOmega * 0.25, 1e-3);
 }
 
-TEST(JointEnergy, OfAMouseGrowsInAStraightLineBeyondItsForce)
+TEST(JointEnergy, GrowsLinearlyBeyondTheMaxForceOfAMouse)
 {
     Scene scene;
     b2Body* box = scene.Box(0.0f, 0.0f);
@@ -55,7 +55,7 @@ TEST(JointEnergy, UsesSmallerEnergyWhenStiffnessChanges)
     EXPECT_DOUBLE_EQ(box2d::StoredBetween(after, before), -45.0);
 }
 
-TEST(JointEnergy, OfMotorsIsTheirForceTimesTheirSpeed)
+TEST(MotorWork, IsForceTimesSpeedTimesTime)
 {
     Scene scene;
     b2Body* box = scene.Box(3.0f, 0.0f);

@@ -65,7 +65,7 @@ TEST(FrictionJoint, HoldsASmallerForceAndSlipsUnderALargerOne)
     EXPECT_NEAR(drag.load->GetLinearVelocity().x, 3.0f, 1e-2f);
 }
 
-TEST(FrictionJoint, ItsLimitsCanBeChanged)
+TEST(FrictionJoint, UsesMaximaThatAreSetLater)
 {
     Drag drag(2.0f, 1.0f);
     drag.joint->SetMaxForce(4.0f);

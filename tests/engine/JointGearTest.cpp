@@ -108,7 +108,7 @@ TEST_P(GearJoint, KeepsTheSumOfItsCoordinates)
 }
 
 // alpha1 = effort / (I1 + I2 / ratio^2), for body 2 turns 1 / ratio times as fast.
-TEST_P(GearJoint, ADrivenSideCarriesTheInertiaOfTheOther)
+TEST_P(GearJoint, AddsTheInertiaOfTheDrivenSide)
 {
     const float32 inertia = g.Inertia(0) + g.Inertia(1) / (ratio * ratio);
     for (int i = 0; i < 30; ++i)
@@ -120,7 +120,7 @@ TEST_P(GearJoint, ADrivenSideCarriesTheInertiaOfTheOther)
     EXPECT_NEAR(g.Rate(1), -g.Rate(0) / ratio, 1e-3f);
 }
 
-TEST_P(GearJoint, EffortsInTheRatioBalanceEachOther)
+TEST_P(GearJoint, BalancesEffortsInItsRatio)
 {
     for (int i = 0; i < 120; ++i)
     {
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Pairings, GearJoint,
                          testing::Combine(testing::Bool(), testing::Bool(),
                                           testing::Values(1.0f, 2.5f, -0.5f, -3.0f)));
 
-TEST(GearJoints, SetRatioTakesEffectFromThereOn)
+TEST(GearJoints, UseANewRatioFromTheNextStep)
 {
     Gearing g(false, false, 1.0f);
     g.gear->SetRatio(-2.0f);
@@ -153,7 +153,7 @@ TEST(GearJoints, SetRatioTakesEffectFromThereOn)
 }
 
 // A gear is destroyed with any of its joints or bodies, and the listener is notified.
-TEST(GearJoints, GoWithTheJointsAndBodiesTheyAreMadeOf)
+TEST(GearJoints, AreDestroyedWithTheirJointsAndBodies)
 {
     for (int what = 0; what < 6; ++what)
     {
@@ -183,7 +183,7 @@ TEST(GearJoints, GoWithTheJointsAndBodiesTheyAreMadeOf)
     }
 }
 
-TEST(GearJoints, DestroyedByTheUserAreNotReported)
+TEST(GearJoints, AreNotReportedWhenDestroyedByTheUser)
 {
     Gearing g(false, false, 1.0f);
     g.world.DestroyJoint(g.gear);
@@ -230,7 +230,7 @@ TEST(GearJoint, TakesAnyBodiesOfItsJoints)
     }
 }
 
-TEST(GearJoint, OnOneCarrierKeepsItsAngularMomentum)
+TEST(GearJoint, KeepsTheAngularMomentumOfACarrier)
 {
     JointScene scene(b2Vec2(0.0f, 0.0f));
     b2Body* carrier = scene.Load(0.0f, 0.0f, 4.0f, 0.25f);

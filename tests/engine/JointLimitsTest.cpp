@@ -277,7 +277,7 @@ void ExpectBlockSolution(const box2d::HeldRow<One>& row, const std::array<double
     EXPECT_NEAR(mass * double(row.reaction.y.v), solution[1], kRounding * maximum);
 }
 
-TEST(HeldRow, IsTheBlockSolutionOfThreeRows)
+TEST(HeldRow, EqualsTheBlockSolutionOfThreeRows)
 {
     JointScene random;
     for (int i = 0; i < 200; ++i)
@@ -306,7 +306,7 @@ TEST(HeldRow, IsTheBlockSolutionOfThreeRows)
     }
 }
 
-TEST(HeldRow, MovesNothingForBodiesThatCannot)
+TEST(HeldRow, HasNoMassWhereBodiesCannotMove)
 {
     const One none = {0.0f};
     const box2d::PairMasses<One> stiff = {{1.0f}, none, {2.0f}, none};

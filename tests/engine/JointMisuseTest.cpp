@@ -33,7 +33,7 @@ protected:
     b2Body* load = scene.Load(1.0f, 0.0f);
 };
 
-TEST_F(JointMisuse, OfDistanceJoints)
+TEST_F(JointMisuse, IsRefusedByDistanceJoints)
 {
     b2DistanceJointDef def;
     def.Initialize(post, load, post->GetPosition(), load->GetPosition());
@@ -76,7 +76,7 @@ void ExpectMisuseOfLimitAndMotor(auto& joint)
     EXPECT_EQ(joint.GetMotorSpeed(), 0.0f);
 }
 
-TEST_F(JointMisuse, OfRevoluteJoints)
+TEST_F(JointMisuse, IsRefusedByRevoluteJoints)
 {
     auto* joint = Between<b2RevoluteJoint, b2RevoluteJointDef>();
     ExpectMisuseOfLimitAndMotor(*joint);
@@ -85,7 +85,7 @@ TEST_F(JointMisuse, OfRevoluteJoints)
     EXPECT_EQ(joint->GetMaxMotorTorque(), 0.0f);
 }
 
-TEST_F(JointMisuse, OfPrismaticJoints)
+TEST_F(JointMisuse, IsRefusedByPrismaticJoints)
 {
     auto* joint = Between<b2PrismaticJoint, b2PrismaticJointDef>();
     ExpectMisuseOfLimitAndMotor(*joint);
@@ -94,7 +94,7 @@ TEST_F(JointMisuse, OfPrismaticJoints)
     EXPECT_EQ(joint->GetMaxMotorForce(), 0.0f);
 }
 
-TEST_F(JointMisuse, OfWheelJoints)
+TEST_F(JointMisuse, IsRefusedByWheelJoints)
 {
     auto* joint = Between<b2WheelJoint, b2WheelJointDef>();
     joint->EnableMotor(true);
@@ -110,7 +110,7 @@ TEST_F(JointMisuse, OfWheelJoints)
     EXPECT_EQ(joint->GetMaxMotorTorque(), 0.0f);
 }
 
-TEST_F(JointMisuse, OfWeldJoints)
+TEST_F(JointMisuse, IsRefusedByWeldJoints)
 {
     auto* joint = Between<b2WeldJoint, b2WeldJointDef>();
     for (const float32 bad : {kNaN, kInfinity, -1.0f})
@@ -121,7 +121,7 @@ TEST_F(JointMisuse, OfWeldJoints)
     EXPECT_EQ(joint->GetFrequency(), 0.0f);
 }
 
-TEST_F(JointMisuse, OfRopeJoints)
+TEST_F(JointMisuse, IsRefusedByRopeJoints)
 {
     b2RopeJointDef def;
     def.bodyA = post;
@@ -135,7 +135,7 @@ TEST_F(JointMisuse, OfRopeJoints)
     EXPECT_EQ(joint->GetMaxLength(), 3.0f);
 }
 
-TEST_F(JointMisuse, OfFrictionJoints)
+TEST_F(JointMisuse, IsRefusedByFrictionJoints)
 {
     auto* joint = Between<b2FrictionJoint, b2FrictionJointDef>();
     for (const float32 bad : {kNaN, -1.0f})
@@ -146,7 +146,7 @@ TEST_F(JointMisuse, OfFrictionJoints)
     EXPECT_EQ(joint->GetMaxForce(), 0.0f);
 }
 
-TEST_F(JointMisuse, OfMotorJoints)
+TEST_F(JointMisuse, IsRefusedByMotorJoints)
 {
     auto* joint = Between<b2MotorJoint, b2MotorJointDef>();
     for (const float32 bad : {kNaN, kInfinity})
@@ -161,7 +161,7 @@ TEST_F(JointMisuse, OfMotorJoints)
     EXPECT_EQ(joint->GetMaxForce(), 1.0f);
 }
 
-TEST_F(JointMisuse, OfMouseJoints)
+TEST_F(JointMisuse, IsRefusedByMouseJoints)
 {
     b2MouseJointDef def;
     def.bodyA = post;
@@ -180,7 +180,7 @@ TEST_F(JointMisuse, OfMouseJoints)
     EXPECT_EQ(joint->GetMaxForce(), 100.0f);
 }
 
-TEST_F(JointMisuse, OfGearJoints)
+TEST_F(JointMisuse, IsRefusedByGearJoints)
 {
     b2RevoluteJointDef hinge;
     hinge.Initialize(post, load, load->GetPosition());

@@ -43,7 +43,7 @@ TEST(MotorJoint, MovesAndTurnsTheBodyToItsOffset)
     EXPECT_NEAR(drive.load->GetAngle(), 1.5f, 1e-3f);
 }
 
-TEST(MotorJoint, UsesNoMoreForceAndTorqueThanItMay)
+TEST(MotorJoint, UsesNoMoreThanItsMaxForceAndTorque)
 {
     Drive drive(4.0f, 0.5f);
     drive.joint->SetLinearOffset(b2Vec2(1000.0f, 0.0f));
@@ -67,7 +67,7 @@ TEST(MotorJoint, HoldsAWeightUpToItsForce)
     EXPECT_NEAR(weak.load->GetLinearVelocity().y, -4.0f, 0.01f);
 }
 
-TEST(MotorJoint, ItsOffsetsMoveWithBodyA)
+TEST(MotorJoint, MovesItsOffsetsWithBodyA)
 {
     JointScene scene(b2Vec2(0.0f, 0.0f));
     b2Body* cart = scene.Body(b2_kinematicBody, 0.0f, 0.0f);
@@ -83,7 +83,7 @@ TEST(MotorJoint, ItsOffsetsMoveWithBodyA)
     EXPECT_NEAR(load->GetLinearVelocity().x, 2.0f, 1e-3f);
 }
 
-TEST(MotorJoint, TheCorrectionFactorIsTheShareOfAStep)
+TEST(MotorJoint, CorrectsTheShareOfItsFactorInAStep)
 {
     Drive drive(1e6f, 1e6f);
     drive.joint->SetCorrectionFactor(0.5f);
@@ -95,7 +95,7 @@ TEST(MotorJoint, TheCorrectionFactorIsTheShareOfAStep)
     EXPECT_NEAR(drive.load->GetPosition().x, 2.6f, 1e-3f);
 }
 
-TEST(MotorJoint, ChangesWakeTheBodiesTheSameValuesDoNot)
+TEST(MotorJoint, WakesTheBodiesOnlyWhenAValueChanges)
 {
     Drive drive(10.0f, 10.0f);
     drive.load->SetSleepingAllowed(true);
@@ -123,7 +123,7 @@ TEST(MotorJoint, ChangesWakeTheBodiesTheSameValuesDoNot)
 }
 
 /// A rod on a hinge, let go level, with a motor joint that may do nothing.
-TEST(MotorJoint, WithoutForceAndTorqueDoesNothing)
+TEST(MotorJoint, DoesNothingWithoutForceAndTorque)
 {
     for (const int32 subSteps : {2, 4, 8})
     {

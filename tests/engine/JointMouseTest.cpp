@@ -36,7 +36,7 @@ TEST(MouseJoint, TakesTheBodyToItsTarget)
 }
 
 // A weight m g on a spring of stiffness m (2 pi f)^2.
-TEST(MouseJoint, GivesUnderTheWeightAsItsSpringSays)
+TEST(MouseJoint, SagsUnderTheWeightByItsStiffness)
 {
     Pull pull(1000.0f);
     pull.Step(240);
@@ -46,7 +46,7 @@ TEST(MouseJoint, GivesUnderTheWeightAsItsSpringSays)
     EXPECT_EQ(pull.joint->GetReactionTorque(1.0f / kStep), 0.0f);
 }
 
-TEST(MouseJoint, PullsNoHarderThanItMay)
+TEST(MouseJoint, PullsWithAtMostItsMaxForce)
 {
     Pull pull(4.0f, b2Vec2(0.0f, 0.0f), b2Vec2(0.0f, 0.0f));
     pull.joint->SetTarget(b2Vec2(100.0f, 0.0f));
@@ -59,7 +59,7 @@ TEST(MouseJoint, PullsNoHarderThanItMay)
     EXPECT_NEAR(weak.load->GetLinearVelocity().y, -4.0f, 0.02f);
 }
 
-TEST(MouseJoint, ABodyHeldAtACornerHangsBelowIt)
+TEST(MouseJoint, LetsABodyHangFromItsCorner)
 {
     Pull pull(1000.0f, b2Vec2(0.5f, 0.5f));
     pull.Step(1200);
@@ -69,7 +69,7 @@ TEST(MouseJoint, ABodyHeldAtACornerHangsBelowIt)
     EXPECT_LT(pull.load->GetPosition().y, grip.y);
 }
 
-TEST(MouseJoint, ANewTargetWakesTheBodyTheSameOneDoesNot)
+TEST(MouseJoint, WakesTheBodyOnlyWhenItsTargetChanges)
 {
     Pull pull(1000.0f);
     pull.load->SetSleepingAllowed(true);
@@ -81,7 +81,7 @@ TEST(MouseJoint, ANewTargetWakesTheBodyTheSameOneDoesNot)
     EXPECT_TRUE(pull.load->IsAwake());
 }
 
-TEST(MouseJoint, ItsTargetMovesWithTheOrigin)
+TEST(MouseJoint, ShiftsItsTargetWithTheOrigin)
 {
     Pull pull(1000.0f);
     pull.world.ShiftOrigin(b2Vec2(5.0f, 1.0f));
@@ -90,7 +90,7 @@ TEST(MouseJoint, ItsTargetMovesWithTheOrigin)
     EXPECT_NEAR(pull.load->GetPosition().x, -5.0f, 1e-3f);
 }
 
-TEST(MouseJoint, ItsNumbersCanBeChanged)
+TEST(MouseJoint, UsesNumbersThatAreSetLater)
 {
     Pull pull(1000.0f);
     pull.joint->SetMaxForce(500.0f);

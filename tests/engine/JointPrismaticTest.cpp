@@ -44,7 +44,7 @@ TEST(PrismaticJoint, GuidesABodyAlongItsAxisHoweverItIsPushed)
     EXPECT_GT(slider.load->GetPosition().Length(), 1.0f) << "it does slide";
 }
 
-TEST(PrismaticJoint, AlongTheAxisABodyFallsFreely)
+TEST(PrismaticJoint, LetsABodyFallFreelyAlongItsAxis)
 {
     Slider slider(kUp);
     slider.Step(60);
@@ -53,7 +53,7 @@ TEST(PrismaticJoint, AlongTheAxisABodyFallsFreely)
     EXPECT_NEAR(slider.joint->GetReactionForce(1.0f / kStep).Length(), 0.0f, 1e-4f);
 }
 
-TEST(PrismaticJoint, AcrossTheAxisItCarriesTheWeight)
+TEST(PrismaticJoint, CarriesTheWeightAcrossItsAxis)
 {
     Slider slider(b2Vec2(1.0f, 0.0f));
     slider.Step(10);
@@ -99,7 +99,7 @@ TEST(PrismaticJoint, DoesNotRunThroughALimitAtAnySpeed)
     }
 }
 
-TEST(PrismaticJoint, EqualLimitsMakeItRigid)
+TEST(PrismaticJoint, IsRigidWithEqualLimits)
 {
     Slider slider(kUp, true);
     slider.joint->SetLimits(-0.5f, -0.5f);
@@ -108,7 +108,7 @@ TEST(PrismaticJoint, EqualLimitsMakeItRigid)
                  [&] { EXPECT_NEAR(slider.joint->GetJointTranslation(), -0.5f, b2_linearSlop); });
 }
 
-TEST(PrismaticJoint, AMotorReachesItsSpeedWithTheForceItMayUse)
+TEST(PrismaticJoint, ReachesItsMotorSpeedWithItsMaxMotorForce)
 {
     Slider slider(b2Vec2(1.0f, 0.0f), false, 4.0f, 3.0f); // 4 N on 1 kg
     slider.Step(30);
@@ -119,7 +119,7 @@ TEST(PrismaticJoint, AMotorReachesItsSpeedWithTheForceItMayUse)
     EXPECT_NEAR(slider.joint->GetMotorForce(1.0f / kStep), 0.0f, 1e-3f);
 }
 
-TEST(PrismaticJoint, AMotorHoldsAWeightUpToItsForce)
+TEST(PrismaticJoint, HoldsAWeightUpToItsMaxMotorForce)
 {
     Slider strong(kUp, false, 12.0f, 0.0f);
     strong.Step(120);
@@ -132,7 +132,7 @@ TEST(PrismaticJoint, AMotorHoldsAWeightUpToItsForce)
     EXPECT_NEAR(weak.joint->GetMotorForce(), 8.0f, 1e-2f);
 }
 
-TEST(PrismaticJoint, AMotorPushesNoFurtherThanTheLimit)
+TEST(PrismaticJoint, StopsItsMotorAtTheLimit)
 {
     Slider slider(kUp, true, 1000.0f, 5.0f);
     slider.Step(120);
@@ -142,7 +142,7 @@ TEST(PrismaticJoint, AMotorPushesNoFurtherThanTheLimit)
     EXPECT_NEAR(slider.joint->GetReactionForce().y, kGravity, 1.0f);
 }
 
-TEST(PrismaticJoint, BetweenTwoFreeBodiesKeepsTheirCommonCentre)
+TEST(PrismaticJoint, KeepsTheMomentumOfTwoFreeBodies)
 {
     JointScene scene(b2Vec2(0.0f, 0.0f));
     b2Body* a = scene.Load(0.0f, 0.0f);
@@ -161,7 +161,7 @@ TEST(PrismaticJoint, BetweenTwoFreeBodiesKeepsTheirCommonCentre)
     EXPECT_NEAR(a->GetAngularVelocity(), b->GetAngularVelocity(), 1e-3f) << "they turn as one";
 }
 
-TEST(PrismaticJoint, ChangesWakeTheBodies)
+TEST(PrismaticJoint, WakesTheBodiesWhenAValueChanges)
 {
     Slider slider(kUp, true);
     slider.load->SetSleepingAllowed(true);
@@ -187,7 +187,7 @@ TEST(PrismaticJoint, ChangesWakeTheBodies)
     EXPECT_TRUE(slider.load->IsAwake());
 }
 
-TEST(PrismaticJoint, ItsDefinitionTakesTheBodiesAsTheyStand)
+TEST(PrismaticJoint, IsInitializedFromThePosesOfItsBodies)
 {
     JointScene scene;
     b2Body* a = scene.Body(b2_staticBody, 1.0f, 2.0f, 0.5f * b2_pi);

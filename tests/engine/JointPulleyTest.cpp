@@ -29,7 +29,7 @@ struct Hoist : JointScene
     b2PulleyJoint* joint;
 };
 
-TEST(PulleyJoint, BalancesLoadsWhoseWeightsStandInItsRatio)
+TEST(PulleyJoint, BalancesLoadsInItsRatio)
 {
     for (const float32 ratio : {1.0f, 2.0f, 3.0f})
     {
@@ -45,7 +45,7 @@ TEST(PulleyJoint, BalancesLoadsWhoseWeightsStandInItsRatio)
 }
 
 // Atwood's machine: a = g (mB - mA) / (mA + mB).
-TEST(PulleyJoint, TheHeavierLoadSinksAsInAtwoodsMachine)
+TEST(PulleyJoint, AcceleratesLoadsAsAtwoodsMachineDoes)
 {
     Hoist hoist(1.0f, 3.0f);
     hoist.Step(30);
@@ -53,7 +53,7 @@ TEST(PulleyJoint, TheHeavierLoadSinksAsInAtwoodsMachine)
     EXPECT_NEAR(hoist.a->GetLinearVelocity().y, 0.5f * kGravity * 0.5f, 0.02f);
 }
 
-TEST(PulleyJoint, ASideMovesAsFastAsTheRatioSays)
+TEST(PulleyJoint, MovesItsSidesInItsRatio)
 {
     Hoist hoist(2.0f, 1.0f); // the left one pulls the right one up at half its speed
     hoist.Step(30);
@@ -86,7 +86,7 @@ TEST(PulleyJoint, ReportsItsGroundAnchors)
     EXPECT_NEAR(hoist.joint->GetCurrentLengthA(), 5.0f, 1e-5f);
 }
 
-TEST(PulleyJoint, RemembersTheLengthsOfItsDefinition)
+TEST(PulleyJoint, ReturnsTheLengthsOfItsDefinition)
 {
     Hoist hoist(1.0f, 2.0f);
     hoist.Step(30);
@@ -95,7 +95,7 @@ TEST(PulleyJoint, RemembersTheLengthsOfItsDefinition)
     EXPECT_EQ(hoist.joint->GetDefinedLengthB(), 5.0f);
 }
 
-TEST(PulleyJoint, WithALoadPulledUpToItsWheelStaysFinite)
+TEST(PulleyJoint, StaysFiniteWhenALoadReachesItsWheel)
 {
     Hoist hoist(1.0f, 6.0f);
     for (int i = 0; i < 600; ++i)

@@ -25,7 +25,7 @@ struct Tether : JointScene
     b2RopeJoint* joint;
 };
 
-TEST(RopeJoint, SlackDoesNothing)
+TEST(RopeJoint, DoesNothingWhenSlack)
 {
     Tether t(0.0f);
     t.Step(30); // falls 1.29 m
@@ -34,7 +34,7 @@ TEST(RopeJoint, SlackDoesNothing)
     EXPECT_EQ(t.joint->GetReactionForce(1.0f / kStep).Length(), 0.0f);
 }
 
-TEST(RopeJoint, TautCarriesTheWeight)
+TEST(RopeJoint, CarriesTheWeightWhenTaut)
 {
     Tether t(-3.0f);
     t.Step(120);
@@ -60,7 +60,7 @@ TEST(RopeJoint, NeverGrowsLongerHoweverItIsPulled)
     t.Shake(t.load, 600, [&] { EXPECT_LT(t.Length(), 3.0f + 2.0f * b2_linearSlop); });
 }
 
-TEST(RopeJoint, CanBePaidOutAndTakenIn)
+TEST(RopeJoint, CanBeLengthenedAndShortened)
 {
     Tether t(-3.0f);
     t.load->SetSleepingAllowed(true);
@@ -76,7 +76,7 @@ TEST(RopeJoint, CanBePaidOutAndTakenIn)
     EXPECT_NEAR(t.Length(), 2.0f, b2_linearSlop);
 }
 
-TEST(RopeJoint, BetweenFreeBodiesPullsBothAlike)
+TEST(RopeJoint, PullsTwoFreeBodiesAlike)
 {
     JointScene scene(b2Vec2(0.0f, 0.0f));
     b2Body* a = scene.Load(0.0f, 0.0f);

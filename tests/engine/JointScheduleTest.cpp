@@ -526,7 +526,7 @@ std::vector<b2Body*> AddGrid(Scene& scene, int size)
     return balls;
 }
 
-TEST(JointSchedule, DoesNotLetAGridBurst)
+TEST(JointSchedule, LimitsTheEnergyGainOfAGrid)
 {
     for (const int size : {10, 20})
     {

@@ -45,7 +45,7 @@ TEST(WeldJoint, KeepsPointAndAngleHoweverItIsShaken)
     });
 }
 
-TEST(WeldJoint, TwoFreeBodiesFlyAsOne)
+TEST(WeldJoint, MovesTwoFreeBodiesAsOne)
 {
     JointScene scene(b2Vec2(0.0f, 0.0f));
     b2Body* a = scene.Load(0.0f, 0.0f);
@@ -73,7 +73,7 @@ TEST(WeldJoint, TwoFreeBodiesFlyAsOne)
 }
 
 // Welded at its centre, so only the spring rotates it.
-TEST(WeldJoint, ASoftOneSwingsWithItsFrequency)
+TEST(WeldJoint, SwingsWithItsFrequencyWhenSoft)
 {
     JointScene scene(b2Vec2(0.0f, 0.0f));
     b2Body* load = scene.Load(0.0f, 0.0f);
@@ -100,7 +100,7 @@ TEST(WeldJoint, ASoftOneSwingsWithItsFrequency)
 }
 
 // torque = k angle with k = I (2 pi f)^2, I the beam's about its centre.
-TEST(WeldJoint, ASoftOneGivesUnderTorque)
+TEST(WeldJoint, BendsUnderTorqueWhenSoft)
 {
     Cantilever c(8.0f, 1.0f);
     c.Step(600);
@@ -111,7 +111,7 @@ TEST(WeldJoint, ASoftOneGivesUnderTorque)
     EXPECT_LT(b2Distance(c.joint->GetAnchorA(), c.joint->GetAnchorB()), b2_linearSlop);
 }
 
-TEST(WeldJoint, RemembersTheAngleItWasMadeWith)
+TEST(WeldJoint, KeepsTheReferenceAngleOfItsDefinition)
 {
     JointScene scene;
     b2Body* a = scene.Body(b2_staticBody, 0.0f, 0.0f, 0.3f);
@@ -125,7 +125,7 @@ TEST(WeldJoint, RemembersTheAngleItWasMadeWith)
     EXPECT_NEAR(b->GetAngle(), 1.0f, 1e-4f);
 }
 
-TEST(WeldJoint, ChangesOfItsSpringWakeTheBodies)
+TEST(WeldJoint, WakesTheBodiesWhenItsSpringChanges)
 {
     Cantilever c(8.0f, 1.0f);
     c.beam->SetSleepingAllowed(true);

@@ -30,7 +30,7 @@ struct Suspension : JointScene
 };
 
 // A weight m g on a spring of stiffness m (2 pi f)^2.
-TEST(WheelJoint, SagsUnderTheWeightAsItsFrequencySays)
+TEST(WheelJoint, SagsUnderTheWeightByItsFrequency)
 {
     for (const float32 frequency : {1.0f, 2.0f, 5.0f})
     {
@@ -82,7 +82,7 @@ TEST(WheelJoint, TurnsFreelyWithoutAMotor)
     EXPECT_EQ(s.joint->GetReactionTorque(), 0.0f);
 }
 
-TEST(WheelJoint, AMotorReachesItsSpeedWithTheTorqueItMayUse)
+TEST(WheelJoint, ReachesItsMotorSpeedWithItsMaxMotorTorque)
 {
     Suspension s(2.0f, 0.7f, 3.0f, 5.0f);
     const float32 inertia = s.wheel->GetInertia();
@@ -95,14 +95,14 @@ TEST(WheelJoint, AMotorReachesItsSpeedWithTheTorqueItMayUse)
     EXPECT_NEAR(s.joint->GetMotorTorque(1.0f / kStep), 0.0f, 1e-3f);
 }
 
-TEST(WheelJoint, WithoutASpringTheAxisIsFree)
+TEST(WheelJoint, LeavesItsAxisFreeWithoutASpring)
 {
     Suspension s(0.0f);
     s.Step(60);
     EXPECT_NEAR(s.wheel->GetLinearVelocity().y, -kGravity, 1e-3f);
 }
 
-TEST(WheelJoint, ACarDrivesOnItsMotors)
+TEST(WheelJoint, DrivesACarByItsMotors)
 {
     JointScene scene;
     scene.Ground();
@@ -131,7 +131,7 @@ TEST(WheelJoint, ACarDrivesOnItsMotors)
     }
 }
 
-TEST(WheelJoint, ChangesWakeTheBodies)
+TEST(WheelJoint, WakesTheBodiesWhenAValueChanges)
 {
     Suspension s;
     s.wheel->SetSleepingAllowed(true);

@@ -93,7 +93,7 @@ TEST(OneSidedEdge, HasGhostVertices)
     EXPECT_EQ(edge.m_vertex3, b2Vec2(-20.0f, 0.0f));
 }
 
-TEST(OneSidedEdge, CarriesWhatSlidesOverAJoint)
+TEST(OneSidedEdge, LetsABoxSlideOverConnectedEdges)
 {
     Scene scene;
     Scene::Add(scene.Body(b2_staticBody, 0.0f, 0.0f), LedgeOfThree(), 0.0f, 0.0f);
@@ -121,7 +121,7 @@ float32 NormalMet(const b2Shape& shape, float32 fromY, int32 child)
     return output.normal.y;
 }
 
-TEST(OneSidedEdge, MeetsRaysFromTheRightOnly)
+TEST(OneSidedEdge, IsHitByRaysFromTheRightOnly)
 {
     EXPECT_EQ(NormalMet(Ledge(), 1.0f, 0), 1.0f);
     EXPECT_EQ(NormalMet(Ledge(), -1.0f, 0), 0.0f);
@@ -131,7 +131,7 @@ TEST(OneSidedEdge, MeetsRaysFromTheRightOnly)
     EXPECT_EQ(NormalMet(child, -1.0f, 0), 0.0f);
 }
 
-TEST(OneSidedChain, MeetsRaysFromBothSides)
+TEST(OneSidedChain, IsHitByRaysFromBothSides)
 {
     EXPECT_EQ(NormalMet(LedgeOfThree(), 1.0f, 1), 1.0f);
     EXPECT_EQ(NormalMet(LedgeOfThree(), -1.0f, 1), -1.0f);

@@ -151,7 +151,7 @@ TEST(PublicApi, DumpsEveryPartOfAWorld)
     EXPECT_LT(s_log.find("bodies[0]"), s_log.find("bodies[1]"));
 }
 
-TEST(PublicApi, ContactManagerMatchesTheWorld)
+TEST(ContactManager, MatchesTheWorld)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2ContactListener listener;
@@ -269,7 +269,7 @@ TEST(WorldBroadPhase, FindsTheBoxesThatABoxOverlaps)
     EXPECT_EQ(one.proxies.size(), 1u) << "no other tree is asked once a callback has said stop";
 }
 
-TEST(WorldBroadPhase, CutsARayInAllTrees)
+TEST(WorldBroadPhase, ClipsARayInAllTrees)
 {
     const RowOfCircles row;
     Met met;
@@ -290,7 +290,7 @@ TEST(WorldBroadPhase, CutsARayInAllTrees)
     EXPECT_LT(cut.proxies.size(), 4u) << "what lies behind it is not looked at in other trees";
 }
 
-TEST(WorldBroadPhase, IsTheWorldsAfterARestore)
+TEST(WorldBroadPhase, ShowsTheWorldAfterARestore)
 {
     RowOfCircles row;
     const std::vector<uint8> bytes = b2SaveSnapshot(row.world);

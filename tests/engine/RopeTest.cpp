@@ -53,7 +53,7 @@ void RunFor(b2Rope& rope, float32 seconds, int32 iterations = 10)
     }
 }
 
-TEST(Rope, StartsAsItWasGiven)
+TEST(Rope, StartsAtTheVerticesOfItsDefinition)
 {
     const RopeParts parts(5);
     const b2Rope rope = Make(parts.Definition());
@@ -64,7 +64,7 @@ TEST(Rope, StartsAsItWasGiven)
     }
 }
 
-TEST(Rope, WithoutWeightStaysWhereItIs)
+TEST(Rope, StaysInPlaceWithoutGravity)
 {
     const RopeParts parts(8);
     b2RopeDef def = parts.Definition();
@@ -149,7 +149,7 @@ TEST(Rope, BendsToTheAngleThatIsSet)
     }
 }
 
-TEST(Rope, StiffAgainstBendingHangsLessDeep)
+TEST(Rope, SagsLessWhenStiffAgainstBending)
 {
     RopeParts parts(7);
     parts.masses[1] = 0.0f;
@@ -222,7 +222,7 @@ TEST(Rope, IsDrawnSegmentBySegment)
     EXPECT_EQ(drawer.starts[2], parts.vertices[2]);
 }
 
-TEST(Rope, SaysWhatIsWrongWithItsDefinition)
+TEST(Rope, RefusesABadDefinition)
 {
     const RopeParts parts(4);
     const float32 nan = std::nanf("");

@@ -166,7 +166,7 @@ TEST(RowSystem, FillsInNothingInAChainAStarAndATree)
     }
 }
 
-TEST(RowSystem, SolvesLoopsAndWhatIsHeldTwice)
+TEST(RowSystem, SolvesLoopsAndRedundantRows)
 {
     Frame frame(12);
     for (int32 i = 0; i < 12; ++i)
@@ -195,7 +195,7 @@ TEST(RowSystem, SolvesConnectedComponentsSeparately)
     EXPECT_LT(frame.Fastest(system), 1e-6);
 }
 
-TEST(RowSystem, LeavesOutWhatWouldFillInTooMuch)
+TEST(RowSystem, LeavesOutRowsThatWouldFillInTooMuch)
 {
     const auto net = [](Frame& frame) {
         for (int32 i = 0; i < 20; ++i)
@@ -285,7 +285,7 @@ TEST(BoundedSystem, PushesAndNeverPulls)
     EXPECT_NEAR(column.frame.bodies[8].v.y, column.frame.bodies[5].v.y, 1e-6f);
 }
 
-TEST(BoundedSystem, GivesNoMoreThanItMay)
+TEST(BoundedSystem, LimitsImpulsesToTheirMaximum)
 {
     Column column(3);
     column.system.At(0).maximum.at[1] = 0.5;

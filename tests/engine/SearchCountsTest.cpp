@@ -137,7 +137,7 @@ TEST(SearchCounts, CountACircleWithoutIterations)
     EXPECT_EQ(b2_toiIters, 0);
 }
 
-TEST(SearchCounts, StayWhenNothingIsSearched)
+TEST(SearchCounts, StayZeroForStacksAtRest)
 {
     Scene scene;
     scene.Ground();

@@ -50,7 +50,7 @@ TEST(SleepRule, StartsAgainForAFastBody)
     EXPECT_EQ(forbidden.TimeAfter(), 0.0f) << "SetSleepingAllowed(false)";
 }
 
-TEST(SleepRule, LetsOnlySkinsBePushedOut)
+TEST(SleepRule, WaitsWhileADeepOverlapIsCorrected)
 {
     Rest rest;
     rest.moved.d.x = 5.0f * kStep * b2_linearSleepTolerance;

@@ -57,20 +57,20 @@ void ExpectRefused(std::span<const uint8> bytes, const char* culprit)
     EXPECT_TRUE(b2SaveSnapshot(mixed.world) == before);
 }
 
-TEST(SnapshotBytes, OfSomethingElseAreRefused)
+TEST(SnapshotBytes, AreRefusedIfNotASnapshot)
 {
     ExpectRefused({}, "not a snapshot");
     ExpectRefused(Bytes(1000, 7), "not a snapshot");
 }
 
-TEST(SnapshotBytes, OfAnotherVersionAreRefused)
+TEST(SnapshotBytes, AreRefusedWithAnotherVersion)
 {
     Bytes bytes = SomeBytes();
     ++bytes[8];
     ExpectRefused(bytes, "another version");
 }
 
-TEST(SnapshotBytes, ThatAreNotAllOrTooManyAreRefused)
+TEST(SnapshotBytes, AreRefusedWithOneTooManyOrTooFew)
 {
     Bytes bytes = SomeBytes();
     bytes.push_back(0);
@@ -79,7 +79,7 @@ TEST(SnapshotBytes, ThatAreNotAllOrTooManyAreRefused)
     ExpectRefused(bytes, "not whole");
 }
 
-TEST(SnapshotBytes, WithAnyBitTurnedAreRefused)
+TEST(SnapshotBytes, AreRefusedWithAFlippedBit)
 {
     Bytes bytes = SomeBytes();
     b2World world(b2Vec2(0.0f, -10.0f));
@@ -96,7 +96,7 @@ TEST(SnapshotBytes, WithAnyBitTurnedAreRefused)
     ExpectRefused(std::span(bytes).first(bytes.size() / 2), "not whole");
 }
 
-TEST(SnapshotBytes, CutOffAnywhereAreRefused)
+TEST(SnapshotBytes, AreRefusedWhenTruncated)
 {
     const Bytes bytes = SomeBytes();
     b2World world(b2Vec2(0.0f, -10.0f));
@@ -139,7 +139,7 @@ void Seal(Bytes& bytes)
     PutNumber(bytes, 20, ChecksumOf(content));
 }
 
-TEST(SnapshotBytes, SealedByHandAreRead)
+TEST(SnapshotBytes, HaveTheChecksumThatTheTestComputes)
 {
     Bytes bytes = SomeBytes();
     const Bytes saved = bytes;
@@ -147,7 +147,7 @@ TEST(SnapshotBytes, SealedByHandAreRead)
     EXPECT_TRUE(bytes == saved);
 }
 
-TEST(SnapshotBytes, ContradictoryBytesDoNotCrash)
+TEST(SnapshotBytes, DoNotCrashWhenContradictory)
 {
     const Bytes saved = SomeBytes();
     std::mt19937 random(11);
@@ -195,7 +195,7 @@ TEST(SnapshotBytes, AreRefusedInsideACallback)
     EXPECT_NE(std::string(caller.why).find("callback"), std::string::npos);
 }
 
-TEST(SnapshotBytes, LeaveTheProgramItsListenersThreadsAndFilter)
+TEST(SnapshotBytes, KeepListenersThreadsAndFilterOfTheWorld)
 {
     struct Nothing : b2ContactFilter
     {
@@ -227,7 +227,7 @@ TEST(SnapshotBytes, LeaveTheProgramItsListenersThreadsAndFilter)
     EXPECT_LT(BodyAt(world, 0)->GetPosition().y, -5.0f);
 }
 
-TEST(SnapshotBytes, CountBodiesOnFromWhereTheyWere)
+TEST(SnapshotBytes, ContinueTheNumbersOfBodies)
 {
     MixedWorld mixed(4);
     b2BodyDef definition;
@@ -257,7 +257,7 @@ public:
     std::string m_names[3] = {"body", "fixture", "joint"};
 };
 
-TEST(SnapshotBytes, KeepUserDataAsWhatTheProgramMakesOfIt)
+TEST(SnapshotBytes, StoreUserDataAsTheProgramConvertsIt)
 {
     Names names;
     b2World world(b2Vec2(0.0f, 0.0f));
@@ -314,7 +314,7 @@ Bytes GoOnFrom(const Bytes& bytes)
 }
 
 /// The other run is the same test, selected by its environment, with other addresses.
-TEST(SnapshotBytes, GoOnInAnotherRunOfTheProgram)
+TEST(SnapshotBytes, ContinueInAnotherRunOfTheProgram)
 {
     if (const char* file = std::getenv(kFile))
     {
@@ -329,7 +329,7 @@ TEST(SnapshotBytes, GoOnInAnotherRunOfTheProgram)
     WriteFile(file, bytes);
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
     const std::string command = std::string(kFile) + "='" + file + "' '" + program +
-                                "' --gtest_filter='*GoOnInAnotherRun*' >/dev/null 2>&1";
+                                "' --gtest_filter='*ContinueInAnotherRun*' >/dev/null 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0);
     EXPECT_TRUE(ReadFile(file + ".after") == GoOnFrom(bytes));
     std::filesystem::remove_all(folder);

@@ -35,12 +35,12 @@ void BuildStacks(Scene& scene)
     }
 }
 
-TEST(SnapshotMoments, BeforeTheFirstStep)
+TEST(Snapshot, ContinuesFromBeforeTheFirstStep)
 {
     ExpectGoesOn(BuildStacks);
 }
 
-TEST(SnapshotMoments, AsleepAndStruckLater)
+TEST(Snapshot, ContinuesASleepingWorldThatABallHits)
 {
     ExpectGoesOn([](Scene& scene) {
         BuildStacks(scene);
@@ -51,7 +51,7 @@ TEST(SnapshotMoments, AsleepAndStruckLater)
     });
 }
 
-TEST(SnapshotMoments, WhileSomethingIsWokenAndTheRestSleeps)
+TEST(Snapshot, ContinuesWhileSomeBodiesWakeAndTheRestSleep)
 {
     ExpectGoesOn([](Scene& scene) {
         BuildStacks(scene);
@@ -62,7 +62,7 @@ TEST(SnapshotMoments, WhileSomethingIsWokenAndTheRestSleeps)
 }
 
 /// The box may sleep once the island has been taken apart, and not before.
-TEST(SnapshotMoments, WhenABoxHasComeLooseFromAPendulum)
+TEST(Snapshot, ContinuesAfterAJointToAPendulumIsDestroyed)
 {
     ExpectGoesOn([](Scene& scene) {
         scene.Ground();
@@ -82,7 +82,7 @@ TEST(SnapshotMoments, WhenABoxHasComeLooseFromAPendulum)
     });
 }
 
-TEST(SnapshotMoments, WithOneOfTwoJoinedBodiesPutToSleepByHand)
+TEST(Snapshot, ContinuesWithOneOfTwoJoinedBodiesPutToSleep)
 {
     ExpectGoesOn([](Scene& scene) {
         b2Body* const post = scene.Wall(0.0f);
@@ -104,7 +104,7 @@ TEST(SnapshotMoments, WithOneOfTwoJoinedBodiesPutToSleepByHand)
 
 /// Contacts stay in the order that they were put in when the bodies had other places among those
 /// that are awake; small piles are solved in that order.
-TEST(SnapshotMoments, WhenPlacesHaveChangedAndContactsHaveNot)
+TEST(Snapshot, ContinuesAfterAwakeBodiesWereRenumbered)
 {
     ExpectGoesOn([](Scene& scene) {
         std::vector<b2Body*> flying;
@@ -126,7 +126,7 @@ TEST(SnapshotMoments, WhenPlacesHaveChangedAndContactsHaveNot)
 }
 
 /// Slow and askew, so that manifolds are kept from earlier poses.
-TEST(SnapshotMoments, AsAHeapSettles)
+TEST(Snapshot, ContinuesWhileAPileSettles)
 {
     for (const int before : {40, 90, 150})
     {
@@ -146,7 +146,7 @@ TEST(SnapshotMoments, AsAHeapSettles)
     }
 }
 
-TEST(SnapshotMoments, AsBulletsFly)
+TEST(Snapshot, ContinuesWhileBulletsFly)
 {
     ExpectGoesOn([](Scene& scene) {
         scene.world.SetGravity(b2Vec2(0.0f, 0.0f));
@@ -166,7 +166,7 @@ TEST(SnapshotMoments, AsBulletsFly)
     });
 }
 
-TEST(SnapshotMoments, BetweenTheImpactsOfAStep)
+TEST(Snapshot, ContinuesBetweenTheImpactsOfAStep)
 {
     ExpectGoesOn([](Scene& scene) {
         scene.world.SetSubStepping(true);
@@ -182,7 +182,7 @@ TEST(SnapshotMoments, BetweenTheImpactsOfAStep)
 }
 
 /// Enough static shapes that their tree is rebuilt after the snapshot.
-TEST(SnapshotMoments, WhileTheGroundGrows)
+TEST(Snapshot, ContinuesWhileTheGroundGrows)
 {
     const auto grow = [](b2World& world, int step) {
         b2BodyDef definition;
@@ -235,7 +235,7 @@ void BuildGears(Scene& scene)
     scene.world.CreateJoint(&gear);
 }
 
-TEST(SnapshotMoments, AsGearsTurnIntoTheirLimits)
+TEST(Snapshot, ContinuesWhileGearsTurnIntoTheirLimits)
 {
     ExpectGoesOn([](Scene& scene) {
         BuildGears(scene);
@@ -243,7 +243,7 @@ TEST(SnapshotMoments, AsGearsTurnIntoTheirLimits)
     });
 }
 
-TEST(SnapshotMoments, WithAGearWhoseBodiesHaveChangedTheirKind)
+TEST(Snapshot, ContinuesAGearWhoseBodyHasChangedItsType)
 {
     ExpectGoesOn([](Scene& scene) {
         BuildGears(scene);
@@ -274,7 +274,7 @@ void BuildLoad(Scene& scene)
     scene.Step(45);
 }
 
-TEST(SnapshotMoments, AfterTheProgramHasMovedABody)
+TEST(Snapshot, ContinuesAfterTheProgramHasMovedABody)
 {
     ExpectGoesOn([](Scene& scene) {
         BuildLoad(scene);
@@ -283,7 +283,7 @@ TEST(SnapshotMoments, AfterTheProgramHasMovedABody)
     });
 }
 
-TEST(SnapshotMoments, AfterTheProgramHasShortenedARope)
+TEST(Snapshot, ContinuesAfterTheProgramHasShortenedARope)
 {
     ExpectGoesOn([](Scene& scene) {
         BuildLoad(scene);
@@ -291,7 +291,7 @@ TEST(SnapshotMoments, AfterTheProgramHasShortenedARope)
     });
 }
 
-TEST(SnapshotMoments, WhenTheSubStepCountChangesNext)
+TEST(Snapshot, ContinuesWhenTheSubStepCountChangesNext)
 {
     for (const int before : {1, 4})
     {
@@ -309,7 +309,7 @@ TEST(SnapshotMoments, WhenTheSubStepCountChangesNext)
     }
 }
 
-TEST(SnapshotMoments, OfAnEmptyWorld)
+TEST(Snapshot, EmptiesAWorldWhenTakenOfAnEmptyOne)
 {
     const b2World empty(b2Vec2(1.0f, 2.0f), false);
     Scene scene;
@@ -325,7 +325,7 @@ TEST(SnapshotMoments, OfAnEmptyWorld)
 }
 
 /// Via a world with other content.
-TEST(SnapshotMoments, GoneBackToAgainAndAgain)
+TEST(Snapshot, GivesTheSameStateEachTimeItIsRestored)
 {
     Scene scene;
     BuildStacks(scene);

@@ -15,7 +15,7 @@ namespace
 using namespace snapshots;
 
 /// Numbers of sub-steps and of threads; the restored world has other threads than the saved one.
-class SnapshotWays : public testing::TestWithParam<std::tuple<int, int>>
+class RestoredWorld : public testing::TestWithParam<std::tuple<int, int>>
 {
 protected:
     int SubSteps() const { return std::get<0>(GetParam()); }
@@ -28,14 +28,14 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(, SnapshotWays,
+INSTANTIATE_TEST_SUITE_P(, RestoredWorld,
                          testing::Combine(testing::Values(1, 2, 4), testing::Values(1, 2)),
                          [](const auto& made) {
                              return std::to_string(std::get<0>(made.param)) + "SubSteps" +
                                     std::to_string(std::get<1>(made.param)) + "Threads";
                          });
 
-TEST_P(SnapshotWays, OfMixedWorldsAreTheSame)
+TEST_P(RestoredWorld, MovesAsTheMixedWorldThatWasSaved)
 {
     for (unsigned seed = 0; seed < 3; ++seed)
     {
@@ -62,7 +62,7 @@ stability::WorldPlan PlanFor(int number, int subSteps)
     return plan;
 }
 
-TEST_P(SnapshotWays, OfRandomWorldsAreTheSame)
+TEST_P(RestoredWorld, MovesAsTheRandomWorldThatWasSaved)
 {
     std::mt19937 random(7);
     for (int number = 0; number < 8; ++number)
@@ -178,7 +178,7 @@ private:
     unsigned m_seed;
 };
 
-TEST_P(SnapshotWays, AreTheSameAfterAnyUserChange)
+TEST_P(RestoredWorld, MovesAsTheSavedOneAfterAnyUserChange)
 {
     for (unsigned seed = 0; seed < 3; ++seed)
     {

@@ -435,7 +435,7 @@ TEST(SolverBlocks, GiveTheBitsOfThePlainSolverAtEveryWidth)
     }
 }
 
-TEST(SolverBlocks, ConvergedInOneIterationStayUnchangedInLaterOnes)
+TEST(SolverBlocks, StayUnchangedOnceConverged)
 {
     const WidthGuard guard;
     for (const bool wide : {false, true})

@@ -280,7 +280,7 @@ void SleepyChains(SmallScene& s)
 }
 
 /// Whose bodies are woken by turns, every one a little differently, and fall asleep again.
-TEST(SteadyMemory, IsEnoughForWhatSleepsAndIsWoken)
+TEST(SteadyMemory, IsEnoughForBodiesThatSleepAndWake)
 {
     for (const int32 subSteps : {1, 2, 4})
     {

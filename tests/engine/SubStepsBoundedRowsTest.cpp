@@ -290,7 +290,7 @@ TEST(SubStepsLimit, CorrectsAViolationGradually)
     EXPECT_LT(fastest, 2.01f);
 }
 
-TEST(SubStepsLimit, WithEqualBoundsHoldsLikeAWeld)
+TEST(SubStepsLimit, HoldsLikeAWeldWithEqualBounds)
 {
     SmallScene s;
     b2Body* rod = s.Part(0.5f, 0.0f);
@@ -307,7 +307,7 @@ TEST(SubStepsLimit, WithEqualBoundsHoldsLikeAWeld)
     EXPECT_NEAR(joint->GetReactionTorque(), torque, 0.005f * torque);
 }
 
-TEST(SubStepsLimit, AndMotorShareOneAxis)
+TEST(SubStepsLimit, SharesOneAxisWithAMotor)
 {
     SmallScene s(b2Vec2(0.0f, 0.0f));
     b2Body* load = s.Part(0.0f, 0.0f);

@@ -72,7 +72,7 @@ TEST(SubStepsReaction, IsTheMeanOverTheStep)
     }
 }
 
-TEST(SubStepsReaction, OfAGearIsItsTransmittedTorque)
+TEST(SubStepsReaction, IsTheTransmittedTorqueOfAGear)
 {
     SmallScene s;
     b2Body* post = s.Post();

@@ -259,7 +259,7 @@ TEST(SubStepsPile, GivesTheSameBitsInAnyNumberOfThreadsAndWidth)
     box2d::UseWideInstructions(true);
 }
 
-TEST(SubStepsPile, GoesOnFromSnapshotBitByBit)
+TEST(SubStepsPile, ContinuesFromASnapshotBitByBit)
 {
     Pile pile;
     pile.Limbs(60);

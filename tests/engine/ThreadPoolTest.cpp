@@ -49,7 +49,7 @@ TEST(ThreadPool, DoesEveryItemOnceWithoutThreads)
     EXPECT_EQ(TimesDone(nullptr, 100, 1), std::vector<int>(100, 1));
 }
 
-TEST(ThreadPool, HasDoneALoopBeforeTheNextBegins)
+TEST(ThreadPool, FinishesALoopBeforeTheNextBegins)
 {
     ThreadPool pool(4);
     pool.Begin();

@@ -11,7 +11,7 @@
 namespace
 {
 
-TEST(SceneFileCorpus, OfTheFuzzerIsReplayedWithoutAFinding)
+TEST(SceneFileCorpus, IsReplayedWithoutAFinding)
 {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(BOXREEL_CORPUS))

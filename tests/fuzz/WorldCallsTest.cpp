@@ -39,7 +39,7 @@ Bytes RandomBytes(unsigned seed, std::uint8_t first)
     return bytes;
 }
 
-TEST(RandomCalls, KeepTheBooksOfTheWorldInOrder)
+TEST(RandomCalls, KeepTheInvariantsOfTheWorld)
 {
     for (unsigned seed = 1; seed <= 40 && !HasFailure(); ++seed)
     {
@@ -48,7 +48,7 @@ TEST(RandomCalls, KeepTheBooksOfTheWorldInOrder)
     }
 }
 
-TEST(RandomCalls, WithWildNumbersAndCallbacksKeepTheWorldFinite)
+TEST(RandomCalls, KeepTheWorldFiniteWithAnyNumbersAndCallbacks)
 {
 #if BOXREEL_ASSERTS
     GTEST_SKIP() << "Asserts are on: the first wild call would end the program with its sentence.";
@@ -60,7 +60,7 @@ TEST(RandomCalls, WithWildNumbersAndCallbacksKeepTheWorldFinite)
     }
 }
 
-TEST(Corpus, OfTheFuzzerIsReplayedWithoutAFinding)
+TEST(Corpus, IsReplayedWithoutAFinding)
 {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(BOXREEL_CORPUS))

@@ -98,7 +98,7 @@ TEST(CompareDistance, IsOneFromBlackToWhite)
     EXPECT_NEAR(DistanceOf({0, 0, 0}, {255, 255, 255}), 1.0, 1e-6);
 }
 
-TEST(CompareDistance, IsThatOfOkLab)
+TEST(CompareDistance, EqualsDistanceInOkLab)
 {
     std::mt19937 random(7);
     const auto byte = [&] { return static_cast<std::uint8_t>(random() & 255u); };
@@ -128,7 +128,7 @@ TEST(CompareDistance, HasTheSameBitsEverywhere)
     EXPECT_EQ(hash, 11746704345878083431u);
 }
 
-TEST(CompareDistance, SeesAChangeOfOpacityAlone)
+TEST(CompareDistance, IsNotZeroWhenOnlyOpacityChanges)
 {
     const Color hidden{0, 0, 0, 0};
     const Color black{0, 0, 0, 255};
@@ -190,7 +190,7 @@ TEST(CompareSameMachine, FailsPatchOffByFourInAnyChannel)
     }
 }
 
-TEST(CompareSameMachine, ToleranceLiesBelowAnyChannelOffByFour)
+TEST(CompareSameMachine, HasToleranceBelowAnyChannelOffByFour)
 {
     const double tolerance = CompareSettings::SameMachine().tolerance;
     const auto level = [](int i) { return static_cast<std::uint8_t>(std::min(i * 9, 251)); };
@@ -303,7 +303,7 @@ TEST(CompareCrossMachine, PassesScatteredAndFailsClusteredPixels)
     EXPECT_EQ(failed.overTolerance, 100);
 }
 
-TEST(CompareRatio, IsALimitBesideTheCount)
+TEST(CompareRatio, IsCheckedInAdditionToTheCount)
 {
     const Frame expected = Filled(100, 100, kDark);
     Frame actual = expected;
@@ -322,7 +322,7 @@ TEST(CompareRatio, IsALimitBesideTheCount)
     EXPECT_TRUE(Compare(expected, actual, settings).equal);
 }
 
-TEST(CompareIgnored, LeavesOutWhatLiesInARectangle)
+TEST(CompareIgnored, ExcludesPixelsInRectangles)
 {
     const Frame expected = Filled(64, 64, kDark);
     Frame actual = expected;
@@ -343,7 +343,7 @@ TEST(CompareIgnored, LeavesOutWhatLiesInARectangle)
     }
 }
 
-TEST(CompareIgnored, MayReachBeyondThePictureAndMissIt)
+TEST(CompareIgnored, AcceptsRectanglesBeyondThePicture)
 {
     const Frame expected = Filled(64, 64, kDark);
     Frame actual = expected;
@@ -356,7 +356,7 @@ TEST(CompareIgnored, MayReachBeyondThePictureAndMissIt)
     EXPECT_EQ(Compare(expected, actual, settings).compared, 64 * 64);
 }
 
-TEST(CompareIgnored, CannotBeAll)
+TEST(CompareIgnored, FailsWhenAllPixelsAreIgnored)
 {
     const Frame expected = Filled(64, 64, kDark);
     CompareSettings settings;
@@ -369,7 +369,7 @@ TEST(CompareIgnored, CannotBeAll)
     EXPECT_EQ(result.ignored, 4096);
 }
 
-TEST(CompareIgnored, IsNoPartOfTheRatio)
+TEST(CompareIgnored, ExcludesPixelsFromTheRatio)
 {
     const Frame expected = Filled(100, 100, kDark);
     Frame actual = expected;
@@ -381,7 +381,7 @@ TEST(CompareIgnored, IsNoPartOfTheRatio)
     EXPECT_FALSE(Compare(expected, actual, settings).equal) << "10 of 9999";
 }
 
-TEST(CompareWindows, CountAsATrivialLoopDoes)
+TEST(CompareWindows, CountAsASimpleLoopDoes)
 {
     std::mt19937 random(3);
     for (int round = 0; round < 20; ++round)
@@ -430,7 +430,7 @@ TEST(CompareExact, FailsASingleBit)
     EXPECT_TRUE(Compare(expected, expected, CompareSettings::Exact()).equal);
 }
 
-TEST(CompareExact, FailsABitThatNoEyeCouldSee)
+TEST(CompareExact, FailsAnInvisibleBit)
 {
     // More light than its opacity allows: white on any background, with either last bit of
     // opacity.
@@ -467,7 +467,7 @@ TEST(Compare, PassesTwoEmptyPictures)
     EXPECT_TRUE(Compare(Frame(), Frame()).equal);
 }
 
-TEST(Compare, CountsWhatIsWithinTheToleranceApart)
+TEST(Compare, CountsPixelsWithinToleranceSeparately)
 {
     const Frame expected = Filled(64, 64, kDark);
     Frame actual = expected;
@@ -483,7 +483,7 @@ TEST(Compare, CountsWhatIsWithinTheToleranceApart)
     EXPECT_TRUE(result.equal);
 }
 
-TEST(CompareVerdict, NamesTheLimitsAndWhereTheyCameFrom)
+TEST(CompareVerdict, NamesTheLimitsAndTheirOrigin)
 {
     const Frame expected = Filled(64, 64, kDark);
     Frame actual = expected;
@@ -502,7 +502,7 @@ TEST(CompareVerdict, NamesTheLimitsAndWhereTheyCameFrom)
     }
 }
 
-TEST(CompareVerdict, NamesWhatAProgramChangedOfAPreset)
+TEST(CompareVerdict, NamesChangedSettingsOfPreset)
 {
     CompareSettings own = CompareSettings::Exact();
     own.tolerance = 0.1;
@@ -538,7 +538,7 @@ TEST(CompareVerdict, RoundsNoLimit)
     }
 }
 
-TEST(CompareVerdict, NamesRatioAndEdgesWhereTheyCount)
+TEST(CompareVerdict, NamesRatioAndEdgesAcrossMachines)
 {
     const Frame expected = Filled(64, 64, kDark);
     EXPECT_EQ(Compare(expected, expected, CompareSettings::CrossMachine()).Text(),
@@ -566,7 +566,7 @@ TEST(ComparePreset, IsFoundByName)
     EXPECT_EQ(sameMachine->tolerance, CompareSettings().tolerance);
 }
 
-TEST(ComparePreset, ThatIsUnknownIsAnErrorThatListsTheOthers)
+TEST(ComparePreset, IsRefusedWithAListWhenUnknown)
 {
     EXPECT_THAT(CompareSettings::Preset("--preset", "fuzzy"),
                 RefusesWith("--preset fuzzy", "exact, same-machine, cross-machine"));

@@ -68,7 +68,7 @@ std::vector<int> Grays(const ContactSheet& sheet)
     return grays;
 }
 
-TEST(ContactSheet, HasAPictureForEverySoManySteps)
+TEST(ContactSheet, HasAPictureForEachIntervalOfSteps)
 {
     const TemporaryFolder folder;
     const std::filesystem::path film = Film(folder, "film.mkv", 60, 4.0);
@@ -111,7 +111,7 @@ TEST(ContactSheet, ShrinksToTheMeanOfWhatAPixelCovers)
                 ElementsAre(0, 64, 32, 0));
 }
 
-TEST(ContactSheet, ReportsWhyItCannotBeMade)
+TEST(ContactSheet, IsRefusedForInvalidFilmOrSettings)
 {
     const TemporaryFolder folder;
     const std::filesystem::path film = Film(folder, "film.mkv", 60, 5.0);
@@ -123,7 +123,7 @@ TEST(ContactSheet, ReportsWhyItCannotBeMade)
     EXPECT_THAT(ContactSheetOf(film, {.every = 1}), RefusesWith(film.string(), "256"));
 }
 
-TEST(ContactSheet, IsAGoldenTestThatSaysWhenAFilmChanged)
+TEST(ContactSheet, FailsGoldenTestWhenFilmChanged)
 {
     const TemporaryFolder folder;
     GoldenEnvironment environment;
@@ -180,7 +180,7 @@ TEST(ContactSheet, DiffersInFirstStepPicturesAndMoments)
     }
 }
 
-TEST(ContactSheet, WhoseTextIsDamagedIsNoReference)
+TEST(ContactSheet, FailsGoldenTestWhenReferenceIsDamaged)
 {
     const TemporaryFolder folder;
     GoldenEnvironment environment;

@@ -29,7 +29,7 @@ constexpr Color kWeak{48, 90, 150, 255};
 
 } // namespace
 
-TEST(DifferencePicture, OfEqualPicturesIsTheExpectedOneInDarkGray)
+TEST(DifferencePicture, IsExpectedPictureInDarkGrayWhenEqual)
 {
     const Frame picture = Painted(SmallScene(), {.ground = kLight});
     const Frame difference = Compare(picture, picture).difference;
@@ -63,7 +63,7 @@ TEST(DifferencePicture, MarksPixelsOverToleranceStrongly)
     EXPECT_TRUE(IsGray(At(difference, 50, 60)));
 }
 
-TEST(DifferencePicture, HasAThinBoxAroundWhatIsOverTheTolerance)
+TEST(DifferencePicture, HasThinBoxAroundPixelsOverTolerance)
 {
     const Frame expected = Filled(100, 80, kDark);
     Frame actual = expected;
@@ -78,7 +78,7 @@ TEST(DifferencePicture, HasAThinBoxAroundWhatIsOverTheTolerance)
     EXPECT_EQ(At(difference, 50, 40), kStrong);
 }
 
-TEST(DifferencePicture, NeedsNoRoomForItsBox)
+TEST(DifferencePicture, OmitsBoxWithoutRoomForIt)
 {
     const Frame expected = Filled(8, 8, kDark);
     const Frame difference = Compare(expected, Filled(8, 8, kAwake)).difference;
@@ -152,7 +152,7 @@ TEST(SideBySide, PadsWhatIsSmaller)
     EXPECT_EQ(At(picture, 37, 8), kJoint);
 }
 
-TEST(SideBySide, TakesAPictureWithoutPixels)
+TEST(SideBySide, AcceptsAPictureWithoutPixels)
 {
     const Frame picture = SideBySide(Filled(10, 6, kAwake), Frame(), Filled(10, 6, kJoint));
     EXPECT_EQ(picture.width, 38);

@@ -149,7 +149,7 @@ TEST(EdgeRule, WorksAtTheBordersOfThePicture)
 }
 
 // Rows follow each other in memory: the first pixel of the next is no neighbour of a row's last.
-TEST(EdgeRule, TakesNoNeighbourFromTheOtherEndOfARow)
+TEST(EdgeRule, TakesNoNeighbourFromOtherEndOfRow)
 {
     for (const int column : {0, 19})
     {
@@ -163,7 +163,7 @@ TEST(EdgeRule, TakesNoNeighbourFromTheOtherEndOfARow)
 
 // Only the expected picture decides about edges. An edge that exists only in the actual picture
 // allows no difference.
-TEST(EdgeRule, LooksAtTheExpectedPictureOnly)
+TEST(EdgeRule, UsesEdgesOfTheExpectedPictureOnly)
 {
     Frame actual = Filled(20, 20, kDark);
     FillRect(actual, 5, 5, 6, 15, {66, 57, 57});

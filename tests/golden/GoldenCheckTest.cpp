@@ -48,7 +48,7 @@ TEST_F(GoldenCheck, PassesWhenNothingHasChanged)
     EXPECT_EQ(outcome.output, "");
 }
 
-TEST_F(GoldenCheck, SaysHowToAcceptAMissingReference)
+TEST_F(GoldenCheck, NamesVariableThatAcceptsMissingReference)
 {
     const GoldenOutcome outcome = Check(candidate);
     EXPECT_FALSE(outcome.passed);
@@ -59,7 +59,7 @@ TEST_F(GoldenCheck, SaysHowToAcceptAMissingReference)
     EXPECT_FALSE(fs::exists(settings.references)) << "nothing is approved by itself";
 }
 
-TEST_F(GoldenCheck, SaysWhatDiffersFirstAndHowToAcceptIt)
+TEST_F(GoldenCheck, NamesVariableThatAcceptsChangedReference)
 {
     Approve(candidate);
     const GoldenOutcome outcome = Check(changed);
@@ -130,7 +130,7 @@ TEST_F(GoldenCheck, AcceptsADamagedReferenceAgain)
     EXPECT_TRUE(Check(candidate).passed);
 }
 
-TEST_F(GoldenCheck, AcceptsNothingWhereThatWouldNotHelp)
+TEST_F(GoldenCheck, AcceptsNothingForUnknownIgnoredBodies)
 {
     Approve(candidate);
     CompareSettings settingsOfBodies;
@@ -141,7 +141,7 @@ TEST_F(GoldenCheck, AcceptsNothingWhereThatWouldNotHelp)
     EXPECT_THAT(outcome.message, testing::HasSubstr("body 3: "));
 }
 
-TEST_F(GoldenCheck, LeavesAReferenceThatIsTheSameAlone)
+TEST_F(GoldenCheck, DoesNotRewriteEqualReference)
 {
     Approve(candidate);
     const fs::path picture = settings.references / "frames" / "start.png";
@@ -153,7 +153,7 @@ TEST_F(GoldenCheck, LeavesAReferenceThatIsTheSameAlone)
     EXPECT_EQ(fs::status(picture).permissions(), fs::perms::owner_read) << "not even replaced";
 }
 
-TEST_F(GoldenCheck, ANameServesOneCandidateARun)
+TEST_F(GoldenCheck, RefusesSecondCandidateOfSameName)
 {
     settings.accept = GoldenAccept::All;
     EXPECT_TRUE(Check(candidate).passed);
@@ -187,7 +187,7 @@ TEST_F(GoldenCheck, NamesPicturesInAnyFolderInXml)
     EXPECT_THAT(Check(candidate).output, HasSubstr("/a&amp;b&lt;c/start.actual.png</CTest"));
 }
 
-TEST_F(GoldenCheck, AttachesTheOnePictureThatAMissingReferenceLeaves)
+TEST_F(GoldenCheck, AttachesActualPictureWithoutReference)
 {
     settings.attach = true;
     EXPECT_EQ(Check(candidate).output,
@@ -195,7 +195,7 @@ TEST_F(GoldenCheck, AttachesTheOnePictureThatAMissingReferenceLeaves)
                   (settings.output / "start.actual.png").string() + "</CTestMeasurementFile>\n");
 }
 
-TEST_F(GoldenCheck, AnUnusableNameFailsAndIsNotAccepted)
+TEST_F(GoldenCheck, FailsForUnusableName)
 {
     settings.accept = GoldenAccept::All;
     candidate.name = "../start";
@@ -204,7 +204,7 @@ TEST_F(GoldenCheck, AnUnusableNameFailsAndIsNotAccepted)
     EXPECT_THAT(outcome.message, HasSubstr("'../start'"));
 }
 
-TEST(GoldenSettings, OfAnEmptyEnvironmentAreTheCompiledOnes)
+TEST(GoldenSettings, AreTheCompiledOnesInEmptyEnvironment)
 {
     const GoldenEnvironment environment;
     const auto settings = GoldenSettingsFromEnvironment("compiled");
@@ -234,7 +234,7 @@ TEST(GoldenSettings, AreOverriddenByTheEnvironment)
     EXPECT_EQ(GoldenSettingsFromEnvironment("compiled")->accept, GoldenAccept::ThisRenderer);
 }
 
-TEST(GoldenSettings, RefuseAWordThatAcceptsNothing)
+TEST(GoldenSettings, RefuseUnknownWordToAccept)
 {
     GoldenEnvironment environment;
     environment.accept.Set("yes");
@@ -242,13 +242,13 @@ TEST(GoldenSettings, RefuseAWordThatAcceptsNothing)
                 RefusesWith("BOXREEL_GOLDEN_ACCEPT yes", "missing, changed, all, this-renderer"));
 }
 
-TEST(GoldenSettings, AskForAFolderOfReferences)
+TEST(GoldenSettings, RequireAFolderOfReferences)
 {
     const GoldenEnvironment environment;
     EXPECT_THAT(GoldenSettingsFromEnvironment(""), Refuses("BOXREEL_GOLDEN_REFERENCES"));
 }
 
-TEST(GoldenSettings, GiveEachShardAFolderOfItsOwn)
+TEST(GoldenSettings, GiveEachShardItsOwnFolder)
 {
     GoldenEnvironment environment;
     environment.shards.Set("2");

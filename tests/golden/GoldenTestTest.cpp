@@ -61,7 +61,7 @@ void AssertWorld()
     FAIL() << "the test went on";
 }
 
-TEST_F(GoldenMacros, AFrameIsAcceptedPassesAndFailsWhenItChanges)
+TEST_F(GoldenMacros, AcceptPassAndFailAFrame)
 {
     EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN(frame, "macro/frame"),
                             "macro/frame: there is no reference");
@@ -77,7 +77,7 @@ TEST_F(GoldenMacros, AFrameIsAcceptedPassesAndFailsWhenItChanges)
     EXPECT_TRUE(std::filesystem::exists(folder / "output/macro/frame.difference.png"));
 }
 
-TEST_F(GoldenMacros, ComparesAcrossMachinesForOtherRenderer)
+TEST_F(GoldenMacros, CompareAcrossMachinesForOtherRenderer)
 {
     GoldenCandidate approved;
     approved.name = "macro/other";
@@ -90,7 +90,7 @@ TEST_F(GoldenMacros, ComparesAcrossMachinesForOtherRenderer)
                             "macro/other: other pixels");
 }
 
-TEST_F(GoldenMacros, AFrameMayHaveLimitsOfItsOwn)
+TEST_F(GoldenMacros, ApplyGivenLimitsToAFrame)
 {
     Accept("missing");
     EXPECT_GOLDEN(frame, "macro/limits");
@@ -100,14 +100,14 @@ TEST_F(GoldenMacros, AFrameMayHaveLimitsOfItsOwn)
                             "macro/limits: other pixels");
 }
 
-TEST_F(GoldenMacros, AFrameWithoutPixelsIsNoCandidate)
+TEST_F(GoldenMacros, RefuseAFrameWithoutPixels)
 {
     Accept("all");
     EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN(Frame(), "macro/empty"),
                             "macro/empty: Frame() has no pixels; draw it before it is compared.");
 }
 
-TEST_F(GoldenMacros, ReportsChangedMotionOfAcceptedWorld)
+TEST_F(GoldenMacros, ReportChangedMotionOfAcceptedWorld)
 {
     b2Body* const ball = AddBall(world, 0.0f);
     Accept("missing");
@@ -119,7 +119,7 @@ TEST_F(GoldenMacros, ReportsChangedMotionOfAcceptedWorld)
                             "macro/world: the worlds differ");
 }
 
-TEST_F(GoldenMacros, ReportsFirstDifferingStepOfTrace)
+TEST_F(GoldenMacros, ReportFirstDifferingStepOfTrace)
 {
     Accept("missing");
     for (const float push : {0.0f, 1.0f})
@@ -146,7 +146,7 @@ TEST_F(GoldenMacros, ReportsFirstDifferingStepOfTrace)
     }
 }
 
-TEST_F(GoldenMacros, AWorldMayHaveALookOfItsOwn)
+TEST_F(GoldenMacros, ApplyGivenLookToAWorld)
 {
     AddBall(world, 0.0f);
     Accept("missing");
@@ -158,19 +158,19 @@ TEST_F(GoldenMacros, AWorldMayHaveALookOfItsOwn)
     EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN_WORLD(world, "macro/no-look", {.width = -1}), "-1");
 }
 
-TEST_F(GoldenMacros, AssertingEndsTheTest)
+TEST_F(GoldenMacros, EndTheTestWhenAsserting)
 {
     EXPECT_FATAL_FAILURE(AssertFrame(), "asserted/frame: there is no reference");
     EXPECT_FATAL_FAILURE(AssertWorld(), "asserted/world: there is no reference");
 }
 
-TEST_F(GoldenMacros, WithoutAFolderOfReferencesEveryCheckFails)
+TEST_F(GoldenMacros, FailWithoutAFolderOfReferences)
 {
     environment.references.Set(nullptr);
     EXPECT_NONFATAL_FAILURE(EXPECT_GOLDEN(frame, "macro/nowhere"), "BOXREEL_GOLDEN_REFERENCES: ");
 }
 
-TEST_F(GoldenMacros, PicturesAreAttachedUnderCTest)
+TEST_F(GoldenMacros, AttachPicturesUnderCTest)
 {
     environment.ctest.Set("3.25.1");
     testing::internal::CaptureStdout();

@@ -42,7 +42,7 @@ int ReddishPixels(const Frame& frame)
     return count;
 }
 
-TEST_F(GoldenWorld, IsACandidateAtAllThreeDepths)
+TEST_F(GoldenWorld, HasStateDrawListAndPixels)
 {
     const Result<GoldenCandidate> candidate = CandidateOf(world, "box/0s");
     ASSERT_TRUE(candidate) << candidate.GetError().Text();
@@ -54,7 +54,7 @@ TEST_F(GoldenWorld, IsACandidateAtAllThreeDepths)
     EXPECT_EQ(candidate->frame.height, 270);
 }
 
-TEST_F(GoldenWorld, WhatCanMoveFillsThePictureWhereverItIs)
+TEST_F(GoldenWorld, FillsThePictureWithMovableBodies)
 {
     const Result<GoldenCandidate> candidate = CandidateOf(world, "box");
     ASSERT_TRUE(candidate) << candidate.GetError().Text();
@@ -62,7 +62,7 @@ TEST_F(GoldenWorld, WhatCanMoveFillsThePictureWhereverItIs)
     EXPECT_GT(ReddishPixels(candidate->frame), 100 * 100);
 }
 
-TEST_F(GoldenWorld, LooksWhereTheGivenCameraDoes)
+TEST_F(GoldenWorld, IsDrawnWithTheGivenCamera)
 {
     const Camera elsewhere{200, 100, 0.0, 0.0, 10.0};
     const Result<GoldenCandidate> candidate = CandidateOf(world, "box", {.camera = elsewhere});
@@ -72,7 +72,7 @@ TEST_F(GoldenWorld, LooksWhereTheGivenCameraDoes)
     EXPECT_EQ(ReddishPixels(candidate->frame), 0);
 }
 
-TEST_F(GoldenWorld, ShowsTheLayersThatAreAskedFor)
+TEST_F(GoldenWorld, ShowsTheGivenLayers)
 {
     const std::uint32_t layers = b2Draw::e_shapeBit | b2Draw::e_aabbBit;
     const Result<GoldenCandidate> candidate = CandidateOf(world, "box", {.layers = layers});
@@ -81,7 +81,7 @@ TEST_F(GoldenWorld, ShowsTheLayersThatAreAskedFor)
     EXPECT_NE(candidate->list, DrawListOf(world));
 }
 
-TEST_F(GoldenWorld, SaysWhyThereIsNoPicture)
+TEST_F(GoldenWorld, IsRefusedForInvalidSize)
 {
     const Result<GoldenCandidate> candidate = CandidateOf(world, "box", {.width = 0});
     ASSERT_FALSE(candidate);

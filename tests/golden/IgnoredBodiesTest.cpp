@@ -80,7 +80,7 @@ struct IgnoredBodies : testing::Test
     ReferenceStore store{folder / "references", folder / "output"};
 };
 
-TEST_F(IgnoredBodies, MayBeElsewhereAtEveryDepth)
+TEST_F(IgnoredBodies, AreNotComparedAtAnyDepth)
 {
     ASSERT_TRUE(store.Accept(Seen(TwoBodies())));
     const GoldenCandidate moved = Seen(TwoBodies(3.5f));
@@ -93,7 +93,7 @@ TEST_F(IgnoredBodies, MayBeElsewhereAtEveryDepth)
     EXPECT_EQ(Verify(moved, {1, 2}).status, GoldenStatus::Same);
 }
 
-TEST_F(IgnoredBodies, HideNothingOfTheOthers)
+TEST_F(IgnoredBodies, HideNoDifferenceOfOtherBodies)
 {
     ASSERT_TRUE(store.Accept(Seen(TwoBodies())));
     const GoldenVerdict verdict = Verify(Seen(TwoBodies(3.5f, -2.01f)), {2});
@@ -115,7 +115,7 @@ TEST_F(IgnoredBodies, HideNothingOfTheOthers)
     EXPECT_EQ(Verify(speck, {2}).status, GoldenStatus::Pixels);
 }
 
-TEST_F(IgnoredBodies, AreThereOrAreRefused)
+TEST_F(IgnoredBodies, AreRefusedWhenMissing)
 {
     GoldenCandidate candidate = Seen(TwoBodies());
     ASSERT_TRUE(store.Accept(candidate));
@@ -126,7 +126,7 @@ TEST_F(IgnoredBodies, AreThereOrAreRefused)
     EXPECT_THAT(Refusal(candidate, {1}), IsError(ErrorKind::Unusable, "body 1"));
 }
 
-TEST_F(IgnoredBodies, AreNeverAll)
+TEST_F(IgnoredBodies, AreRefusedWhenTheyAreAllBodies)
 {
     const GoldenCandidate candidate = Seen(TwoBodies());
     ASSERT_TRUE(store.Accept(candidate));
@@ -134,7 +134,7 @@ TEST_F(IgnoredBodies, AreNeverAll)
     EXPECT_THAT(Refusal(candidate, {0, 1, 2}), IsError(ErrorKind::Unusable, "bodies 0, 1, 2"));
 }
 
-TEST_F(IgnoredBodies, CannotBeDerivedFromAHash)
+TEST_F(IgnoredBodies, AreRefusedWhenReferenceHasOnlyAHash)
 {
     GoldenCandidate candidate = Seen(TwoBodies());
     candidate.state = {};

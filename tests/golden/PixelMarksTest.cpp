@@ -130,7 +130,7 @@ Frame Altered(std::mt19937& random, const Frame& frame, double share, int noise)
 } // namespace
 
 // 2^24 colours. The distance of two pixels is off by at most the sum of what each is off.
-TEST(NearlyPixelDistance, IsOffByLessThanItSaysForEveryColour)
+TEST(NearlyPixelDistance, StaysWithinErrorBoundForEveryColour)
 {
     const std::uint8_t black[4] = {0, 0, 0, 255};
     float worst = 0.0f;
@@ -182,7 +182,7 @@ TEST(NearlyPixelDistance, StaysWithinErrorBoundForAnyPair)
     }
 }
 
-TEST(PixelMarks, AreThoseOfThePlainFunctionsForPicturesByChance)
+TEST(PixelMarks, EqualPlainFunctionsForRandomPictures)
 {
     std::mt19937 random(1);
     for (int i = 0; i < 400; ++i)
@@ -206,7 +206,7 @@ TEST(PixelMarks, AreThoseOfThePlainFunctionsForPicturesByChance)
     }
 }
 
-TEST(PixelMarks, AreThoseOfThePlainFunctionsForEdgesThatMove)
+TEST(PixelMarks, EqualPlainFunctionsForEdgesThatMove)
 {
     std::mt19937 random(2);
     const Frame expected = Painted(SmallScene());
@@ -239,7 +239,7 @@ TEST(PixelMarks, EqualPlainFunctionsWithoutRepeatedPairs)
 
 // A pair at the tolerance is within it, and over the next smaller number: no approximation may say
 // otherwise.
-TEST(PixelMarks, AreExactForAPairThatLiesOnTheLimit)
+TEST(PixelMarks, AreExactForPairsAtTheLimit)
 {
     std::mt19937 random(5);
     for (int i = 0; i < 200; ++i)

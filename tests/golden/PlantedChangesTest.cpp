@@ -50,7 +50,7 @@ protected:
 
 } // namespace
 
-TEST_P(PlantedChange, UnchangedPictureIsNotAFalseAlarm)
+TEST_P(PlantedChange, IsNotReportedForUnchangedPicture)
 {
     for (int i = 0; i < 3; ++i)
     {
@@ -58,7 +58,7 @@ TEST_P(PlantedChange, UnchangedPictureIsNotAFalseAlarm)
     }
 }
 
-TEST_P(PlantedChange, BodyMovedByCentimetreChangesDrawListNotPixels)
+TEST_P(PlantedChange, IsFoundInDrawListWhenBodyMovesByCentimetre)
 {
     DrawList moved = SmallScene();
     const DrawItem& body = moved.items[3];
@@ -74,14 +74,14 @@ TEST_P(PlantedChange, BodyMovedByCentimetreChangesDrawListNotPixels)
     EXPECT_THAT(*verdict.list->actual, HasSubstr("4.01"));
 }
 
-TEST_P(PlantedChange, MissingJointLineIsFoundInThePixelsToo)
+TEST_P(PlantedChange, IsFoundWhenJointLineIsMissing)
 {
     const DrawList changed = WithoutItem(SmallScene(), kJointLine);
     EXPECT_EQ(Verify(changed, m_style).status, GoldenStatus::DrawList);
     EXPECT_FALSE(Pixels(changed, m_style).equal);
 }
 
-TEST_P(PlantedChange, FillOffByFourIsFound)
+TEST_P(PlantedChange, IsFoundWhenFillIsOffByFour)
 {
     for (const int shift : {4, -4})
     {
@@ -92,7 +92,7 @@ TEST_P(PlantedChange, FillOffByFourIsFound)
     }
 }
 
-TEST_P(PlantedChange, MisspeltLabelIsFoundInThePixelsToo)
+TEST_P(PlantedChange, IsFoundWhenLabelIsMisspelt)
 {
     for (const char* wrong : {"cramk", "Crank", "crnak"})
     {
@@ -107,21 +107,21 @@ TEST_P(PlantedChange, MisspeltLabelIsFoundInThePixelsToo)
     }
 }
 
-TEST_P(PlantedChange, OutlineOnePixelThickerIsFound)
+TEST_P(PlantedChange, IsFoundWhenOutlineIsOnePixelThicker)
 {
     Style style = m_style;
     style.outline = 2;
     EXPECT_EQ(Verify(SmallScene(), style).status, GoldenStatus::Pixels);
 }
 
-TEST_P(PlantedChange, SwappedDrawOrderIsFoundInThePixelsToo)
+TEST_P(PlantedChange, IsFoundWhenDrawOrderIsSwapped)
 {
     const DrawList changed = WithSwappedOrder(SmallScene(), kOverlapped);
     EXPECT_EQ(Verify(changed, m_style).status, GoldenStatus::DrawList);
     EXPECT_FALSE(Pixels(changed, m_style).equal);
 }
 
-TEST_P(PlantedChange, PictureShiftedByAPixelIsFound)
+TEST_P(PlantedChange, IsFoundWhenPictureIsShiftedByOnePixel)
 {
     Style style = m_style;
     DrawList changed = SmallScene();

@@ -60,7 +60,7 @@ DrawList LongList()
 
 } // namespace
 
-TEST_F(ReferenceFiles, NamesThatCouldLeaveTheFolderAreRefused)
+TEST_F(ReferenceFiles, RefuseNamesThatCouldLeaveTheFolder)
 {
     const std::string tooLong(201, 'a');
     for (const std::string& name : {std::string(),
@@ -97,7 +97,7 @@ TEST_F(ReferenceFiles, NamesThatCouldLeaveTheFolderAreRefused)
     EXPECT_TRUE(fs::is_empty(m_output));
 }
 
-TEST_F(ReferenceFiles, OrdinaryNamesAreFine)
+TEST_F(ReferenceFiles, AcceptOrdinaryNames)
 {
     const std::string longest(200, 'a');
     for (const std::string& name :
@@ -109,7 +109,7 @@ TEST_F(ReferenceFiles, OrdinaryNamesAreFine)
     }
 }
 
-TEST_F(ReferenceFiles, LinksThatLeadOutOfTheFolderAreRefused)
+TEST_F(ReferenceFiles, RefuseLinksOutOfTheFolder)
 {
     fs::create_directories(m_folder / "outside");
     fs::create_directories(m_references / "frames");
@@ -121,7 +121,7 @@ TEST_F(ReferenceFiles, LinksThatLeadOutOfTheFolderAreRefused)
     EXPECT_FALSE(fs::exists(m_references / "state")) << "nothing half accepted";
 }
 
-TEST_F(ReferenceFiles, AFileThatIsALinkOutOrNowhereIsRefused)
+TEST_F(ReferenceFiles, RefuseFilesThatAreLinksOutOrNowhere)
 {
     WriteBytes(m_folder / "secret", "0123456789abcdef\n");
     fs::create_directories(m_references / "state");
@@ -138,7 +138,7 @@ TEST_F(ReferenceFiles, AFileThatIsALinkOutOrNowhereIsRefused)
     EXPECT_FALSE(fs::exists(m_folder / "nowhere"));
 }
 
-TEST_F(ReferenceFiles, LinksOutOfTheOutputFolderAreRefusedToo)
+TEST_F(ReferenceFiles, RefuseLinksOutOfTheOutputFolder)
 {
     fs::create_directories(m_folder / "outside");
     fs::create_directory_symlink(m_folder / "outside", m_output / "pyramid");
@@ -147,7 +147,7 @@ TEST_F(ReferenceFiles, LinksOutOfTheOutputFolderAreRefusedToo)
     EXPECT_EQ(ReadBytes(m_folder / "outside/3s.actual.png"), "of someone else");
 }
 
-TEST_F(ReferenceFiles, LinksThatStayInsideAreFollowed)
+TEST_F(ReferenceFiles, FollowLinksInsideTheFolder)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("old/3s")));
     for (const char* depth : {"state", "drawlist", "frames"})
@@ -159,7 +159,7 @@ TEST_F(ReferenceFiles, LinksThatStayInsideAreFollowed)
     EXPECT_EQ(verdict->status, GoldenStatus::Same);
 }
 
-TEST_F(ReferenceFiles, ATruncatedPictureIsNamedAndCanBeAcceptedAgain)
+TEST_F(ReferenceFiles, NameTruncatedPictureAndAcceptItAgain)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     const fs::path png = m_references / "frames/scene.png";
@@ -175,7 +175,7 @@ TEST_F(ReferenceFiles, ATruncatedPictureIsNamedAndCanBeAcceptedAgain)
     }
 }
 
-TEST_F(ReferenceFiles, NamesDamagedPackedListAndAcceptsItAgain)
+TEST_F(ReferenceFiles, NameDamagedPackedListAndAcceptItAgain)
 {
     const GoldenCandidate candidate{"scene", "", LongList(), Frame()};
     ASSERT_TRUE(m_store.Accept(candidate));
@@ -194,7 +194,7 @@ TEST_F(ReferenceFiles, NamesDamagedPackedListAndAcceptsItAgain)
     }
 }
 
-TEST_F(ReferenceFiles, ADamagedStateIsNamedAndCanBeAcceptedAgain)
+TEST_F(ReferenceFiles, NameDamagedStateAndAcceptItAgain)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     const fs::path state = m_references / "state/scene.txt";
@@ -208,7 +208,7 @@ TEST_F(ReferenceFiles, ADamagedStateIsNamedAndCanBeAcceptedAgain)
     }
 }
 
-TEST_F(ReferenceFiles, LineEndsThatACheckoutConvertedAreNamed)
+TEST_F(ReferenceFiles, NameLineEndsConvertedByCheckout)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     for (const char* file : {"drawlist/scene.txt", "state/scene.txt"})
@@ -226,7 +226,7 @@ TEST_F(ReferenceFiles, LineEndsThatACheckoutConvertedAreNamed)
     }
 }
 
-TEST_F(ReferenceFiles, ADrawListCutAtItsEndIsADifference)
+TEST_F(ReferenceFiles, ReportDrawListCutAtItsEndAsDifferent)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     const fs::path list = m_references / "drawlist/scene.txt";
@@ -241,7 +241,7 @@ TEST_F(ReferenceFiles, ADrawListCutAtItsEndIsADifference)
 }
 
 // A folder in a file's place stops everyone, root included.
-TEST_F(ReferenceFiles, KeepsOtherFilesWhenAcceptFails)
+TEST_F(ReferenceFiles, KeepOtherFilesWhenAcceptFails)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     const std::string list = ReadBytes(m_references / "drawlist/scene.txt");
@@ -257,7 +257,7 @@ TEST_F(ReferenceFiles, KeepsOtherFilesWhenAcceptFails)
 }
 
 // A file where a folder should be stops everyone, root included.
-TEST_F(ReferenceFiles, ReportsVerdictWhenOutputIsNotWritable)
+TEST_F(ReferenceFiles, GiveVerdictWhenOutputIsNotWritable)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     WriteBytes(m_folder / "file", "not a folder");
@@ -276,7 +276,7 @@ TEST_F(ReferenceFiles, ReportsVerdictWhenOutputIsNotWritable)
                 RefusesWith("unknown", (m_folder / "file").string()));
 }
 
-TEST_F(ReferenceFiles, NoUnfinishedFileIsLeft)
+TEST_F(ReferenceFiles, LeaveNoUnfinishedFile)
 {
     ASSERT_TRUE(m_store.Accept(Candidate("scene")));
     EXPECT_TRUE(m_store.Verify(Candidate("scene", SmallScene(), {.outline = 2})));

@@ -136,7 +136,7 @@ TEST_F(ReferenceStoreTest, FailsWhenOneDepthHasNoReference)
     }
 }
 
-TEST_F(ReferenceStoreTest, ComparesWhatThereIsWhereAPartIsMissing)
+TEST_F(ReferenceStoreTest, ComparesOtherPartsWhenOneIsMissing)
 {
     Accept(m_candidate);
     fs::remove(m_references / "drawlist/pyramid/3s.txt");
@@ -153,7 +153,7 @@ TEST_F(ReferenceStoreTest, ComparesWhatThereIsWhereAPartIsMissing)
     EXPECT_TRUE(fs::exists(m_output / "pyramid/3s.expected.png"));
 }
 
-TEST_F(ReferenceStoreTest, AFilmIsNoMissingPartOfAScene)
+TEST_F(ReferenceStoreTest, FailsFilmAgainstReferenceOfScene)
 {
     Accept(m_candidate);
     GoldenCandidate film;
@@ -225,7 +225,7 @@ TEST_F(ReferenceStoreTest, ReportsTraceThatDiffersAtEqualState)
     EXPECT_TRUE(verdict.world->inTrace->isFirst);
 }
 
-TEST_F(ReferenceStoreTest, BodiesThatAreNotThoseOfTheirHashAreDamage)
+TEST_F(ReferenceStoreTest, ReportsBodiesThatDoNotMatchHashAsDamaged)
 {
     GoldenCandidate candidate = m_candidate;
     candidate.state = {{{0, 0, 0, 0, 0, 0, 0}, {1, 1, 1.051f, 0, 0, 0, 0}}};
@@ -273,7 +273,7 @@ TEST_F(ReferenceStoreTest, NamesFileOfDamagedStateOrTrace)
     }
 }
 
-TEST_F(ReferenceStoreTest, TellsACommandThatAShellReadsRight)
+TEST_F(ReferenceStoreTest, QuotesAcceptCommandForShell)
 {
     const ReferenceStore store(m_folder / "it's mine", m_output);
     const GoldenVerdict verdict = *store.Verify(m_candidate);
@@ -461,7 +461,7 @@ TEST_F(ReferenceStoreTest, NamesALineThatIsMissingOrTooMany)
     EXPECT_THAT(*more->actual, StartsWith("body 4 labels point"));
 }
 
-TEST_F(ReferenceStoreTest, BlamesTheRasteriserWhenOnlyPixelsDiffer)
+TEST_F(ReferenceStoreTest, ReportsPixelsWhenOnlyTheyDiffer)
 {
     Accept(m_candidate);
     const GoldenVerdict verdict = Verify(Candidate("pyramid/3s", SmallScene(), {.outline = 2}));
@@ -480,7 +480,7 @@ TEST_F(ReferenceStoreTest, UsesTheSettingsOfTheCaller)
     EXPECT_EQ(Verify(changed, CompareSettings::Exact()).status, GoldenStatus::Pixels);
 }
 
-TEST_F(ReferenceStoreTest, LeavesEverythingNeededToJudgeAFailure)
+TEST_F(ReferenceStoreTest, LeavesPicturesListsAndVerdictOfFailure)
 {
     Accept(m_candidate);
     const GoldenCandidate changed = Candidate("pyramid/3s", WithoutItem(SmallScene(), 4));
@@ -523,7 +523,7 @@ TEST_F(ReferenceStoreTest, RemovesExpectedPictureWithoutReference)
                                      "pyramid/3s.verdict.json"));
 }
 
-TEST_F(ReferenceStoreTest, AcceptReplacesTheReference)
+TEST_F(ReferenceStoreTest, ReplacesReferenceOnAccept)
 {
     Accept(m_candidate);
     const GoldenCandidate changed = Candidate("pyramid/3s", WithoutItem(SmallScene(), 4));
@@ -568,7 +568,7 @@ TEST_F(ReferenceStoreTest, FailsASceneThatStoppedDrawing)
     EXPECT_EQ(verdict.pixels.actualSize, (std::array{0, 0}));
 }
 
-TEST_F(ReferenceStoreTest, AcceptRemovesDepthsMissingInCandidate)
+TEST_F(ReferenceStoreTest, RemovesDepthsMissingInCandidateOnAccept)
 {
     Accept(m_candidate);
     GoldenCandidate pixelsOnly;
@@ -625,7 +625,7 @@ TEST_F(ReferenceStoreTest, ReplacesAPackedListByAPlainOneAndBack)
     EXPECT_EQ(Verify(longOne).status, GoldenStatus::Same);
 }
 
-TEST_F(ReferenceStoreTest, DoesNotGuessBetweenAPlainAndAPackedList)
+TEST_F(ReferenceStoreTest, RefusesPlainListBesidePackedOne)
 {
     const GoldenCandidate candidate{"scene", "", LongList(), Frame()};
     Accept(candidate);

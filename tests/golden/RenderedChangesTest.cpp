@@ -96,7 +96,7 @@ protected:
 
 } // namespace
 
-TEST_P(RenderedChange, UnchangedPictureIsNotAFalseAlarm)
+TEST_P(RenderedChange, IsNotFoundInUnchangedPicture)
 {
     const Frame again = Draw(m_content.list);
     EXPECT_FALSE(Finds(CompareSettings::Exact(), again));
@@ -105,7 +105,7 @@ TEST_P(RenderedChange, UnchangedPictureIsNotAFalseAlarm)
 
 // A centimetre is a fraction of a pixel here, which another driver may make of an
 // edge: cross-machine leaves that to the draw lists.
-TEST_P(RenderedChange, BodyMovedByCentimetreFailsOnSameMachine)
+TEST_P(RenderedChange, IsFoundOnSameMachineWhenBodyMovesByCentimetre)
 {
     DrawList changed = m_content.list;
     const DrawItem& body = changed.items[Find(DrawLayer::Shapes, DrawKind::SolidPolygon)];
@@ -118,7 +118,7 @@ TEST_P(RenderedChange, BodyMovedByCentimetreFailsOnSameMachine)
     EXPECT_TRUE(Finds(CompareSettings::SameMachine(), actual));
 }
 
-TEST_P(RenderedChange, BodyMovedByOnePixelIsFoundByAll)
+TEST_P(RenderedChange, IsFoundByAllWhenBodyMovesByOnePixel)
 {
     DrawList changed = m_content.list;
     const DrawItem& body = changed.items[Find(DrawLayer::Shapes, DrawKind::SolidPolygon)];
@@ -129,7 +129,7 @@ TEST_P(RenderedChange, BodyMovedByOnePixelIsFoundByAll)
     ExpectFound(Draw(changed));
 }
 
-TEST_P(RenderedChange, MissingLineIsFoundByAll)
+TEST_P(RenderedChange, IsFoundByAllWhenLineIsMissing)
 {
     DrawList withLine = m_content.list;
     withLine.layer = DrawLayer::Joints;
@@ -141,7 +141,7 @@ TEST_P(RenderedChange, MissingLineIsFoundByAll)
 
 // Off by four in each channel, like a theme changed by mistake. Only fills at least three pixels
 // wide, because a narrower one consists of edges.
-TEST_P(RenderedChange, FillOffByFourIsFoundByAll)
+TEST_P(RenderedChange, IsFoundByAllWhenFillIsOffByFour)
 {
     std::map<std::uint32_t, int> inFills; // pixels with eight neighbours of the same colour
     const auto word = [&](int x, int y) {
@@ -181,7 +181,7 @@ TEST_P(RenderedChange, FillOffByFourIsFoundByAll)
     ExpectFound(actual);
 }
 
-TEST_P(RenderedChange, MisspeltLabelIsFoundByAll)
+TEST_P(RenderedChange, IsFoundByAllWhenLabelIsMisspelt)
 {
     DrawList changed = m_content.list;
     std::string& label = changed.texts[changed.items[Find(DrawLayer::Labels, DrawKind::Text)].text];
@@ -190,7 +190,7 @@ TEST_P(RenderedChange, MisspeltLabelIsFoundByAll)
     ExpectFound(Draw(changed));
 }
 
-TEST_P(RenderedChange, OutlineOnePixelThickerIsFoundByAll)
+TEST_P(RenderedChange, IsFoundByAllWhenOutlineIsOnePixelThicker)
 {
     DrawList changed = m_content.list;
     const std::size_t index = Find(DrawLayer::Shapes, DrawKind::SolidPolygon);
@@ -208,7 +208,7 @@ TEST_P(RenderedChange, OutlineOnePixelThickerIsFoundByAll)
     ExpectFound(Draw(changed));
 }
 
-TEST_P(RenderedChange, SwappedDrawOrderIsFoundByAll)
+TEST_P(RenderedChange, IsFoundByAllWhenDrawOrderIsSwapped)
 {
     const std::size_t index = Find(DrawLayer::Shapes, DrawKind::SolidPolygon);
     DrawList first = m_content.list;
@@ -231,7 +231,7 @@ TEST_P(RenderedChange, SwappedDrawOrderIsFoundByAll)
 }
 
 // Vertices shifted as another driver may do. Without labels, because they snap to whole pixels.
-TEST_P(RenderedChange, ShiftByTenthOfPixelPassesOnlyAcrossMachines)
+TEST_P(RenderedChange, IsNotFoundAcrossMachinesForTenthOfPixel)
 {
     DrawList list = m_content.list;
     std::erase_if(list.items, [](const DrawItem& item) { return item.kind == DrawKind::Text; });

@@ -67,7 +67,7 @@ TEST(StateHash, TakesEveryBodyInOrderOfCreation)
     EXPECT_EQ(StateHash(world), HashOf({1, 2, 0.5f, 3, 4, 5, 6, 7, 0.25f, 8, 9, 10}));
 }
 
-TEST(StateHash, SeesTheLastBitOfEachQuantity)
+TEST(StateHash, ChangesWithTheLastBitOfEachQuantity)
 {
     const b2Vec2 p(1.0f, 2.0f), v(3.0f, 4.0f);
     const std::uint64_t hash = HashOfOne(p, 0.5f, v, 5.0f);
@@ -80,13 +80,13 @@ TEST(StateHash, SeesTheLastBitOfEachQuantity)
     EXPECT_NE(hash, HashOfOne(p, 0.5f, v, NextUp(5.0f)));
 }
 
-TEST(StateHash, TakesMinusZeroForZero)
+TEST(StateHash, TreatsMinusZeroAsZero)
 {
     const b2Vec2 minus(-0.0f, -0.0f);
     EXPECT_EQ(HashOfOne(minus, -0.0f, minus, -0.0f), HashOfOne(b2Vec2(0.0f, 0.0f)));
 }
 
-TEST(StateHash, IsTheSameForTheSameMotionAndAnotherAfterAStep)
+TEST(StateHash, IsEqualForEqualMotionAndChangesWithEachStep)
 {
     b2World a(b2Vec2(0.0f, -10.0f)), b(b2Vec2(0.0f, -10.0f));
     AddBody(a, b2Vec2(0.0f, 5.0f), 0.1f);
@@ -117,7 +117,7 @@ TEST(StateHashText, HasSixteenLowerCaseHexDigitsWithLeadingZeros)
     EXPECT_TRUE(sawLeadingZero);
 }
 
-TEST(ReadWorldState, HasTheNumbersOfEachBodyAndLeavesNoGapOut)
+TEST(ReadWorldState, KeepsNumbersOfBodiesWithGaps)
 {
     b2World world(b2Vec2(0.0f, 0.0f));
     AddBody(world, b2Vec2(1, 2), 0.5f, b2Vec2(3, 4), 5);
@@ -163,7 +163,7 @@ TEST(ReadTraceStep, ChangesDigitInFifteenOfSixteenMoves)
     EXPECT_NEAR(different, kTrials * 15 / 16, kTrials / 16);
 }
 
-TEST(ReadTraceStep, OfManyBodiesFindsTheOneThatMoved)
+TEST(ReadTraceStep, FindsMovedBodyAmongMany)
 {
     b2World world(b2Vec2(0.0f, 0.0f));
     std::vector<b2Body*> bodies;

@@ -42,7 +42,7 @@ protected:
     GoldenCandidate candidate = Candidate("pyramid/3s");
 };
 
-TEST_F(VerdictFile, SaysWhatPassedByWhichLimits)
+TEST_F(VerdictFile, StoresStatusAndLimitsOfPass)
 {
     ASSERT_TRUE(store.Accept(candidate));
     candidate.renderer = "some \"GL\"\n";
@@ -62,7 +62,7 @@ TEST_F(VerdictFile, SaysWhatPassedByWhichLimits)
                             HasSubstr("\"overTolerance\": 0")));
 }
 
-TEST_F(VerdictFile, ReplacesThatOfAnEarlierComparison)
+TEST_F(VerdictFile, ReplacesVerdictOfEarlierComparison)
 {
     ASSERT_TRUE(store.Accept(candidate));
     GoldenCandidate moved = candidate;
@@ -77,7 +77,7 @@ TEST_F(VerdictFile, ReplacesThatOfAnEarlierComparison)
                                 references.string() + "'\"")));
 }
 
-TEST_F(VerdictFile, NamesTheStepAndTheBodiesThatPartFirst)
+TEST_F(VerdictFile, NamesStepAndBodiesThatDifferFirst)
 {
     candidate.trace.steps = {{1, "11111111", "ab"}, {2, "22222222", "cd"}, {3, "33333333", "ef"}};
     ASSERT_TRUE(store.Accept(candidate));
@@ -89,7 +89,7 @@ TEST_F(VerdictFile, NamesTheStepAndTheBodiesThatPartFirst)
                       HasSubstr("\"firstBodies\": [1]"), HasSubstr("\"firstHash\": \"2222222f\"")));
 }
 
-TEST_F(VerdictFile, SaysThatSomethingCouldNotBeCompared)
+TEST_F(VerdictFile, StoresErrorWhenReferenceIsDamaged)
 {
     ASSERT_TRUE(store.Accept(candidate));
     ASSERT_THAT(Verified(candidate), HasSubstr("\"status\": \"same\""));
@@ -99,7 +99,7 @@ TEST_F(VerdictFile, SaysThatSomethingCouldNotBeCompared)
         << "it does not pass any more";
 }
 
-TEST_F(VerdictFile, PassesWhereNothingCanBeWritten)
+TEST_F(VerdictFile, IsSkippedWhenOutputIsNotWritable)
 {
     ASSERT_TRUE(store.Accept(candidate));
     std::ofstream(output) << "a file where the folder should be";
@@ -108,7 +108,7 @@ TEST_F(VerdictFile, PassesWhereNothingCanBeWritten)
     EXPECT_EQ(verdict->status, GoldenStatus::Same);
 }
 
-TEST_F(VerdictFile, SaysThatAFailureWasAcceptedByItsTest)
+TEST_F(VerdictFile, StoresThatFailureWasAccepted)
 {
     std::set<std::string> accepted;
     ASSERT_TRUE(

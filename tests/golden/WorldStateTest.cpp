@@ -29,7 +29,7 @@ StateTrace Trace(std::initializer_list<TraceStep> steps)
 
 } // namespace
 
-TEST(WorldStateText, IsALineABodyAndLeavesOutVelocitiesOfWhatRests)
+TEST(WorldStateText, HasOneLinePerBodyWithoutZeroVelocities)
 {
     EXPECT_EQ(ToText(State()), "0 0 0 0\n1 0.1 1.051 0.5 1 2 3\n4 -3 1e-30 0 0 -9.81 0\n");
 }
@@ -53,7 +53,7 @@ std::string LastLine(std::string text)
     return '"' + text.substr(text.rfind('\n') + 1) + '"';
 }
 
-TEST(WorldStateText, OfAnotherKindIsRefusedWithTheLine)
+TEST(WorldStateText, IsRefusedWithTheInvalidLine)
 {
     for (const char* bad :
          {"x 1 2 3\n", "0 1 2\n", "0 1 2 3 4\n", "0 1 2 3 4 5 6 7\n", "-1 0 0 0\n", "0 1 nan 3\n",
@@ -94,7 +94,7 @@ TEST(WorldStateDifference, ReportsQuantityThatDiffersInPlace)
     EXPECT_EQ(DifferenceOf(State(), State()).different, 0u);
 }
 
-TEST(WorldStateDifference, SaysWhichBodiesCameOrWent)
+TEST(WorldStateDifference, ReportsMissingAndExtraBodies)
 {
     WorldState fewer = State();
     fewer.bodies.erase(fewer.bodies.begin() + 1);
@@ -103,7 +103,7 @@ TEST(WorldStateDifference, SaysWhichBodiesCameOrWent)
     EXPECT_THAT(DifferenceOf(State(), WorldState{}).missing, ElementsAre(0, 1, 4));
 }
 
-TEST(StateTraceText, IsALineAStepAndReadsBack)
+TEST(StateTraceText, HasOneLinePerStepAndIsReadBack)
 {
     const StateTrace trace =
         Trace({{1, "0123abcd", "0.f"}, {2, "00000000", "12/34"}, {9, "ffffffff", ""}});
@@ -114,7 +114,7 @@ TEST(StateTraceText, IsALineAStepAndReadsBack)
     EXPECT_EQ(back->steps, trace.steps);
 }
 
-TEST(StateTraceText, OfAnotherKindIsRefusedWithTheLine)
+TEST(StateTraceText, IsRefusedWithTheInvalidLine)
 {
     for (const char* bad : {"1\n", "1 0123abc 0\n", "1 0123abcg 0\n", "1 0123abcd xyz\n",
                             "1 0123abcd\n", "-1 0123abcd 0\n", "2 0123abcd 0\n1 0123abcd 0\n"})
@@ -142,7 +142,7 @@ TEST(StateTraceDifference, ReportsFirstStepAndBodiesThatDiffer)
     EXPECT_EQ(Describe(*difference), "from step 2 on, body 1 first");
 }
 
-TEST(StateTraceDifference, IsAtAStepThatOnlyOneOfThemHas)
+TEST(StateTraceDifference, IsAtAStepThatOnlyOneTraceHas)
 {
     const StateTrace whole =
         Trace({{1, "00000000", "000"}, {2, "00000001", "123"}, {3, "00000002", "456"}});
@@ -178,7 +178,7 @@ TEST(StateTraceDifference, FindsBodyByRowAndColumnDigits)
     EXPECT_THAT(difference->bodies, ElementsAre(2 * 4 + 1));
 }
 
-TEST(StateTraceDifference, MayBeOfAStepBeforeTheFirstThatIsKept)
+TEST(StateTraceDifference, ReportsWhetherStepIsFirstOfTrace)
 {
     const StateTrace expected = Trace({{31, "00000000", "000"}, {32, "00000001", "123"}});
     StateTrace actual = expected;

@@ -48,7 +48,7 @@ TEST(StaticBody, HasNoMassAndNoVelocityAndDoesNotMoveByItself)
     EXPECT_EQ(body->GetPosition(), b2Vec2(3.0f, 4.0f));
 }
 
-TEST(KinematicBody, MovesByItsVelocityAndFeelsNoForces)
+TEST(KinematicBody, MovesByItsVelocityAndIgnoresForces)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_kinematicBody, 0.0f, 0.0f);
@@ -73,7 +73,7 @@ TEST(KinematicBody, PushesLikeAnInfiniteMass)
     EXPECT_GT(box->GetPosition().x, 0.9f);
 }
 
-TEST(BodyTypes, OnlyPairsWithADynamicBodyCollide)
+TEST(BodyTypes, CollideOnlyInPairsWithADynamicBody)
 {
     EXPECT_FALSE(Collide(b2_kinematicBody, b2_staticBody));
     EXPECT_FALSE(Collide(b2_kinematicBody, b2_kinematicBody));
@@ -118,7 +118,7 @@ TEST(BodyDefinition, CanBeRecycledForSeveralBodies)
     EXPECT_EQ(second->GetType(), b2_dynamicBody);
 }
 
-TEST(PositionAndAngle, TheListingPlacesTheOriginNotTheMass)
+TEST(PositionAndAngle, SetTheOriginNotTheMassInTheListing)
 {
     b2World world(b2Vec2_zero);
     b2BodyDef bodyDef;
@@ -161,7 +161,7 @@ b2Vec2 DampedFor(float32 linear, float32 angular, int stepsASecond)
     return b2Vec2(body->GetLinearVelocity().x, body->GetAngularVelocity());
 }
 
-TEST(Damping, TheListingSlowsTheTurningOnly)
+TEST(Damping, SlowsOnlyTheTurningInTheListing)
 {
     b2BodyDef bodyDef;
     bodyDef.linearDamping = 0.0f;
@@ -171,7 +171,7 @@ TEST(Damping, TheListingSlowsTheTurningOnly)
     EXPECT_NEAR(left.y, std::exp(-0.01f), 1e-4f);
 }
 
-TEST(Damping, HardlyDependsOnTheStepAndStopsWhenInfinite)
+TEST(Damping, DependsLittleOnTheStepAndStopsWhenInfinite)
 {
     EXPECT_NEAR(DampedFor(0.1f, 0.1f, 30).x, DampedFor(0.1f, 0.1f, 120).x, 1e-3f);
     EXPECT_GT(b2Abs(DampedFor(20.0f, 0.0f, 10).x - DampedFor(20.0f, 0.0f, 20).x), 1e-6f);
@@ -179,7 +179,7 @@ TEST(Damping, HardlyDependsOnTheStepAndStopsWhenInfinite)
     EXPECT_EQ(DampedFor(infinity, infinity, 60), b2Vec2_zero);
 }
 
-TEST(GravityScale, OfZeroLetsABodyFloat)
+TEST(GravityScale, LetsABodyFloatAtZero)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2BodyDef bodyDef;
@@ -220,7 +220,7 @@ TEST(SleepParameters, LetABodySleepOrForbidIt)
     EXPECT_TRUE(sleeper->IsAwake());
 }
 
-TEST(SleepParameters, ABodyCreatedAsleepStaysUntilSomethingHitsIt)
+TEST(SleepParameters, KeepABodyAsleepUntilItIsHit)
 {
     Scene scene;
     b2BodyDef bodyDef;
@@ -236,7 +236,7 @@ TEST(SleepParameters, ABodyCreatedAsleepStaysUntilSomethingHitsIt)
     EXPECT_TRUE(sleeper->IsAwake());
 }
 
-TEST(SleepParameters, DestroyingAJointOrAContactWakes)
+TEST(SleepParameters, EndSleepWhenAJointOrContactIsDestroyed)
 {
     Scene scene;
     b2Body* ground = scene.Ground();
@@ -301,7 +301,7 @@ TEST(Bullets, AreNotNeededAgainstStaticBodies)
     EXPECT_LT(EndOfShot(b2_staticBody, false), 0.0f);
 }
 
-TEST(Bullets, AreDynamicBodiesOnlyTheFlagChangesNoOther)
+TEST(Bullets, ChangeNothingIfKinematic)
 {
     b2Vec2 ends[2];
     for (const bool bullet : {false, true})
@@ -339,7 +339,7 @@ TEST(Activation, KeepsInactiveBodiesOutOfTheBroadPhase)
     EXPECT_LT(body->GetPosition().y, 2.0f);
 }
 
-TEST(Activation, JointsOfInactiveBodiesAreNotSimulated)
+TEST(Activation, StopsJointsOfInactiveBodies)
 {
     Scene scene;
     b2Body* anchor = scene.Body(b2_dynamicBody, 0.0f, 5.0f);
@@ -362,7 +362,7 @@ TEST(UserData, IsThePointerOfTheDefinition)
     EXPECT_EQ(world.CreateBody(&bodyDef)->GetUserData(), &myActor);
 }
 
-TEST(BodyFactory, TheListingCreatesAndDestroys)
+TEST(BodyFactory, CreatesAndDestroysInTheListing)
 {
     b2World world(b2Vec2_zero);
     b2World* myWorld = &world;
@@ -374,7 +374,7 @@ TEST(BodyFactory, TheListingCreatesAndDestroys)
     EXPECT_EQ(myWorld->GetBodyList(), nullptr);
 }
 
-TEST(BodyFactory, DestroyingABodyDestroysItsFixturesAndJoints)
+TEST(BodyFactory, DestroysABodyWithItsFixturesAndJoints)
 {
     Scene scene;
     b2Body* ground = scene.Ground();
@@ -430,7 +430,7 @@ TEST(PositionAndVelocity, AreReadAndSetByTheNamesOfTheManual)
     EXPECT_NEAR(b2Distance(body->GetLocalCenter(), b2Vec2(0.5f, 0.5f)), 0.0f, 1e-6f);
 }
 
-TEST(PositionAndVelocity, TheLinearVelocityIsThatOfTheCentreOfMass)
+TEST(PositionAndVelocity, IncludeTheVelocityOfTheCentreOfMass)
 {
     Scene scene(b2Vec2_zero);
     b2Body* body = scene.Box(0.0f, 0.0f);

@@ -42,7 +42,7 @@ struct CountedMemory
     ~CountedMemory() { b2SetAllocator(nullptr, nullptr); }
 };
 
-TEST(CoreConcepts, SeveralWorldsLiveSideBySide)
+TEST(CoreConcepts, AllowSeveralWorldsAtOnce)
 {
     Scene first(b2Vec2(0.0f, -10.0f));
     Scene second(b2Vec2(0.0f, 10.0f));
@@ -54,7 +54,7 @@ TEST(CoreConcepts, SeveralWorldsLiveSideBySide)
     EXPECT_EQ(rising->GetPosition().y, -falling->GetPosition().y);
 }
 
-TEST(Units, AnAngleGrowsWithoutBoundUntilItIsSet)
+TEST(Units, LetAnAngleGrowUntilItIsSet)
 {
     Scene scene(b2Vec2_zero);
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -67,7 +67,7 @@ TEST(Units, AnAngleGrowsWithoutBoundUntilItIsSet)
     EXPECT_NEAR(b2Distance(axis, body->GetWorldVector(b2Vec2(1.0f, 0.0f))), 0.0f, 1e-4f);
 }
 
-TEST(FactoriesAndDefinitions, DefinitionsAndShapesAreCopied)
+TEST(FactoriesAndDefinitions, CopyDefinitionsAndShapes)
 {
     b2World world(b2Vec2_zero);
     b2Body* body = nullptr;
@@ -85,7 +85,7 @@ TEST(FactoriesAndDefinitions, DefinitionsAndShapesAreCopied)
     EXPECT_EQ(body->GetFixtureList()->GetShape()->m_radius, 0.5f);
 }
 
-TEST(AllocationWrappers, LetTheProgramsMemorySystemServeTheWorld)
+TEST(AllocationWrappers, UseTheMemorySystemOfTheProgram)
 {
     const CountedMemory counted;
     {
@@ -104,7 +104,7 @@ TEST(AllocationWrappers, LetTheProgramsMemorySystemServeTheWorld)
     EXPECT_EQ(allocations, releases);
 }
 
-TEST(MemoryManagement, SmallObjectsShareFewLargeBlocks)
+TEST(MemoryManagement, PutsSmallObjectsIntoFewLargeBlocks)
 {
     const CountedMemory counted;
     {
@@ -118,7 +118,7 @@ TEST(MemoryManagement, SmallObjectsShareFewLargeBlocks)
     EXPECT_EQ(allocations, releases);
 }
 
-TEST(MemoryManagement, AFreedBlockIsUsedAgain)
+TEST(MemoryManagement, ReusesAFreedBlock)
 {
     b2BlockAllocator allocator;
     void* first = allocator.Allocate(300);
@@ -126,7 +126,7 @@ TEST(MemoryManagement, AFreedBlockIsUsedAgain)
     EXPECT_EQ(allocator.Allocate(300), first);
 }
 
-TEST(MemoryManagement, ASteadyStepAllocatesNothing)
+TEST(MemoryManagement, AllocatesNothingInASteadyStep)
 {
     for (const int32 threads : {1, 3})
     {
@@ -165,7 +165,7 @@ TEST(MemoryManagement, ASteadyStepAllocatesNothing)
     }
 }
 
-TEST(MemoryManagement, TheStackAllocatorTakesWhatFitsFromOneBuffer)
+TEST(MemoryManagement, TakesStackMemoryFromOneBuffer)
 {
     const CountedMemory counted;
     b2StackAllocator allocator;
@@ -183,7 +183,7 @@ TEST(MemoryManagement, TheStackAllocatorTakesWhatFitsFromOneBuffer)
     EXPECT_GE(allocator.GetMaxAllocation(), 3000);
 }
 
-TEST(Math, VectorsAndMatricesServeProgramsToo)
+TEST(Math, OffersVectorsAndMatricesToPrograms)
 {
     const b2Vec2 v(3.0f, 4.0f);
     EXPECT_EQ(v.Length(), 5.0f);
@@ -198,7 +198,7 @@ TEST(Math, VectorsAndMatricesServeProgramsToo)
     EXPECT_NEAR(solution.z, 3.0f, 1e-5f);
 }
 
-TEST(Math, TransformsGoToAFrameAndBack)
+TEST(Math, TransformsPointsToAFrameAndBack)
 {
     b2Transform frame;
     frame.Set(b2Vec2(1.0f, 2.0f), 0.5f * b2_pi);

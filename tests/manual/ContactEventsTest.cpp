@@ -50,7 +50,7 @@ struct Heard : public Scene
     Listener listener;
 };
 
-TEST(ContactListener, TheListingHearsTheFourEventsInOrder)
+TEST(ContactListener, ReceivesTheFourEventsInOrderInTheListing)
 {
     Heard<MyContactListener> scene;
     b2Body* ground = scene.Ground();
@@ -64,7 +64,7 @@ TEST(ContactListener, TheListingHearsTheFourEventsInOrder)
     EXPECT_EQ(ground->GetContactList(), nullptr);
 }
 
-TEST(ContactListener, AListenerNeedsNoneOfTheFunctions)
+TEST(ContactListener, NeedsNoneOfItsFunctions)
 {
     struct Silent : public b2ContactListener
     {};
@@ -126,7 +126,7 @@ float32 ThrownAtAPlatform(float32 y, float32 speed)
     return ball->GetPosition().y;
 }
 
-TEST(PreSolveEvent, TheFirstListingMakesAPlatformOneSided)
+TEST(PreSolveEvent, MakesAPlatformOneSidedInTheFirstListing)
 {
     EXPECT_NEAR(ThrownAtAPlatform(1.5f, 0.0f), 0.35f, 0.02f) << "from above it is solid";
     EXPECT_GT(ThrownAtAPlatform(-1.5f, 9.0f), 1.5f) << "from below it is not";
@@ -198,7 +198,7 @@ struct SoundListener : public b2ContactListener
     std::vector<float32> played;
 };
 
-TEST(PreSolveEvent, TheSecondListingHearsAnImpactOnceWithItsSpeed)
+TEST(PreSolveEvent, ReportsAnImpactAndItsSpeedInTheSecondListing)
 {
     Heard<SoundListener> scene;
     scene.Ground();
@@ -232,7 +232,7 @@ TEST(PostSolveEvent, GathersTheImpulsesOfTheCollision)
     EXPECT_NEAR(scene.listener.total, 2.0f * 10.0f * box->GetMass(), 0.4f);
 }
 
-TEST(PostSolveEvent, TheWorldCannotBeAlteredInACallback)
+TEST(PostSolveEvent, ComesWhileTheWorldIsLocked)
 {
     struct Alters : public b2ContactListener
     {
@@ -322,7 +322,7 @@ void DestroyTouchingBodies(b2World* m_world, ContactPoint* m_points, int32 m_poi
     }
 }
 
-TEST(PostSolveEvent, TheListingDestroysBodiesFromTheBuffer)
+TEST(PostSolveEvent, DestroysBodiesFromTheBufferInTheListing)
 {
     Heard<BufferingListener> scene;
     scene.Ground();
@@ -361,7 +361,7 @@ public:
     }
 };
 
-TEST(ContactFiltering, TheListingIsTheDefault)
+TEST(ContactFiltering, EqualsTheListingByDefault)
 {
     Scene scene;
     b2Fixture* a = scene.Box(0.0f, 0.0f)->GetFixtureList();
@@ -384,7 +384,7 @@ TEST(ContactFiltering, TheListingIsTheDefault)
     }
 }
 
-TEST(ContactFiltering, TheProgramsFilterDecides)
+TEST(ContactFiltering, FollowsTheFilterOfTheProgram)
 {
     /// A door that opens for some and stays shut for others.
     class MyContactFilter : public b2ContactFilter

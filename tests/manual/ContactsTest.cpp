@@ -29,11 +29,11 @@ protected:
 };
 
 using ContactsAbout = RestingBox;
-using ContactTerms = RestingBox;
+using TouchingContact = RestingBox;
 using ContactClass = RestingBox;
 using AccessingContacts = RestingBox;
 
-TEST_F(ContactsAbout, OneExistsForEachChildOfAChainThatIsNear)
+TEST_F(ContactsAbout, ExistForEachNearChildOfAChain)
 {
     const b2Vec2 vs[6] = {{20.0f, 5.0f}, {21.0f, 5.0f}, {22.0f, 5.0f},
                           {23.0f, 5.0f}, {24.0f, 5.0f}, {25.0f, 5.0f}};
@@ -68,7 +68,7 @@ TEST_F(ContactsAbout, ExistWhileTheBoxesOverlap)
     EXPECT_EQ(first->GetContactList(), nullptr) << "gone with the overlap";
 }
 
-TEST_F(ContactTerms, ThePointsLieWhereTheShapesTouch)
+TEST_F(TouchingContact, HasItsPointsWhereTheShapesTouch)
 {
     b2WorldManifold worldManifold;
     Contact()->GetWorldManifold(&worldManifold);
@@ -80,7 +80,7 @@ TEST_F(ContactTerms, ThePointsLieWhereTheShapesTouch)
     }
 }
 
-TEST_F(ContactTerms, TheNormalPointsFromTheFirstFixtureToTheSecond)
+TEST_F(TouchingContact, HasItsNormalFromTheFirstFixtureToTheSecond)
 {
     b2WorldManifold worldManifold;
     Contact()->GetWorldManifold(&worldManifold);
@@ -90,7 +90,7 @@ TEST_F(ContactTerms, TheNormalPointsFromTheFirstFixtureToTheSecond)
     EXPECT_GT(b2Dot(worldManifold.normal, fromAToB), 0.0f);
 }
 
-TEST_F(ContactTerms, TheSeparationIsNegativeWhereShapesOverlap)
+TEST_F(TouchingContact, HasNegativeSeparationWhereShapesOverlap)
 {
     myBody->SetTransform(b2Vec2(0.0f, 0.45f), 0.0f);
     scene.Step();
@@ -99,7 +99,7 @@ TEST_F(ContactTerms, TheSeparationIsNegativeWhereShapesOverlap)
     EXPECT_LT(worldManifold.separations[0], 0.0f);
 }
 
-TEST_F(ContactTerms, TheManifoldHasUpToTwoPointsWithOneNormal)
+TEST_F(TouchingContact, HasTwoPointsForBoxesAndOneForABall)
 {
     EXPECT_EQ(Contact()->GetManifold()->pointCount, 2);
     b2Body* ball = scene.Ball(5.0f, 0.5f);
@@ -108,14 +108,14 @@ TEST_F(ContactTerms, TheManifoldHasUpToTwoPointsWithOneNormal)
     EXPECT_EQ(ball->GetContactList()->contact->GetManifold()->pointCount, 1);
 }
 
-TEST_F(ContactTerms, TheNormalImpulseIsTheForceTimesTheStep)
+TEST_F(TouchingContact, HasTheNormalImpulseOfTheForceInAStep)
 {
     const b2Manifold* manifold = Contact()->GetManifold();
     const float32 impulse = manifold->points[0].normalImpulse + manifold->points[1].normalImpulse;
     EXPECT_NEAR(impulse, 10.0f * myBody->GetMass() * kStep, 1e-3f);
 }
 
-TEST_F(ContactTerms, TheTangentImpulseIsTheFrictionTimesTheStep)
+TEST_F(TouchingContact, HasTheTangentImpulseOfTheFrictionInAStep)
 {
     const float32 pull = 1.5f; // newtons, less than friction can hold
     float32 impulse = 0.0f;
@@ -129,7 +129,7 @@ TEST_F(ContactTerms, TheTangentImpulseIsTheFrictionTimesTheStep)
     EXPECT_NEAR(b2Abs(impulse), pull * kStep, 1e-3f);
 }
 
-TEST_F(ContactTerms, TheIdsMatchThePointsOfOneStepWithThoseOfTheNext)
+TEST_F(TouchingContact, KeepsTheIdsOfItsPointsInTheNextStep)
 {
     const b2Manifold before = *Contact()->GetManifold();
     scene.Step();
@@ -164,7 +164,7 @@ struct MyActor
     int hits = 0;
 };
 
-TEST_F(ContactClass, TheListingGoesFromAContactToAnActor)
+TEST_F(ContactClass, LeadsToAnActorInTheListing)
 {
     MyActor onGround;
     ground->SetUserData(&onGround);
@@ -176,7 +176,7 @@ TEST_F(ContactClass, TheListingGoesFromAContactToAnActor)
     EXPECT_EQ(actorA, &onGround);
 }
 
-TEST_F(AccessingContacts, TheListingsVisitThoseOfTheWorldAndOfABody)
+TEST_F(AccessingContacts, VisitsThoseOfWorldAndBodyInTheListings)
 {
     scene.Box(0.0f, 1.5f + 2.0f * dynamics::kRestingGap);
     scene.Box(20.0f, 0.5f);
@@ -210,7 +210,7 @@ struct CountBegins : public b2ContactListener
     int begun = 0;
 };
 
-TEST_F(AccessingContacts, TheListenerHearsWhatTheListsMiss)
+TEST_F(AccessingContacts, GivesTheListenerContactsThatListsMiss)
 {
     CountBegins listener;
     Scene space(b2Vec2_zero);

@@ -26,7 +26,7 @@ bool Collide(b2FixtureDef defA, b2FixtureDef defB)
     return scene.world.GetContactCount() > 0;
 }
 
-TEST(Fixtures, HoldWhatTheDefinitionSays)
+TEST(Fixtures, HaveTheValuesOfTheirDefinition)
 {
     Scene scene;
     int data = 0;
@@ -75,7 +75,7 @@ TEST(FixtureShape, IsReplacedWithEffectFromTheNextStep)
     EXPECT_GT(left->GetMass(), mass);
 }
 
-TEST(FixtureShape, ChainsTakeAnotherNumberOfEdges)
+TEST(FixtureShape, CanChangeTheNumberOfEdgesOfAChain)
 {
     Scene scene;
     const b2Vec2 points[] = {{-9.0f, 0.0f}, {-1.0f, 0.0f}, {1.0f, 0.0f}, {9.0f, 0.0f}};
@@ -98,7 +98,7 @@ TEST(FixtureShape, ChainsTakeAnotherNumberOfEdges)
     EXPECT_NEAR(ball->GetPosition().y, 0.5f, 0.02f);
 }
 
-TEST(FixtureCreation, TheListingsCreateAndDestroyOne)
+TEST(FixtureCreation, CreatesAndDestroysOneInTheListings)
 {
     Scene scene;
     b2Body* myBody = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
@@ -114,7 +114,7 @@ TEST(FixtureCreation, TheListingsCreateAndDestroyOne)
     EXPECT_EQ(myBody->GetFixtureList(), nullptr);
 }
 
-TEST(FixtureCreation, SeveralFixturesMakeACompoundWhoseMassesAdd)
+TEST(FixtureCreation, AddsTheMassesOfSeveralFixtures)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
@@ -153,7 +153,7 @@ TEST(Friction, IsTheGeometricMeanOfTheTwo)
     EXPECT_NEAR(SlidingFriction(0.9f, 0.4f), friction, 0.02f);
 }
 
-TEST(Friction, OfZeroOnEitherSideTurnsItOff)
+TEST(Friction, IsZeroIfEitherFixtureHasZero)
 {
     EXPECT_NEAR(SlidingFriction(0.0f, 1.0f), 0.0f, 1e-4f);
 }
@@ -185,7 +185,7 @@ float32 Rebound(float32 ofGround, float32 ofBall, float32 height = 5.0f)
     return highest;
 }
 
-TEST(Restitution, OfZeroDoesNotBounceAndOfOneBouncesBackToTheTop)
+TEST(Restitution, GivesNoReboundAtZeroAndAFullOneAtOne)
 {
     EXPECT_LT(Rebound(0.0f, 0.0f), 0.1f);
     EXPECT_NEAR(Rebound(0.0f, 1.0f), 5.0f, 0.4f);
@@ -206,7 +206,7 @@ TEST(Restitution, IsTheLargerOfTheTwo)
     EXPECT_EQ(scene.world.GetContactList()->GetRestitution(), restitution);
 }
 
-TEST(Restitution, SlowImpactsDoNotBounce)
+TEST(Restitution, IsIgnoredInSlowImpacts)
 {
     // A fall from here ends below the threshold.
     const float32 height = 0.4f * b2_velocityThreshold * b2_velocityThreshold / 20.0f;
@@ -247,7 +247,7 @@ TEST(Filtering, AgreesWithTheRuleForEveryPairOfMasks)
     }
 }
 
-TEST(Filtering, APositiveGroupAlwaysCollidesAndANegativeOneNever)
+TEST(Filtering, LetsPositiveGroupsCollideAndNegativeOnesNot)
 {
     b2FixtureDef fixture1Def, fixture2Def, fixture3Def, fixture4Def;
     fixture1Def.filter.groupIndex = 2;
@@ -264,7 +264,7 @@ TEST(Filtering, APositiveGroupAlwaysCollidesAndANegativeOneNever)
     EXPECT_FALSE(Collide(fixture1Def, fixture3Def));
 }
 
-TEST(Filtering, FixturesOfOneBodyNeverCollideEvenInAPositiveGroup)
+TEST(Filtering, NeverLetsFixturesOfOneBodyCollide)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);

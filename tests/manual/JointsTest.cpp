@@ -53,7 +53,7 @@ TEST_F(Joints, ConstrainBodiesToTheWorldOrToEachOther)
     EXPECT_GT(b2Abs(myBodyB->GetPosition().y), 0.1f);
 }
 
-TEST_F(Joints, AMotorWhoseSpeedFollowsTheErrorControlsThePosition)
+TEST_F(Joints, ReachAPositionByAMotorThatFollowsTheError)
 {
     b2PrismaticJointDef jointDef;
     jointDef.Initialize(scene.Post(), myBodyA, b2Vec2_zero, b2Vec2(1.0f, 0.0f));
@@ -68,7 +68,7 @@ TEST_F(Joints, AMotorWhoseSpeedFollowsTheErrorControlsThePosition)
     EXPECT_NEAR(joint->GetJointTranslation(), 1.5f, 0.01f);
 }
 
-TEST_F(Joints, AMotorWithoutSpeedIsFrictionThatSlipsUnderALoad)
+TEST_F(Joints, HaveFrictionWithAMotorOfSpeedZero)
 {
     b2RevoluteJointDef jointDef;
     jointDef.Initialize(scene.Post(), myBodyA, myBodyA->GetPosition());
@@ -146,7 +146,7 @@ TEST_F(JointDefinition, PreventsCollisionUnlessCollideConnectedIsSet)
     EXPECT_TRUE(JoinedBodiesCollide(true));
 }
 
-TEST_F(JointDefinition, LocalAnchorsPullSeparateBodiesTogether)
+TEST_F(JointDefinition, PullsBodiesTogetherByItsLocalAnchors)
 {
     b2RevoluteJointDef jointDef;
     jointDef.bodyA = myBodyA;
@@ -159,7 +159,7 @@ TEST_F(JointDefinition, LocalAnchorsPullSeparateBodiesTogether)
     EXPECT_LT(b2Distance(joint->GetAnchorA(), joint->GetAnchorB()), b2_linearSlop);
 }
 
-TEST_F(JointDefinition, InitializeUsesThePresentTransforms)
+TEST_F(JointDefinition, UsesThePresentTransformsInInitialize)
 {
     myBodyB->SetTransform(b2Vec2(2.0f, 0.0f), 0.5f * b2_pi);
     b2RevoluteJointDef jointDef;
@@ -169,7 +169,7 @@ TEST_F(JointDefinition, InitializeUsesThePresentTransforms)
     EXPECT_NEAR(jointDef.referenceAngle, 0.5f * b2_pi, 1e-6f);
 }
 
-TEST_F(JointFactory, TheListingShowsTheLifeOfAHinge)
+TEST_F(JointFactory, CreatesAndDestroysAHingeInTheListing)
 {
     b2RevoluteJointDef jointDef;
     // The specification sets an anchor point of the definition, which hinges do not have.
@@ -182,7 +182,7 @@ TEST_F(JointFactory, TheListingShowsTheLifeOfAHinge)
     EXPECT_EQ(myWorld->GetJointList(), nullptr);
 }
 
-TEST_F(JointFactory, JointsGoWithTheirBodies)
+TEST_F(JointFactory, DestroysJointsWithTheirBodies)
 {
     b2RevoluteJointDef jointDef;
     jointDef.Initialize(myBodyA, myBodyB, myBodyA->GetWorldCenter());
@@ -192,7 +192,7 @@ TEST_F(JointFactory, JointsGoWithTheirBodies)
     EXPECT_EQ(myBodyA->GetJointList(), nullptr);
 }
 
-TEST_F(UsingJoints, TellTheirBodiesAnchorsAndUserData)
+TEST_F(UsingJoints, ReturnsTheirBodiesAnchorsAndUserData)
 {
     int data = 0;
     b2DistanceJointDef jointDef;
@@ -206,7 +206,7 @@ TEST_F(UsingJoints, TellTheirBodiesAnchorsAndUserData)
     EXPECT_EQ(joint->GetUserData(), &data);
 }
 
-TEST_F(UsingJoints, TellTheForceAndTorqueOnTheSecondBody)
+TEST_F(UsingJoints, ReturnsTheForceAndTorqueOnTheSecondBody)
 {
     JointScene hanging;
     b2Body* load = hanging.Load(1.0f, 0.0f);
@@ -225,7 +225,7 @@ TEST_F(UsingJoints, TellTheForceAndTorqueOnTheSecondBody)
     EXPECT_FLOAT_EQ(joint->GetReactionTorque(60.0f), torque);
 }
 
-TEST_F(DistanceJointSection, TheListingKeepsTheDistanceOfTheAnchors)
+TEST_F(DistanceJointSection, KeepsTheAnchorDistanceInTheListing)
 {
     const b2Vec2 worldAnchorOnBodyA(0.5f, 0.5f), worldAnchorOnBodyB(1.5f, 0.5f);
     b2DistanceJointDef jointDef;
@@ -257,7 +257,7 @@ TEST_F(DistanceJointSection, IsASpringOfItsFrequencyAndDamping)
     EXPECT_NEAR(myBodyA->GetPosition().y, 3.5f, 1e-3f);
 }
 
-TEST_F(RevoluteJointSection, TheListingJoinsAtTheFirstBodysCentre)
+TEST_F(RevoluteJointSection, JoinsAtTheFirstCentreInTheListing)
 {
     b2RevoluteJointDef jointDef;
     jointDef.Initialize(myBodyA, myBodyB, myBodyA->GetWorldCenter());
@@ -267,7 +267,7 @@ TEST_F(RevoluteJointSection, TheListingJoinsAtTheFirstBodysCentre)
     EXPECT_LT(b2Distance(joint->GetAnchorA(), joint->GetAnchorB()), b2_linearSlop);
 }
 
-TEST_F(RevoluteJointSection, TheAngleGrowsCounterClockwiseFromZero)
+TEST_F(RevoluteJointSection, MeasuresCounterClockwiseFromZero)
 {
     myBodyA->SetTransform(b2Vec2_zero, 0.7f);
     myBodyB->SetTransform(b2Vec2(2.0f, 0.0f), -0.3f);
@@ -281,7 +281,7 @@ TEST_F(RevoluteJointSection, TheAngleGrowsCounterClockwiseFromZero)
     EXPECT_NEAR(joint->GetJointSpeed(), 1.0f, 1e-3f);
 }
 
-TEST_F(RevoluteJointSection, TheRevisedListingHasLimitsAndFriction)
+TEST_F(RevoluteJointSection, HasLimitsAndFrictionInRevisedListing)
 {
     b2Body* bodyA = scene.Post(-2.0f, 0.0f);
     b2Body* bodyB = myBodyB;
@@ -310,7 +310,7 @@ TEST_F(RevoluteJointSection, TheRevisedListingHasLimitsAndFriction)
     EXPECT_NEAR(b2Abs(joint->GetMotorTorque()), 10.0f, 0.2f);
 }
 
-TEST_F(RevoluteJointSection, TheMotorHoldsItsSpeedUpToItsTorque)
+TEST_F(RevoluteJointSection, HoldsItsMotorSpeedUpToItsMaxTorque)
 {
     b2RevoluteJointDef jointDef;
     jointDef.Initialize(scene.Post(), myBodyB, myBodyB->GetWorldCenter());
@@ -329,7 +329,7 @@ TEST_F(RevoluteJointSection, TheMotorHoldsItsSpeedUpToItsTorque)
     EXPECT_NEAR(joint->GetMotorTorque(), -5.0f, 1e-2f);
 }
 
-TEST_F(RevoluteJointSection, TheGameLoopsDriveTheMotor)
+TEST_F(RevoluteJointSection, IsDrivenByTheGameLoops)
 {
     b2RevoluteJointDef jointDef;
     jointDef.Initialize(scene.Post(), myBodyB, myBodyB->GetWorldCenter());
@@ -357,7 +357,7 @@ TEST_F(RevoluteJointSection, TheGameLoopsDriveTheMotor)
     EXPECT_NEAR(myJoint->GetJointAngle() - angleTarget, start * std::exp(-6.0f), 1e-4f);
 }
 
-TEST_F(PrismaticJointSection, TheListingSlidesBetweenItsLimits)
+TEST_F(PrismaticJointSection, SlidesBetweenItsLimitsInTheListing)
 {
     b2Body* ground = scene.Post(0.0f, 5.0f);
     myBodyB->SetTransform(b2Vec2(2.0f, 5.0f), 0.3f);
@@ -393,7 +393,7 @@ TEST_F(PrismaticJointSection, TheListingSlidesBetweenItsLimits)
     EXPECT_NEAR(joint->GetJointTranslation(), -5.0f, 2.0f * b2_linearSlop);
 }
 
-TEST_F(PrismaticJointSection, TheAxisFollowsTheBodies)
+TEST_F(PrismaticJointSection, TurnsItsAxisWithTheBodies)
 {
     b2PrismaticJointDef jointDef;
     jointDef.Initialize(myBodyA, myBodyB, b2Vec2_zero, b2Vec2(1.0f, 0.0f));
@@ -406,7 +406,7 @@ TEST_F(PrismaticJointSection, TheAxisFollowsTheBodies)
     EXPECT_NEAR(b2Cross(axis, offset), 0.0f, 0.01f);
 }
 
-TEST_F(PrismaticJointSection, TheFunctionsOfTheManualReadAndDriveIt)
+TEST_F(PrismaticJointSection, IsReadAndDrivenByTheManualsFunctions)
 {
     b2PrismaticJointDef jointDef;
     jointDef.Initialize(scene.Post(), myBodyB, myBodyB->GetWorldCenter(), b2Vec2(1.0f, 0.0f));

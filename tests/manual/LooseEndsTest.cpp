@@ -19,7 +19,7 @@ struct GameActor
     b2Body* body = nullptr;
 };
 
-TEST(UserDataSection, TheActorKnowsTheBodyAndTheBodyTheActor)
+TEST(UserDataSection, LinksAnActorToItsBodyAndBack)
 {
     b2World world(b2Vec2_zero);
     b2World* box2Dworld = &world;
@@ -39,7 +39,7 @@ struct FixtureUserData
     int materialIndex;
 };
 
-TEST(UserDataSection, TheListingHangsAStructureOnAFixture)
+TEST(UserDataSection, StoresAStructureInAFixtureInTheListing)
 {
     Scene scene;
     b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
@@ -72,7 +72,7 @@ int FilledBytes(const void* destroyed, std::size_t size)
     return filled;
 }
 
-TEST(ImplicitDestruction, DebugBuildsFillDestroyedObjects)
+TEST(ImplicitDestruction, FillsDestroyedObjectsInDebugBuilds)
 {
     Scene scene;
     b2Body* ground = scene.Ground();
@@ -126,7 +126,7 @@ TEST(ImplicitDestruction, NotifiesListenerOfDestroyedJoints)
     myWorld->SetListener(nullptr);
 }
 
-TEST(ImplicitDestruction, WakesWhatWasJoinedOrTouching)
+TEST(ImplicitDestruction, WakesBodiesThatWereJoinedOrTouching)
 {
     Scene scene;
     b2Body* ground = scene.Ground();
@@ -147,7 +147,7 @@ TEST(ImplicitDestruction, WakesWhatWasJoinedOrTouching)
     EXPECT_NE(ground, nullptr);
 }
 
-TEST(PixelsAndCoordinates, AFactorGoesToMetresAndBack)
+TEST(PixelsAndCoordinates, ConvertToMetresAndBackByAFactor)
 {
     const float32 xPixels = 75.0f;
     float32 xMeters = 0.02f * xPixels;
@@ -200,7 +200,7 @@ TEST(DebugDrawing, ShowsShapesJointsBoxesAndCentresOfMassAsAsked)
     EXPECT_EQ(DrawnWith(0).solidPolygons, 0);
 }
 
-TEST(Limitations, AHeavyBodyOnALightOneStandsAtTenToOne)
+TEST(Limitations, LetABodyRestOnOneOfATenthOfItsMass)
 {
     Scene scene;
     scene.Ground();
@@ -213,7 +213,7 @@ TEST(Limitations, AHeavyBodyOnALightOneStandsAtTenToOne)
     EXPECT_NEAR(heavy->GetPosition().y, 1.5f + 2.0f * dynamics::kRestingGap, 4.0f * b2_linearSlop);
 }
 
-TEST(Limitations, AChainThatHoldsTenTimesALinkStretchesLittle)
+TEST(Limitations, StretchAChainLittleUnderTenTimesALink)
 {
     Scene scene;
     b2Body* previous = scene.Body(b2_staticBody, 0.0f, 0.0f);
@@ -231,7 +231,7 @@ TEST(Limitations, AChainThatHoldsTenTimesALinkStretchesLittle)
     EXPECT_NEAR(previous->GetPosition().y, -9.5f, 0.1f);
 }
 
-TEST(Limitations, TheSlopBetweenShapesIsHalfACentimetre)
+TEST(Limitations, IncludeASlopOfHalfACentimetre)
 {
     EXPECT_EQ(b2_linearSlop, 0.005f);
     Scene scene;
@@ -241,7 +241,7 @@ TEST(Limitations, TheSlopBetweenShapesIsHalfACentimetre)
     EXPECT_NEAR(box->GetPosition().y, 0.5f + dynamics::kRestingGap, b2_linearSlop);
 }
 
-TEST(Limitations, AJointOnAFastBodyThatHitsAWallComesTogetherAgain)
+TEST(Limitations, LetAJointCloseAgainAfterAFastImpact)
 {
     Scene scene(b2Vec2_zero);
     scene.Wall(5.0f);
@@ -257,7 +257,7 @@ TEST(Limitations, AJointOnAFastBodyThatHitsAWallComesTogetherAgain)
     EXPECT_LT(b2Distance(joint->GetAnchorA(), joint->GetAnchorB()), 2.0f * b2_linearSlop);
 }
 
-TEST(Limitations, AFallIsThatOfSymplecticEuler)
+TEST(Limitations, IncludeTheErrorOfSymplecticEuler)
 {
     Scene scene;
     b2Body* body = scene.Box(0.0f, 0.0f);
@@ -266,7 +266,7 @@ TEST(Limitations, AFallIsThatOfSymplecticEuler)
     EXPECT_NEAR(body->GetPosition().y, -10.0f * kStep * kStep * 0.5f * 60.0f * 61.0f, 1e-4f);
 }
 
-TEST(Limitations, MoreIterationsAreMoreAccurate)
+TEST(Limitations, DecreaseWithMoreIterations)
 {
     float32 sag[2];
     for (const bool many : {false, true})

@@ -36,7 +36,7 @@ struct Pulley : public JointScene
     b2PulleyJoint* joint;
 };
 
-TEST(PulleyJointSection, TheListingConservesTheRope)
+TEST(PulleyJointSection, KeepsTheRopeLengthInTheListing)
 {
     Pulley pulley(1.0f, 2.0f);
     EXPECT_NEAR(pulley.joint->GetLengthA(), 10.0f, 1e-5f);
@@ -47,7 +47,7 @@ TEST(PulleyJointSection, TheListingConservesTheRope)
     EXPECT_NEAR(pulley.joint->GetLengthA() + pulley.joint->GetLengthB(), 22.0f, 0.02f);
 }
 
-TEST(PulleyJointSection, ARatioOfTwoDoublesAPathAndHalvesAForce)
+TEST(PulleyJointSection, DoublesAPathAndHalvesAForceAtARatioOfTwo)
 {
     Pulley pulley(2.0f, 2.0f); // twice the weight on the slow side: in balance
     pulley.Step(60);
@@ -98,7 +98,7 @@ struct Gears : public JointScene
     b2PrismaticJoint* myPrismaticJoint;
 };
 
-TEST(GearJointSection, TheListingTurnsAWheelOnceForARackLength)
+TEST(GearJointSection, TurnsAWheelOncePerRackLengthInTheListing)
 {
     Gears gears;
     const float32 myLength = 2.0f;
@@ -114,7 +114,7 @@ TEST(GearJointSection, TheListingTurnsAWheelOnceForARackLength)
     EXPECT_NEAR(gears.Coordinate(ratio), 0.0f, 0.01f);
 }
 
-TEST(GearJointSection, TheRatioCanBeNegative)
+TEST(GearJointSection, AcceptsANegativeRatio)
 {
     Gears gears;
     gears.Gear(-1.5f);
@@ -155,7 +155,7 @@ TEST(MouseJointSection, DrivesAPointOfABodyTowardsTheTarget)
     EXPECT_GT(b2Abs(body->GetAngle()), 0.1f) << "rotation is free";
 }
 
-TEST(MouseJointSection, TheMaximumForceCannotPullThroughAWall)
+TEST(MouseJointSection, PullsNoBodyThroughAWallWithItsMaxForce)
 {
     JointScene scene(b2Vec2_zero);
     scene.Wall(2.0f);
@@ -194,7 +194,7 @@ TEST(WheelJointSection, KeepsAPointOnALineWithASpring)
     EXPECT_GT(joint->GetJointTranslation(), 0.0f) << "pressed together";
 }
 
-TEST(WeldJointSection, HoldsEverythingButAChainOfThemFlexes)
+TEST(WeldJointSection, HoldsBodiesButFlexesInAChain)
 {
     JointScene scene;
     b2Body* previous = scene.Post(-0.5f, 0.0f);
@@ -212,7 +212,7 @@ TEST(WeldJointSection, HoldsEverythingButAChainOfThemFlexes)
     EXPECT_LT(b2Abs(previous->GetAngle()), 0.5f * b2_pi);
 }
 
-TEST(WeldJointSection, ABreakableBodyMovesAFixtureToANewBody)
+TEST(WeldJointSection, IsNotNeededForABreakableBody)
 {
     JointScene scene;
     b2Body* whole = scene.Body(b2_dynamicBody, 0.0f, 5.0f);

@@ -23,7 +23,7 @@ b2Transform At(float32 x, float32 y, float32 angle = 0.0f)
     return transform;
 }
 
-TEST(ShapePointTest, TheListingAsksForAWorldPoint)
+TEST(ShapePointTest, TestsAWorldPointInTheListing)
 {
     const b2PolygonShape box = Box(6.0f, 3.0f);
     const b2Shape* shape = &box;
@@ -47,7 +47,7 @@ TEST(ShapePointTest, IsAlwaysFalseForEdgesAndChainsEvenForLoops)
     EXPECT_FALSE(chain.TestPoint(b2Transform(), corners[0]));
 }
 
-TEST(ShapeRayCast, TheListingGivesTheFirstIntersectionAndTheNormal)
+TEST(ShapeRayCast, GivesTheFirstHitAndItsNormalInTheListing)
 {
     b2CircleShape circle;
     circle.m_p.Set(0.75f, 0.0f);
@@ -126,7 +126,7 @@ TEST(ContactManifolds, HaveOnePointForCirclesAndTwoForPolygons)
     EXPECT_EQ(manifold.pointCount, 2);
 }
 
-TEST(ContactManifolds, TheListingGivesWorldPoints)
+TEST(ContactManifolds, GiveWorldPointsInTheListing)
 {
     const b2PolygonShape shapeA = Box(1.0f, 1.0f), shapeB = Box(0.5f, 0.5f);
     const b2Transform transformA = At(3.0f, 0.0f), transformB = At(3.0f, 1.45f);
@@ -145,7 +145,7 @@ TEST(ContactManifolds, TheListingGivesWorldPoints)
     EXPECT_NEAR(b2Distance(worldManifold.normal, b2Vec2(0.0f, 1.0f)), 0.0f, 1e-6f);
 }
 
-TEST(ContactManifolds, PointStatesTellWhatWasAddedAndRemoved)
+TEST(ContactManifolds, HavePointStatesForAddedAndRemovedPoints)
 {
     const b2PolygonShape box = Box(1.0f, 1.0f);
     b2Manifold manifold1, manifold2;
@@ -189,7 +189,7 @@ TEST(TimeOfImpact, StopsAFastShapeAtAThinWall)
     EXPECT_NEAR(output.t, (10.0f - 0.11f) / 20.0f, 0.002f);
 }
 
-TEST(TimeOfImpact, AsAShapeCastWithFixedRotationsMissesNothing)
+TEST(TimeOfImpact, MissesNothingAsAShapeCastWithoutRotation)
 {
     b2CircleShape ball;
     ball.m_radius = 0.1f;
@@ -291,7 +291,7 @@ struct Pairs
     int count = 0;
 };
 
-TEST(BroadPhase, TellsOnlyThePairsWhoseBoxesOverlap)
+TEST(BroadPhase, ReportsOnlyThePairsWhoseBoxesOverlap)
 {
     b2BroadPhase broadPhase;
     for (int i = 0; i < 50; ++i)

@@ -10,7 +10,7 @@
 namespace
 {
 
-TEST(Types, HaveTheSizesTheirNamesSay)
+TEST(Types, HaveTheSizesOfTheirNames)
 {
     EXPECT_EQ(sizeof(int8), 1u);
     EXPECT_EQ(sizeof(int16), 2u);
@@ -23,7 +23,7 @@ TEST(Types, HaveTheSizesTheirNamesSay)
     EXPECT_TRUE(std::is_signed_v<int8> && std::is_unsigned_v<uint8>);
 }
 
-TEST(Constants, AreThoseTheTextNames)
+TEST(Constants, HaveTheValuesOfTheManual)
 {
     EXPECT_EQ(b2_maxPolygonVertices, 8);
     EXPECT_EQ(b2_linearSlop, 0.005f);
@@ -32,7 +32,7 @@ TEST(Constants, AreThoseTheTextNames)
     EXPECT_FLOAT_EQ(b2_pi, 3.14159265f);
 }
 
-TEST(Version, CanBeAskedAtRunTime)
+TEST(Version, CanBeReadAtRunTime)
 {
     const b2Version version = b2_version;
     EXPECT_EQ(version.major, 2);

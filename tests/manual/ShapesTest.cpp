@@ -39,7 +39,7 @@ float32 HighestOverTheSeam(bool withGhosts)
     return highest;
 }
 
-TEST(Shapes, AnswerTheFourQuestionsOfTheBaseClass)
+TEST(Shapes, ImplementTheFourFunctionsOfTheBaseClass)
 {
     b2PolygonShape box;
     box.SetAsBox(1.0f, 2.0f);
@@ -87,7 +87,7 @@ TEST(Shapes, MoveWithTheBodyTheyAreAttachedTo)
     EXPECT_TRUE(fixture->TestPoint(b2Vec2(17.0f, 2.0f)));
 }
 
-TEST(Polygon, TheListingMakesATriangle)
+TEST(Polygon, IsATriangleInTheListing)
 {
     // Counter-clockwise.
     b2Vec2 vertices[3];
@@ -119,7 +119,7 @@ TEST(Polygon, IsStoredCounterClockwiseInAnyOrder)
     }
 }
 
-TEST(Polygon, SetMakesTheConvexHullAndWeldsWhatIsCloserThanTheSlop)
+TEST(Polygon, IsTheConvexHullWeldedWithinTheSlop)
 {
     const b2Vec2 points[7] = {{0.0f, 0.0f},   {1.0f, 0.0f}, {0.5f, 0.5f}, {1.0f, 1.0f},
                               {1.0f, 0.999f}, {0.0f, 1.0f}, {0.2f, 0.3f}};
@@ -128,7 +128,7 @@ TEST(Polygon, SetMakesTheConvexHullAndWeldsWhatIsCloserThanTheSlop)
     EXPECT_EQ(polygon.GetVertexCount(), 4);
 }
 
-TEST(Polygon, TakesAsManyVerticesAsTheConstantSays)
+TEST(Polygon, TakesUpToTheMaximumOfVertices)
 {
     b2Vec2 points[b2_maxPolygonVertices];
     for (int32 i = 0; i < b2_maxPolygonVertices; ++i)
@@ -140,7 +140,7 @@ TEST(Polygon, TakesAsManyVerticesAsTheConstantSays)
     EXPECT_EQ(polygon.GetVertexCount(), b2_maxPolygonVertices);
 }
 
-TEST(Polygon, SetAsBoxTakesHalfWidthsACentreAndAnAngle)
+TEST(Polygon, IsABoxOfHalfWidthsACentreAndAnAngle)
 {
     b2PolygonShape box;
     box.SetAsBox(1.0f, 2.0f);
@@ -151,7 +151,7 @@ TEST(Polygon, SetAsBoxTakesHalfWidthsACentreAndAnAngle)
     EXPECT_FALSE(box.TestPoint(b2Transform(), b2Vec2(5.0f, 1.01f)));
 }
 
-TEST(Polygon, TheSkinKeepsStackedBoxesALittleApart)
+TEST(Polygon, KeepsStackedBoxesApartByItsSkin)
 {
     Scene scene;
     scene.Ground();
@@ -179,7 +179,7 @@ TEST(EdgeShapes, CollideWithCirclesAndPolygonsButNotWithEachOther)
     EXPECT_LT(other->GetPosition().y, -5.0f);
 }
 
-TEST(EdgeShapes, TheListingWithGhostVerticesKeepsThem)
+TEST(EdgeShapes, KeepTheirGhostVerticesInTheListing)
 {
     // The middle one of three edges.
     b2Vec2 v0(1.7f, 0.0f);
@@ -202,7 +202,7 @@ TEST(EdgeShapes, TheListingWithGhostVerticesKeepsThem)
     EXPECT_EQ(copy->m_vertex3, v3);
 }
 
-TEST(EdgeShapes, GhostVerticesLetABoxSlideOverTheSeams)
+TEST(EdgeShapes, LetABoxSlideOverSeamsWithGhostVertices)
 {
     const float32 rest = 0.5f + 2.0f * b2_polygonRadius;
     EXPECT_LT(HighestOverTheSeam(true), rest + b2_linearSlop);
@@ -219,7 +219,7 @@ void MakeListing(b2ChainShape& chain, b2Vec2 (&vs)[4])
     chain.CreateChain(vs, 4);
 }
 
-TEST(ChainShapes, TheListingMakesThreeEdgesThatKnowTheirNeighbours)
+TEST(ChainShapes, AreThreeConnectedEdgesInTheListing)
 {
     b2Vec2 vs[4];
     b2ChainShape chain;
@@ -243,7 +243,7 @@ TEST(ChainShapes, TheListingMakesThreeEdgesThatKnowTheirNeighbours)
     EXPECT_EQ(visited, 3);
 }
 
-TEST(ChainShapes, GhostVerticesConnectOneChainWithAnother)
+TEST(ChainShapes, ConnectWithOtherChainsByGhostVertices)
 {
     b2Vec2 vs[4];
     b2ChainShape chain;
@@ -297,7 +297,7 @@ TEST(ChainShapes, LetABoxSlideWithoutGhostCollisions)
     EXPECT_NEAR(box->GetAngle(), 0.0f, 1e-3f);
 }
 
-TEST(ChainShapes, EachEdgeHasItsOwnBoxInTheTree)
+TEST(ChainShapes, HaveABoxInTheTreeForEachEdge)
 {
     Scene scene;
     b2Vec2 vs[4];

@@ -14,7 +14,7 @@ namespace
 using dynamics::kStep;
 using dynamics::Scene;
 
-TEST(CreatingAWorld, TheListingTakesGravityAndWhetherBodiesSleep)
+TEST(CreatingAWorld, SetsGravityAndSleepingInTheListing)
 {
     const b2Vec2 gravity(0.0f, -10.0f);
     for (bool doSleep : {true, false})
@@ -36,7 +36,7 @@ TEST(CreatingAWorld, TheListingTakesGravityAndWhetherBodiesSleep)
     }
 }
 
-TEST(Simulation, TheListingDrivesTheWorld)
+TEST(Simulation, StepsTheWorldInTheListing)
 {
     Scene scene;
     b2World* myWorld = &scene.world;
@@ -49,7 +49,7 @@ TEST(Simulation, TheListingDrivesTheWorld)
     EXPECT_NEAR(body->GetPosition().y, -10.0f / 3600.0f, 1e-6f);
 }
 
-TEST(Simulation, ABodyCreatedBeforeTheStepCollidesInIt)
+TEST(Simulation, CollidesABodyCreatedBeforeTheStep)
 {
     Scene scene;
     scene.Ground();
@@ -87,13 +87,13 @@ float32 WorstGap(float32 hz, int32 iterations)
     return worst;
 }
 
-TEST(Simulation, MoreIterationsAreBetterAndSmallerStepsBetterStill)
+TEST(Simulation, ImprovesWithIterationsAndMoreWithSmallSteps)
 {
     EXPECT_LT(WorstGap(60.0f, 20), WorstGap(60.0f, 5));
     EXPECT_LT(WorstGap(60.0f, 10), 0.8f * WorstGap(30.0f, 20));
 }
 
-TEST(ExploringTheWorld, TheListingWakesAllBodies)
+TEST(ExploringTheWorld, WakesAllBodiesInTheListing)
 {
     Scene scene;
     b2World* myWorld = &scene.world;
@@ -142,7 +142,7 @@ struct Crowd : public Scene
     std::vector<GameActor> actors;
 };
 
-TEST(ExploringTheWorld, TheListingDestroysTheDeadWhileItWalks)
+TEST(ExploringTheWorld, DestroysDeadActorsInTheWalkOfTheListing)
 {
     Crowd crowd;
     b2World* myWorld = &crowd.world;
@@ -174,7 +174,7 @@ bool GameCrazyBodyDestroyer(b2Body* body)
     return !friends.empty();
 }
 
-TEST(ExploringTheWorld, TheLastListingStartsAgainWhenOthersWentToo)
+TEST(ExploringTheWorld, RestartsAtTheFirstBodyInTheLastListing)
 {
     Crowd crowd;
     b2World* myWorld = &crowd.world;
@@ -219,7 +219,7 @@ public:
     std::set<b2Body*> found;
 };
 
-TEST(AABBQueries, TheListingWakesTheBodiesInARegion)
+TEST(AABBQueries, WakeTheBodiesInARegionInTheListing)
 {
     Scene scene;
     b2World* myWorld = &scene.world;
@@ -239,7 +239,7 @@ TEST(AABBQueries, TheListingWakesTheBodiesInARegion)
     EXPECT_EQ(callback.found.size(), 2u) << "the box and the ground";
 }
 
-TEST(AABBQueries, FalseEndsTheQuery)
+TEST(AABBQueries, EndWhenTheCallbackReturnsFalse)
 {
     struct First : public b2QueryCallback
     {
@@ -285,7 +285,7 @@ public:
     float32 m_fraction;
 };
 
-TEST(RayCasts, TheListingCapturesTheClosestHit)
+TEST(RayCasts, CaptureTheClosestHitInTheListing)
 {
     Scene scene;
     b2World* myWorld = &scene.world;
@@ -329,7 +329,7 @@ struct Answering : public b2RayCastCallback
     int hits = 0;
 };
 
-TEST(RayCasts, ZeroEndsOneGoesOnAndMinusOneIgnores)
+TEST(RayCasts, EndAtZeroContinueAtOneAndIgnoreAtMinusOne)
 {
     Scene scene;
     b2Body* first = scene.Box(0.0f, 0.0f);
@@ -345,7 +345,7 @@ TEST(RayCasts, ZeroEndsOneGoesOnAndMinusOneIgnores)
     EXPECT_EQ(behind.nearest, second);
 }
 
-TEST(ForcesAndImpulses, WakeTheBodyUnlessTheCallerLooksFirst)
+TEST(ForcesAndImpulses, WakeTheBodyUnlessTheCallerForbidsIt)
 {
     Scene scene;
     scene.Ground();
@@ -401,7 +401,7 @@ struct MyFixtureData
     int visits = 0;
 };
 
-TEST(Lists, OfABodyHoldItsFixturesJointsAndContacts)
+TEST(Lists, HoldFixturesJointsAndContactsOfABody)
 {
     Scene scene;
     b2Body* ground = scene.Ground();

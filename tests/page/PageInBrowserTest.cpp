@@ -136,7 +136,7 @@ Result<Frame> FrameOf(std::string_view base64, const TemporaryFolder& folder)
     return ReadPng(folder / "page.png");
 }
 
-TEST_P(PagePixels, AreThoseOfARenderer)
+TEST_P(PagePixels, EqualThoseOfARenderer)
 {
     constexpr int kStep = 150;
     const Theme theme = *FindTheme(GetParam().theme);
@@ -264,7 +264,7 @@ void KeepLabels(DrawList& list, double filmScale, double zoom)
     }
 }
 
-TEST_P(PageLayers, AreThoseOfARenderer)
+TEST_P(PageLayers, EqualThoseOfARenderer)
 {
     std::string layers;
     for (const LayerInfo& info : kOptionalLayers)
@@ -381,7 +381,7 @@ TEST_F(PageInBrowser, PlacesItemsOfEveryStepAsTheList)
     }
 }
 
-TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
+TEST_F(PageInBrowser, HasWorkingControlsWithoutConsoleErrors)
 {
     const std::string page = PageOf("dominos", "shapes,joints,contacts", 299);
     const std::string results = Run(page, R"(
@@ -478,7 +478,7 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
 }
 
 // The film's own camera moves with the car, so a view that is not the reader's moves too.
-TEST_F(PageInBrowser, FollowsBodyAlsoWhereTheFilmMoves)
+TEST_F(PageInBrowser, FollowsBodyWhenTheFilmCameraMoves)
 {
     const std::string page = PageOf("car", "shapes", 300);
     EXPECT_EQ(Run(page, R"(
@@ -577,7 +577,7 @@ TEST_F(PageInBrowser, FindsContactsWithoutTheirLayer)
     EXPECT_EQ(nothing, "null") << "the middle of a box touches nothing";
 }
 
-TEST_F(PageInBrowser, TwoWorldsOfAReportShowTheSameMomentAndView)
+TEST_F(PageInBrowser, ShowsTwoWorldsAtTheSameMomentAndView)
 {
     FilmStrip strip;
     strip.width = 16;
@@ -633,7 +633,7 @@ TEST_F(PageInBrowser, TwoWorldsOfAReportShowTheSameMomentAndView)
     EXPECT_THAT(results, HasSubstr("right a layer is passed on"));
 }
 
-TEST_F(PageInBrowser, SaysThatADamagedPageIsDamaged)
+TEST_F(PageInBrowser, ReportsADamagedPage)
 {
     std::string page = PageOf("dominos", "shapes", 3);
     page.replace(page.find("\"forms\":\"") + 9, 8, "AAAAAAAA");

@@ -125,7 +125,7 @@ TEST_F(PageScenes, HaveTheOriginsOfBodies)
 class StatesOfScene : public PageScenes, public testing::WithParamInterface<const char*>
 {};
 
-TEST_P(StatesOfScene, AreThoseOfTheBodies)
+TEST_P(StatesOfScene, EqualThoseOfTheBodies)
 {
     std::vector<std::vector<PageBody>> bodies;
     Write(GetParam(), "shapes", 260, // more than a group

@@ -92,7 +92,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(PageWriterTest, HasTheItemsOfEveryListAtTheirPlaces)
+TEST_F(PageWriterTest, WritesItemsOfEveryListAtTheirPlaces)
 {
     constexpr int kFrames = 500; // more than two groups
     const test::ReadPage page = Written(kFrames);
@@ -104,7 +104,7 @@ TEST_F(PageWriterTest, HasTheItemsOfEveryListAtTheirPlaces)
     EXPECT_EQ(page.fullScale, kPageZoom * kCamera.pixelsPerMeter);
 }
 
-TEST_F(PageWriterTest, HasTheSameBytesAgain)
+TEST_F(PageWriterTest, WritesTheSameBytesAgain)
 {
     const std::string first = Written(30).html;
     std::filesystem::remove(Path());
@@ -129,7 +129,7 @@ TEST_F(PageWriterTest, FollowsTheCamera)
     EXPECT_NEAR(last.viewHeight, camera.height / camera.pixelsPerMeter, kViewError);
 }
 
-TEST_F(PageWriterTest, KnowsOriginsAndAnglesOfBodies)
+TEST_F(PageWriterTest, WritesOriginsAndAnglesOfBodies)
 {
     PageWriter writer = Open(Settings());
     for (int frame = 0; frame < 10; ++frame)
@@ -196,7 +196,7 @@ TEST_F(PageWriterTest, LeavesOutItemsThatAreNotFinite)
     test::ExpectSameItems(page.frames.at(0), list, page.fullScale);
 }
 
-TEST_F(PageWriterTest, HasTheColoursOfTheTheme)
+TEST_F(PageWriterTest, UsesTheColoursOfTheTheme)
 {
     PageSettings settings = Settings();
     settings.theme = Theme::OkabeIto();
@@ -206,7 +206,7 @@ TEST_F(PageWriterTest, HasTheColoursOfTheTheme)
     EXPECT_EQ(test::ReadPageFile(Path()).frames.at(0).items.at(1).stroke, "rgb(230,159,0)");
 }
 
-TEST_F(PageWriterTest, ShowsTextsAsTexts)
+TEST_F(PageWriterTest, EscapesMarkupInTexts)
 {
     PageSettings settings = Settings();
     settings.title = "<b>\"{{frames}}";
@@ -236,7 +236,7 @@ TEST_F(PageWriterTest, RefusesSettingsOutOfRange)
     EXPECT_TRUE(folder.Names().empty());
 }
 
-TEST_F(PageWriterTest, RefusesPathsThatTakeNoFile)
+TEST_F(PageWriterTest, RefusesPathsThatCannotBeWritten)
 {
     std::ofstream(Path()) << "mine";
     const auto kindOf = [this](const std::filesystem::path& path) {

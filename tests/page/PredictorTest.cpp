@@ -18,7 +18,7 @@ std::int64_t MissAfter(const std::vector<std::int64_t>& numbers, std::int64_t ne
     return next - predictor.Guess();
 }
 
-TEST(Predictor, GuessesRestSpeedAndAcceleration)
+TEST(Predictor, PredictsRestSpeedAndAcceleration)
 {
     EXPECT_TRUE(Predictor().IsEmpty());
     EXPECT_EQ(MissAfter({5}, 5), 0);
@@ -27,7 +27,7 @@ TEST(Predictor, GuessesRestSpeedAndAcceleration)
     EXPECT_EQ(MissAfter({0, 1, 4, 9, 16, 25, 36}, 49), 0);
 }
 
-TEST(Predictor, StaysWhereNumbersJumpToAndFro)
+TEST(Predictor, PredictsNoChangeForAlternatingNumbers)
 {
     // The other rules would guess twice and four times as far off.
     EXPECT_EQ(MissAfter({0, 8, 0, 8, 0, 8, 0, 8}, 0), -8);

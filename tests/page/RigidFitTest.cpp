@@ -43,7 +43,7 @@ TEST(RigidFit, CountsTurnsFromTheGuess)
     EXPECT_EQ(place->angle, 2'000'000);
 }
 
-TEST(RigidFit, RefusesPointsThatMoveOnTheirOwn)
+TEST(RigidFit, RefusesPointsThatDoNotMoveRigidly)
 {
     std::vector<PagePoint> points = Turned(kBar, 3.0, -2.0, 0.7);
     points[2].x += 1e-4;

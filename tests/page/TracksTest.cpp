@@ -74,7 +74,7 @@ TEST_F(Tracks, LeaveOutWhatCannotBeDrawn)
     EXPECT_EQ(Split(list).size(), 1u);
 }
 
-TEST_F(Tracks, OfBodiesGoOnHoweverFarTheyMove)
+TEST_F(Tracks, ContinueForBodiesHoweverFarTheyMove)
 {
     DrawList before;
     before.owner = 7;
@@ -87,7 +87,7 @@ TEST_F(Tracks, OfBodiesGoOnHoweverFarTheyMove)
     EXPECT_THAT(Match(before, after), ElementsAre(-1));
 }
 
-TEST_F(Tracks, OfContactsAreFoundAgainAmongNewOnes)
+TEST_F(Tracks, ContinueForContactsAmongNewOnes)
 {
     const DrawList before = Points({{0, 0}, {1, 0}, {2, 0}, {3, 0}});
     EXPECT_THAT(Match(before, Points({{5, 5}, {0, 0}, {1.1f, 0}, {3, 0}, {4, 0}})),

@@ -244,7 +244,7 @@ class Examples(unittest.TestCase):
 
 
 class Page(unittest.TestCase):
-    def test_its_first_program_and_its_pictures_run(self):
+    def test_first_program_and_pictures_run(self):
         page = os.path.join(EXAMPLES, "..", "..", "docs", "python.md")
         with open(page, encoding="utf-8") as file:
             blocks = [part.partition("```")[0] for part in file.read().split("```python\n")[1:]]
@@ -255,7 +255,7 @@ class Page(unittest.TestCase):
                            env={**os.environ, "PYTHONPATH": os.path.dirname(_boxreel.__file__)})
             self.assertEqual(set(os.listdir(folder)), {"hello.mp4", "figure.svg", "figure.pdf"})
 
-    def test_the_package_brings_its_inner_names(self):
+    def test_names_of_inner_modules_can_be_imported(self):
         for text in ("import Box2D; assert Box2D.b2.world is Box2D.b2World; Box2D.b2.globals.b2_pi",
                      "from Box2D.Box2D import *; assert b2World().bodyCount == 0 and RAND_LIMIT == 32767",
                      "from Box2D.b2 import *; assert globals()['world']; random(0, 1)",

@@ -65,7 +65,7 @@ class Arguments(unittest.TestCase):
                 use()
             self.world.gravity = 0, -10  # raised the error of the call before
 
-    def test_an_error_is_each_kind_that_programs_catch(self):
+    def test_errors_are_caught_as_three_builtin_kinds(self):
         for kind in (ValueError, AssertionError, RuntimeError):
             with self.assertRaises(kind):
                 self.body.linearDamping = -1
@@ -81,7 +81,7 @@ class Arguments(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, name):
                 change()
 
-    def test_wrong_calls_get_a_sentence(self):
+    def test_wrong_calls_name_the_expected_arguments(self):
         world, body = self.world, self.body
         for call, text in ((lambda: world.DestroyBody(None), r"^b2World.DestroyBody: expected \(body\), not \(None\)$"),
                            (lambda: world.Step(1 / 60), r"^b2World.Step: expected \(timeStep, .*\), not \('float'\)$"),
@@ -101,7 +101,7 @@ class Arguments(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, text):
                 call()
 
-    def test_no_wrong_call_gets_a_sentence_of_python(self):
+    def test_wrong_calls_raise_no_message_of_python(self):
         """Calls of everything public with wrong arguments, which fail with our words, work, or do nothing."""
         foreign = re.compile("positional argument|unexpected keyword|incompatible function|object is not|has no setter"
                              "|unsupported operand|has no attribute '(?!nonsense)|indices must|not supported between|_boxreel")
@@ -139,7 +139,7 @@ class Arguments(unittest.TestCase):
                             self.assertNotRegex(str(error), foreign)
         self.assertGreater(count, 5000)
 
-    def test_definitions_and_places_are_taken_as_well(self):
+    def test_definitions_and_bodies_may_be_positional(self):
         world = self.world
         body = world.CreateStaticBody(Box2D.b2BodyDef(position=(3, 4)))
         self.assertEqual((body.type, tuple(body.position)), (Box2D.b2_staticBody, (3, 4)))
@@ -240,7 +240,7 @@ class Conversions(unittest.TestCase):
         with self.assertRaises(TypeError):
             Box2D.b2Vec2(pair)
 
-    def test_a_sequence_is_as_long_as_it_says(self):
+    def test_sequences_are_read_up_to_their_length(self):
         class Endless:
             def __init__(self, item, length):
                 self.item, self.length = item, length
@@ -336,7 +336,7 @@ class Reentrance(unittest.TestCase):
         finally:
             gc.set_threshold(*before)
 
-    def test_world_is_of_one_thread_during_a_callback(self):
+    def test_other_threads_are_refused_during_a_callback(self):
         inside, done, refused = threading.Event(), threading.Event(), []
 
         class Waits(b2ContactListener):
@@ -464,7 +464,7 @@ class Destroyed(unittest.TestCase):
         with self.assertRaises(b2Error):
             contact.touching
 
-    def test_a_world_without_references_goes_at_once(self):
+    def test_a_world_without_references_is_freed_at_once(self):
         world = b2World()
         ball(world).CreateCircleFixture(radius=1)
         gone = weakref.ref(world)
@@ -490,7 +490,7 @@ class Destroyed(unittest.TestCase):
         gc.collect()
         self.assertEqual([each() for each in gone], [None, None, None])
 
-    def test_any_order_with_a_collection_at_every_step(self):
+    def test_objects_are_freed_in_any_order(self):
         dice = random.Random(1)
         for _ in range(20):
             world = b2World()
@@ -519,7 +519,7 @@ class Callbacks(unittest.TestCase):
         self.world.contactListener = type("Listener", (b2ContactListener,), functions)()
         self.world.Step(1 / 60, 8, 3)
 
-    def test_listener_hears_all_four(self):
+    def test_listener_receives_all_four_events(self):
         heard = []
         listener = type("Listener", (b2ContactListener,), {
             "BeginContact": lambda self, contact: heard.append("begin"),
@@ -532,7 +532,7 @@ class Callbacks(unittest.TestCase):
         self.world.Step(1 / 60, 8, 3)
         self.assertEqual(heard, ["begin", ("pre", 0), ("post", True), "end"])
 
-    def test_presolve_can_disable(self):
+    def test_presolve_can_disable_a_contact(self):
         self.step_with(PreSolve=lambda self, contact, old: setattr(contact, "enabled", False))
         self.assertLess(self.body.linearVelocity.y, 0)
 
@@ -582,7 +582,7 @@ class Callbacks(unittest.TestCase):
         self.assertIsNone(self.world.contactListener)
         self.world.Step(1 / 60, 8, 3)
 
-    def test_filter(self):
+    def test_filter_prevents_contacts(self):
         class Filter(b2ContactFilter):
             def ShouldCollide(self, fixtureA, fixtureB):
                 return b2ContactFilter.ShouldCollide(self, fixtureA, fixtureB) and self.allows
@@ -591,7 +591,7 @@ class Callbacks(unittest.TestCase):
         self.world.Step(1 / 60, 8, 3)
         self.assertEqual(self.world.contactCount, 0)
 
-    def test_destruction_listener(self):
+    def test_destruction_listener_gets_joint_and_fixture(self):
         gone = []
 
         class Listener(b2DestructionListener):
@@ -606,7 +606,7 @@ class Callbacks(unittest.TestCase):
         with self.assertRaises(b2Error):
             joint.anchorA
 
-    def test_destroying_inside_a_goodbye_is_refused(self):
+    def test_destroying_in_say_goodbye_is_refused(self):
         class Listener(b2DestructionListener):
             def SayGoodbye(listener, object):
                 self.world.DestroyBody(self.ground)
@@ -656,7 +656,7 @@ class Copies(unittest.TestCase):
             self.assertEqual(self.run_world(twin), expected)
         self.assertIsNot(twins[0].bodies[1], self.body)
 
-    def test_every_protocol_of_pickle(self):
+    def test_every_protocol_of_pickle_is_supported(self):
         values = Box2D.b2Vec2(1, 2), Box2D.b2Color(1, 0, 0), b2PolygonShape(box=(1, 2)), Box2D.b2Sweep(c=(1, 2), a=3)
         for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
             for value in values:
@@ -674,7 +674,7 @@ class Copies(unittest.TestCase):
             self.assertNotEqual(copied.position, self.body.position)
             self.assertIsNot(copied.world, self.body.world)
 
-    def test_what_cannot_be_copied_says_so(self):
+    def test_contacts_and_profiles_refuse_to_be_copied(self):
         self.body.position = 0, 0.4
         self.world.Step(1 / 60, 8, 3)
         for value in (self.world.contacts[0], self.world.profile):
@@ -709,7 +709,7 @@ class Copies(unittest.TestCase):
             later.position
         self.assertEqual(self.run_world(self.world), first)
 
-    def test_restore_forgets_what_was_destroyed(self):
+    def test_restore_keeps_destroyed_objects_invalid(self):
         snapshot = self.world._save()
         self.world.DestroyBody(self.body)
         self.world._restore(snapshot)
@@ -717,7 +717,7 @@ class Copies(unittest.TestCase):
         with self.assertRaises(b2Error):
             self.body.position
 
-    def test_a_snapshot_of_another_world_is_safe(self):
+    def test_a_snapshot_of_another_world_is_restored(self):
         other = b2World()
         other.CreateStaticBody().CreatePolygonFixture(box=(1, 1))
         other.CreateStaticBody()
@@ -754,7 +754,7 @@ class Threads(unittest.TestCase):
             thread.join()
         self.assertEqual(len({world.poses().tobytes() for world in worlds}), 1)
 
-    def test_another_thread_is_refused_meanwhile(self):
+    def test_another_thread_is_refused_during_a_step(self):
         world = b2World()
         ground(world)
         bodies = [ball(world, (i % 40, 1 + i // 40)) for i in range(2000)]

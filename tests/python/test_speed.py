@@ -15,7 +15,7 @@ class Speed(unittest.TestCase):
         found = python_speed.measure(1)
         self.assertGreater(min(found["step_python_us"], found["poses_5000_us"]), 0)
 
-    def test_a_thousand_worlds(self):
+    def test_a_thousand_worlds_take_less_than_400_mb(self):
         before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
         worlds = [python_speed.small_world() for _ in range(1000)]
         for world in worlds:

@@ -662,7 +662,7 @@ class Environments(unittest.TestCase):
         self.assertNotEqual(round(car.body.angle, 2), 0)
         self.assertGreater(listener.count, 3)
 
-    def test_lander_with_particles(self):
+    def test_lander_lands_with_particles(self):
         class Landing(contactListener):
             def __init__(self, env):
                 contactListener.__init__(self)

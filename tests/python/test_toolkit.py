@@ -52,7 +52,7 @@ class Pictures(InFolder):
         self.assertFalse((first == second).all())
         self.assertGreater(len(numpy.unique(first.reshape(-1, 4), axis=0)), 3)
 
-    def test_camera_and_theme(self):
+    def test_render_uses_camera_and_theme(self):
         world = drop()
         camera = boxreel.Camera(200, 100, center=(0, 3), pixelsPerMeter=20)
         picture = boxreel.render(world, camera=camera, theme="print")
@@ -120,7 +120,7 @@ class Pictures(InFolder):
     def test_jupyter_shows_a_world(self):
         self.assertTrue(drop()._repr_png_().startswith(b"\x89PNG"))
 
-    def test_compare(self):
+    def test_compare_finds_changed_pixels(self):
         world = drop()
         camera = boxreel.fit(world, (320, 180))
         first = boxreel.render(world, camera=camera)
@@ -138,7 +138,7 @@ class Films(InFolder):
                               "-of", "csv=p=0", path], capture_output=True, text=True, check=True).stdout
         return [int(number) for number in out.strip().split(",")]
 
-    def test_film_of_a_world(self):
+    def test_film_has_the_added_frames(self):
         world = drop()
         with boxreel.film(self.path("a.mp4"), size=(320, 180), fps=50, quality="draft") as film:
             for _ in range(30):
@@ -215,7 +215,7 @@ class Films(InFolder):
                 self.assertEqual((error.kind, error.culprit), ("unusable", culprit))
                 self.assertNotIn("chroma =", str(error))  # no keyword of films
 
-    def test_errors_of_films_advise_what_python_can_do(self):
+    def test_errors_of_films_advise_keywords(self):
         odd = self.refusal_of("a.mp4", size=(321, 180))
         self.assertIn("size=(322, 180)", odd.remedy)
         self.assertIn('quality="lossless"', odd.remedy)
@@ -237,12 +237,12 @@ class Films(InFolder):
             film.add(numpy.zeros((9, 16, 3), numpy.uint8))
         film.close()
 
-    def test_a_dropped_film_warns(self):
+    def test_an_unclosed_film_warns_and_leaves_no_file(self):
         with self.assertWarnsRegex(ResourceWarning, "a.mp4"):
             boxreel.film(self.path("a.mp4"), size=(320, 180)).add(drop())
         self.assertEqual(os.listdir(self.folder), [])
 
-    def test_wrong_calls_get_a_sentence(self):
+    def test_wrong_calls_name_the_expected_arguments(self):
         for call, text in ((lambda: boxreel.Camera(640, 360, centre=(0, 0)), "^Camera: .*did you mean 'center'"),
                            (lambda: boxreel.fit(drop(), 3), "^size: expected width and height"),
                            (lambda: boxreel.film("a.mp4", "ab"), "^size: expected width and height"),
@@ -271,7 +271,7 @@ class Films(InFolder):
 
 
 class States(InFolder):
-    def test_hash_save_and_restore(self):
+    def test_restore_continues_with_the_same_hash(self):
         world = drop()
         step(world, 5)
         snapshot, before = boxreel.save(world), boxreel.state_hash(world)
@@ -283,7 +283,7 @@ class States(InFolder):
         step(world, 50)
         self.assertEqual(boxreel.state_hash(world), after)
 
-    def test_scenes(self):
+    def test_scenes_are_listed_and_made(self):
         self.assertIn("Pyramid", boxreel.scenes())
         world = boxreel.scene("pyramid")
         self.assertGreater(world.bodyCount, 20)
@@ -291,7 +291,7 @@ class States(InFolder):
         with self.assertRaisesRegex(ValueError, "Pyramid"):
             boxreel.scene("Pyramit")
 
-    def test_scene_files(self):
+    def test_scene_files_restore_the_world(self):
         world = drop()
         world.bodies[1].name = "ball"
         self.assertEqual(boxreel.dump(world, self.path("a.json")), [])
@@ -301,7 +301,7 @@ class States(InFolder):
         with self.assertRaises(boxreel.Error):
             boxreel.load(self.path("b.json"))
 
-    def test_golden(self):
+    def test_golden_checks_and_accepts_worlds(self):
         world = drop()
         options = {"references": self.path("references"), "output": self.path("output")}
         with self.assertRaises(AssertionError):

@@ -74,7 +74,7 @@ class Vectors(unittest.TestCase):
         self.assertEqual(-a, (-1, -2))
         self.assertNotEqual(a, (1, 3))
 
-    def test_in_place_changes_the_same_object(self):
+    def test_in_place_operators_change_the_object(self):
         a = b = b2Vec2(1, 2)
         a += (1, 0)
         a *= 2
@@ -123,7 +123,7 @@ class Vectors(unittest.TestCase):
                 self.assertEqual(value, twin)
                 self.assertIsNot(value, twin)
 
-    def test_three_components(self):
+    def test_three_components_are_computed(self):
         a = b2Vec3(1, 2, 3)
         self.assertEqual(a + (1, 1, 1), (2, 3, 4))
         self.assertEqual(a.dot((1, 1, 1)), 6)
@@ -131,7 +131,7 @@ class Vectors(unittest.TestCase):
 
 
 class Matrices(unittest.TestCase):
-    def test_solve_and_inverse(self):
+    def test_matrices_solve_and_invert(self):
         m = b2Mat22((2, 1), (1, 3))
         self.assertEqual(m * m.Solve((1, 2)), (1, 2))
         self.assertEqual(m.inverse * (m * (1, 0)), (1, 0))
@@ -166,7 +166,7 @@ class Matrices(unittest.TestCase):
         t.position.x = 5
         self.assertEqual(t.position, (5, 0))
 
-    def test_rotation_and_sweep(self):
+    def test_rotation_multiplies_and_sweep_interpolates(self):
         self.assertAlmostEqual((b2Rot(0.5) * b2Rot(0.25)).angle, 0.75, 6)
         sweep = b2Sweep(c0=(0, 0), c=(2, 0), a=1.0)
         self.assertEqual(sweep.GetTransform(0.5).position, (1, 0))
@@ -179,11 +179,11 @@ class Matrices(unittest.TestCase):
     def test_colour_has_a_list_of_bytes(self):
         self.assertEqual(b2Color(1, 1, 1).bytes + [127], [255, 255, 255, 127])
 
-    def test_colour(self):
+    def test_colour_has_bytes_and_a_list(self):
         c = b2Color(1, 0.5, 0)
         self.assertEqual((c.bytes, c.list, tuple(c * 0.5)), ([255, 127, 0], [1, 0.5, 0], (0.5, 0.25, 0)))
 
-    def test_box(self):
+    def test_box_has_extents_and_overlaps(self):
         box = b2AABB(lowerBound=b2Vec2(0, 0) - (1, 1), upperBound=(1, 2))
         self.assertEqual((box.center, box.extents, box.perimeter, box.valid), ((0, 0.5), (1, 1.5), 10, True))
         self.assertIn((0, 0), box)
@@ -192,14 +192,14 @@ class Matrices(unittest.TestCase):
 
 
 class Shapes(unittest.TestCase):
-    def test_polygon_by_box_and_vertices(self):
+    def test_polygon_is_made_of_a_box_or_vertices(self):
         box = b2PolygonShape(box=(1, 2))
         self.assertEqual(box.vertices, [(-1, -2), (1, -2), (1, 2), (-1, 2)])
         self.assertEqual(b2PolygonShape(box=(1, 1, (2, 3), 0)).centroid, (2, 3))
         triangle = b2PolygonShape(vertices=[(0, 0), (1, 0), b2Vec2(0, 1)])
         self.assertEqual((triangle.vertexCount, len(triangle.normals), triangle.valid), (3, 3, True))
 
-    def test_polygon_refuses_what_is_none(self):
+    def test_polygon_refuses_invalid_vertices(self):
         for vertices in ((2, 1), [(0, 0), (1, 1)], [(0, 0), (1, 0), (2, 0)], [(i, i * i) for i in range(9)]):
             with self.assertRaises(ValueError):
                 b2PolygonShape(vertices=vertices)
@@ -210,7 +210,7 @@ class Shapes(unittest.TestCase):
         with self.assertRaises(TypeError):
             b2PolygonShape(boxes=(1, 1))
 
-    def test_no_vertices_clear_a_polygon(self):
+    def test_an_empty_list_clears_a_polygon(self):
         polygon = b2PolygonShape(box=(1, 1), radius=0.5)
         polygon.vertices = []
         self.assertEqual((polygon.vertexCount, polygon.valid, polygon.radius), (0, False, 0.5))
@@ -226,13 +226,13 @@ class Shapes(unittest.TestCase):
         with self.assertRaises(TypeError):
             b2EdgeShape(vertices=[(0, 0), None])
 
-    def test_circle(self):
+    def test_circle_has_mass_and_bounds(self):
         circle = b2CircleShape(radius=2, pos=(1, 0))
         self.assertTrue(circle.TestPoint(b2Transform(), (2.5, 0)))
         self.assertAlmostEqual(circle.getMass(1).mass, 4 * math.pi, 5)
         self.assertEqual(circle.getAABB(b2Transform(), 0).upperBound, (3, 2))
 
-    def test_edge_and_chain(self):
+    def test_edge_and_chain_take_vertices(self):
         edge = b2EdgeShape(vertices=[(0, 0), (1, 0)])
         self.assertEqual(edge.vertices, [(0, 0), (1, 0)])
         edge.vertices = [(-1, 0), (0, 0), (1, 0), (2, 0)]
@@ -244,7 +244,7 @@ class Shapes(unittest.TestCase):
         with self.assertRaises(ValueError):
             loop.getChildEdge(3)
 
-    def test_ray(self):
+    def test_shapes_are_hit_by_rays(self):
         hit, normal, fraction = b2PolygonShape(box=(1, 1)).RayCast((-3, 0), (3, 0), 1, b2Transform(), 0)
         self.assertTrue(hit)
         self.assertEqual(normal, (-1, 0))
@@ -274,7 +274,7 @@ class Shapes(unittest.TestCase):
         self.assertEqual(output.normal, (-1, 0))
         self.assertIs(box.RayCast(output, b2RayCastInput(p1=(-3, 9), p2=(3, 9), maxFraction=1)), False)
 
-    def test_distance_and_time_of_impact(self):
+    def test_distance_and_time_of_impact_are_computed(self):
         box, circle = b2PolygonShape(box=(1, 1)), b2CircleShape(radius=1)
         result = Box2D.b2Distance(shapeA=box, shapeB=circle, transformB=b2Transform(position=(5, 0), angle=0),
                                   useRadii=False)
@@ -285,7 +285,7 @@ class Shapes(unittest.TestCase):
         self.assertEqual(state, Box2D.b2TOIOutput.e_touching)
         self.assertAlmostEqual(t, 4 / 6, 2)
 
-    def test_inputs_of_distance_and_time_of_impact(self):
+    def test_inputs_of_distance_and_impact_are_read(self):
         box, circle = Box2D.b2DistanceProxy(b2PolygonShape(box=(1, 1))), Box2D.b2DistanceProxy(b2CircleShape(radius=1))
         self.assertEqual((box.GetVertexCount(), box.GetSupportVertex((1, 1)), circle.radius), (4, (1, 1), 1))
         place = b2Transform(position=(5, 0), angle=0)
@@ -301,7 +301,7 @@ class Shapes(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "transformA"):
             Box2D.b2DistanceInput(tranformA=box)
 
-    def test_small_functions(self):
+    def test_helper_functions_return_their_values(self):
         self.assertTrue(Box2D.b2CheckPolygon(b2PolygonShape(box=(1, 1))))
         with self.assertRaises(ValueError):
             Box2D.b2CheckPolygon(b2PolygonShape())
@@ -311,7 +311,7 @@ class Shapes(unittest.TestCase):
         self.assertEqual(Box2D.b2ContactPoint(position=(1, 2)).position, (1, 2))
         self.assertTrue(all(-1 <= Box2D.b2Random() <= 1 and 2 <= Box2D.b2Random(2, 3) <= 3 for _ in range(100)))
 
-    def test_manifold(self):
+    def test_manifold_has_points_and_states(self):
         a, b = b2PolygonShape(box=(1, 1)), b2PolygonShape(box=(1, 1))
         manifold = Box2D.b2Manifold()
         Box2D.b2CollidePolygons(manifold, a, b2Transform(), b, b2Transform(position=(1.9, 0), angle=0))

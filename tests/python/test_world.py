@@ -38,7 +38,7 @@ class Velocity(unittest.TestCase):
         velocity.SetZero()
         self.assertEqual(self.body.linearVelocity, (0, 0))
 
-    def test_component_keeps_the_newer_other_one(self):
+    def test_setting_a_component_keeps_the_other(self):
         velocity = self.body.linearVelocity
         self.body.linearVelocity = 0, 7
         velocity.x = 1
@@ -60,7 +60,7 @@ class Velocity(unittest.TestCase):
 
 
 class Worlds(unittest.TestCase):
-    def test_defaults(self):
+    def test_default_world_is_empty_with_gravity(self):
         world = b2World()
         self.assertEqual((world.gravity, world.allowSleeping, world.bodyCount, world.bodies), ((0, -10), True, 0, []))
 
@@ -72,7 +72,7 @@ class Worlds(unittest.TestCase):
         with self.assertRaises(TypeError):
             b2World(gravty=(0, 0))
 
-    def test_step_by_order_and_by_name(self):
+    def test_step_takes_positions_and_keywords(self):
         world = b2World()
         body = ball(world, (0, 10))
         world.Step(1 / 60, 8, 3)
@@ -103,7 +103,7 @@ class Worlds(unittest.TestCase):
         with self.assertRaises(ValueError):
             world.poses(poses)
 
-    def test_queries(self):
+    def test_queries_find_bodies(self):
         world = b2World()
         near, far = ball(world, (0, 0)), ball(world, (5, 0))
 
@@ -133,7 +133,7 @@ class Worlds(unittest.TestCase):
         self.assertEqual(normal, (1, 0))
         self.assertAlmostEqual(fraction, 0.225, 5)
 
-    def test_short_names(self):
+    def test_short_names_are_the_same_classes(self):
         from Box2D.b2 import circleShape, contactListener, dynamicBody, edgeShape, fixtureDef, pi, vec2, world
 
         self.assertIs(world, b2World)
@@ -160,7 +160,7 @@ class Worlds(unittest.TestCase):
         self.assertEqual((len(found), found[1]), (2, world.bodies[0].fixtures[0]))
         self.assertAlmostEqual(found[0], -0.5, 2)
 
-    def test_draws_by_its_other_name(self):
+    def test_draws_by_debug_draw_as_well(self):
         class Draw(Box2D.b2Draw):
             def DrawSolidCircle(self, center, radius, axis, color):
                 drawn.append(radius)
@@ -211,7 +211,7 @@ class Bodies(unittest.TestCase):
         self.assertEqual(body.position, (4, 5))
         self.assertAlmostEqual(body.transform.angle, 1, 6)
 
-    def test_attributes_of_the_program_stay(self):
+    def test_attributes_of_the_program_are_kept(self):
         body = ball(self.world, (0, 3))
         body.color1, body.ground_contact = (1, 2, 3), False
         body.fixtures[0].tag = "f"
@@ -223,7 +223,7 @@ class Bodies(unittest.TestCase):
                          (number, (1, 2, 3), False, "f"))
         self.assertIn(body, {body})
 
-    def test_mass_data(self):
+    def test_mass_data_is_set_and_reset(self):
         body = self.world.CreateDynamicBody(fixtures=b2FixtureDef(shape=b2PolygonShape(box=(1, 1)), density=2))
         self.assertEqual((body.mass, body.localCenter, body.worldCenter), (8, (0, 0), (0, 0)))
         body.massData = b2MassData(mass=1, center=(0.5, 0), I=2)
@@ -231,7 +231,7 @@ class Bodies(unittest.TestCase):
         body.ResetMassData()
         self.assertEqual(body.mass, 8)
 
-    def test_forces_and_impulses(self):
+    def test_forces_and_impulses_change_velocities(self):
         body = ball(self.world, (0, 0))
         body.ApplyLinearImpulse(impulse=(body.mass, 0), point=body.worldCenter, wake=True)
         self.assertAlmostEqual(body.linearVelocity.x, 1, 5)
@@ -246,7 +246,7 @@ class Bodies(unittest.TestCase):
         self.assertAlmostEqual(body.linearVelocity.x, 1, 4)
         self.assertAlmostEqual(body.linearVelocity.y, 1, 4)
 
-    def test_frames(self):
+    def test_points_and_vectors_are_converted(self):
         body = self.world.CreateDynamicBody(position=(1, 0), angle=math.pi / 2)
         self.assertAlmostEqual(body.GetWorldPoint((1, 0)).y, 1, 6)
         self.assertAlmostEqual(body.GetLocalPoint((1, 1)).x, 1, 6)
@@ -255,7 +255,7 @@ class Bodies(unittest.TestCase):
         body.angularVelocity = 1
         self.assertAlmostEqual(body.GetLinearVelocityFromWorldPoint((1, 1)).x, -1, 5)
 
-    def test_every_way_to_make_fixtures(self):
+    def test_fixtures_are_made_in_every_way(self):
         body = self.world.CreateStaticBody()
         square = b2PolygonShape(box=(1, 1))
         made = [body.CreateFixture(b2FixtureDef(shape=square, density=1)),
@@ -277,7 +277,7 @@ class Bodies(unittest.TestCase):
         body.DestroyFixture(made[0])
         self.assertNotIn(made[0], body.fixtures)
 
-    def test_fixture_properties(self):
+    def test_fixture_properties_are_read_and_set(self):
         body = ball(self.world, (0, 0), categoryBits=0x10, maskBits=0xFFFF, groupIndex=-3, restitution=0.5,
                     isSensor=True, userData="u")
         fixture = body.fixtures[0]
@@ -299,7 +299,7 @@ class Bodies(unittest.TestCase):
         body = self.world.CreateBody(b2BodyDef(type=Box2D.b2_dynamicBody, position=(1, 2), linearDamping=0.5))
         self.assertEqual((body.type, body.position, body.linearDamping), (2, (1, 2), 0.5))
 
-    def test_a_body_whose_fixture_fails_is_not_left(self):
+    def test_a_body_with_invalid_fixture_is_not_created(self):
         with self.assertRaises(Box2D.b2Error):
             self.world.CreateDynamicBody(fixtures=b2FixtureDef(shape=b2PolygonShape(), density=1))
         self.assertEqual(self.world.bodyCount, 0)
@@ -323,7 +323,7 @@ class Bodies(unittest.TestCase):
         with self.assertRaises(Box2D.b2Error):
             kept.maskBits
 
-    def test_generators_and_the_broad_phase(self):
+    def test_generators_and_broad_phase_give_objects(self):
         a, b = ball(self.world, (0, 0)), ball(self.world, (0.5, 0))
         joint = self.world.CreateWeldJoint(bodyA=a, bodyB=b, anchor=(0, 0), collideConnected=True)
         self.world.Step(1 / 60, 8, 3)
@@ -333,7 +333,7 @@ class Bodies(unittest.TestCase):
         phase = self.world.contactManager.broadPhase
         self.assertEqual((phase.proxyCount, phase.GetTreeHeight()), (2, self.world.treeHeight))
 
-    def test_names_of_the_cpp_interface(self):
+    def test_names_of_the_cpp_interface_work(self):
         body = ball(self.world, (1, 2))
         self.assertEqual((body.GetPosition(), body.GetMass(), body.IsAwake()), ((1, 2), body.mass, True))
         body.SetLinearVelocity((1, 0))
@@ -350,7 +350,7 @@ class Joints(unittest.TestCase):
     def bodies(self):
         return {"bodyA": self.a, "bodyB": self.b}
 
-    def test_revolute(self):
+    def test_revolute_joint_has_limits_and_motor(self):
         joint = self.world.CreateRevoluteJoint(anchor=(1, 0), lowerAngle=-0.5, upperAngle=0.75, enableLimit=True,
                                                maxMotorTorque=10, motorSpeed=1, enableMotor=True, **self.bodies())
         self.assertIs(type(joint), Box2D.b2RevoluteJoint)
@@ -373,7 +373,7 @@ class Joints(unittest.TestCase):
         given = Box2D.b2RevoluteJointDef(referenceAngle=0.25, **self.bodies())
         self.assertEqual(self.world.CreateJoint(given).angle, 0.25)
 
-    def test_slider_wheel_and_axis(self):
+    def test_slider_and_wheel_have_their_properties(self):
         slider = self.world.CreatePrismaticJoint(anchor=(2, 0), axis=(1, 0), lowerTranslation=-1, upperTranslation=1,
                                                  enableLimit=True, **self.bodies())
         self.assertEqual((slider.limits, slider.axis), ((-1, 1), (1, 0)))
@@ -392,7 +392,7 @@ class Joints(unittest.TestCase):
                                               groundAnchorB=(2, 5), ratio=1.5, **self.bodies())
         self.assertEqual((pulley.ratio, pulley.lengthA), (1.5, 5))
 
-    def test_mouse_weld_friction_motor(self):
+    def test_other_joints_have_their_properties(self):
         mouse = self.world.CreateMouseJoint(target=(2, 0), maxForce=100, **self.bodies())
         mouse.target = (3, 0)
         self.assertEqual((mouse.target, mouse.maxForce), ((3, 0), 100))
@@ -412,7 +412,7 @@ class Joints(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "joint1: expected a b2Joint, not 'int'"):
             Box2D.b2GearJointDef(joint1=1, joint2=second)
 
-    def test_destroy(self):
+    def test_joint_is_destroyed(self):
         joint = self.world.CreateWeldJoint(anchor=(1, 0), **self.bodies())
         self.world.DestroyJoint(joint)
         self.assertEqual((self.world.jointCount, self.world.joints), (0, []))
@@ -457,7 +457,7 @@ class Joints(unittest.TestCase):
         self.assertEqual(b2BodyDef(angle=2).to_kwargs()["angle"], 2)
         self.assertEqual(b2FixtureDef(**b2FixtureDef(maskBits=3).to_kwargs()).maskBits, 3)
 
-    def test_create_by_class(self):
+    def test_joint_is_created_by_class(self):
         joint = self.world.CreateJoint(type=Box2D.b2WeldJoint, anchor=(0, 0), **self.bodies())
         self.assertIs(type(joint), Box2D.b2WeldJoint)
 

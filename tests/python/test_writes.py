@@ -32,7 +32,7 @@ class Listener(b2ContactListener):
 
 
 class Vectors(unittest.TestCase):
-    def test_of_a_world_and_of_joints_reach_them(self):
+    def test_change_their_world_and_joints(self):
         world = b2World(gravity=(0, -10))
         world.gravity.y = -5
         self.assertEqual(world.gravity, (0, -5))
@@ -50,7 +50,7 @@ class Vectors(unittest.TestCase):
         ball.localCenter.x = 0.5
         self.assertEqual(ball.localCenter, (0.5, 0))
 
-    def test_of_a_destroyed_owner_are_plain(self):
+    def test_are_plain_when_their_owner_is_destroyed(self):
         world = b2World()
         ground, ball = world.CreateStaticBody(), world.CreateDynamicBody()
         joint = world.CreateMouseJoint(bodyA=ground, bodyB=ball, target=(0, 0), maxForce=1)
@@ -69,7 +69,7 @@ class Vectors(unittest.TestCase):
             twin.y = 1
         self.assertEqual(world.gravity, (0, -10))
 
-    def test_of_definitions_and_values_reach_them(self):
+    def test_change_their_definitions_and_values(self):
         definition = b2BodyDef()
         definition.position.x = 1
         definition.linearVelocity.y = 2
@@ -107,7 +107,7 @@ class FreeShapes(unittest.TestCase):
         chain.prevVertex.y = 3
         self.assertEqual(chain.prevVertex, (-1, 3))
 
-    def test_a_vector_keeps_its_shape(self):
+    def test_a_vector_keeps_its_shape_alive(self):
         center = b2CircleShape(radius=1).pos
         gc.collect()
         center.x = 2
@@ -137,14 +137,14 @@ class FixtureShapes(unittest.TestCase):
         step(self.world, 120)
         self.assertAlmostEqual(self.ball.position.y, 2, 1)
 
-    def test_a_place_reaches_the_fixture(self):
+    def test_a_position_reaches_the_fixture(self):
         self.fixture.shape.pos.x = 3
         self.assertTrue(self.fixture.TestPoint((3.9, 1)))
         self.assertFalse(self.fixture.TestPoint((-0.5, 1)))
         self.fixture.shape.pos = 0, -1
         self.assertEqual(self.fixture.shape.pos, (0, -1))
 
-    def test_the_ground_moves_away(self):
+    def test_changed_vertices_move_the_ground(self):
         step(self.world, 60)
         self.ground.fixtures[0].shape.vertices = [(-20, -3), (20, -3)]
         self.ball.awake = True
@@ -168,7 +168,7 @@ class FixtureShapes(unittest.TestCase):
         self.world.QueryAABB(lambda fixture: found.append(fixture) or True, b2AABB(lowerBound=(49, 0), upperBound=(52, 1)))
         self.assertEqual(found, [self.fixture])
 
-    def test_grown_shapes_meet_without_motion(self):
+    def test_grown_shapes_touch_without_motion(self):
         world = b2World(gravity=(0, 0))
         listener = world.contactListener = Listener()
         balls = [world.CreateDynamicBody(position=(x, 0), allowSleep=False) for x in (0, 3)]

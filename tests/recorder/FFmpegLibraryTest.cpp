@@ -27,7 +27,7 @@ bool IsLibavLoaded()
 }
 
 // In a process of its own, where nothing has loaded it.
-TEST(FFmpegLibrary, IsLoadedByAFilmAndNotByPicturesOrChecks)
+TEST(FFmpegLibrary, IsLoadedOnlyForFilms)
 {
     const pid_t child = fork();
     if (child == 0)

@@ -35,7 +35,7 @@ TEST(Rational, KeepsDecimalsAndFractionsExactlyInLowestTerms)
     EXPECT_EQ(Parsed("999999999/999999998"), (Rational{999'999'999, 999'999'998}));
 }
 
-TEST(Rational, RefusesWhatIsNoPositiveNumberAndNamesIt)
+TEST(Rational, RefusesTextThatIsNoPositiveNumber)
 {
     for (const char* text : {"0",
                              "0.0",
@@ -101,7 +101,7 @@ TEST(FrameClock, FloorsToTheStepThatHasBeenReached)
     EXPECT_EQ(clock.StepOfFrame(3), 10);
 }
 
-TEST(FrameClock, SlowMotionRepeatsStepsAndShowsLessTime)
+TEST(FrameClock, RepeatsStepsInSlowMotion)
 {
     const FrameClock clock{Parsed("60"), Parsed("60"), Parsed("0.25")};
     EXPECT_EQ(clock.StepOfFrame(3), 0);
@@ -112,7 +112,7 @@ TEST(FrameClock, SlowMotionRepeatsStepsAndShowsLessTime)
 
 // 29.97 = 2997/100, so 2997 frames take exactly 100 s, which is 6000 steps; a clock that adds up
 // periods in floating point is off by whole steps long before the end.
-TEST(FrameClock, SaysHowFarIntoTheNextStepAFrameIs)
+TEST(FrameClock, ReturnsFractionOfTheNextStep)
 {
     const FrameClock slow{Parsed("60"), Parsed("60"), Parsed("0.25")};
     EXPECT_EQ(slow.FractionOfFrame(0), 0.0);

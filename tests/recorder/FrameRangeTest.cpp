@@ -31,7 +31,7 @@ TEST(FrameRange, IsEveryFrameByDefault)
     EXPECT_EQ(FrameRange().At(123456789), 123456789);
 }
 
-TEST(FrameRange, NamesRunsSinglesAndEveryNth)
+TEST(FrameRange, ReadsRunsSinglesAndEveryNth)
 {
     EXPECT_THAT(NumbersOf(*FrameRange::Parse("200-203")), ElementsAre(200, 201, 202, 203));
     EXPECT_THAT(NumbersOf(*FrameRange::Parse("7")), ElementsAre(7));
@@ -49,7 +49,7 @@ TEST(FrameRange, IsWrittenAsItIsRead)
     }
 }
 
-TEST(FrameRange, EndsWhereTheFilmDoes)
+TEST(FrameRange, EndsWithTheFilm)
 {
     const FrameRange range = *FrameRange::Parse("1-3,5,7-20:2");
     EXPECT_THAT(NumbersOf(range.Below(10)), ElementsAre(1, 2, 3, 5, 7, 9));
@@ -57,7 +57,7 @@ TEST(FrameRange, EndsWhereTheFilmDoes)
     EXPECT_EQ(range.Below(1).Count(), 0);
 }
 
-TEST(FrameRange, RefusesWhatNamesNoFramesAndSaysWhich)
+TEST(FrameRange, RefusesInvalidTextAndNamesThePart)
 {
     // What was given, and the part of it at fault.
     const std::pair<std::string, std::string> cases[] = {{"", "''"},

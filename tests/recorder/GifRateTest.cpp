@@ -33,7 +33,7 @@ std::vector<std::int64_t> Numbers(std::int64_t first, std::int64_t count)
     return numbers;
 }
 
-TEST(GifRate, IsThatOfTheFilmThoughDelaysAreRounded)
+TEST(GifRate, EqualsRateOfFilmDespiteRoundedDelays)
 {
     for (const Rational& rate : {Rational{10, 1}, Rational{24, 1}, Rational{25, 1}, Rational{30, 1},
                                  Rational{50, 1}, Rational{30000, 1001}, Rational{25, 2}})
@@ -49,7 +49,7 @@ TEST(GifRate, CountsAHeldFrameAsSeveral)
     EXPECT_EQ(RateOfGif(DelaysBetween(frames, {30, 1})), (Rational{30, 1}));
 }
 
-TEST(GifRate, IsThatOfTheFilmWhenAPartBeginsLater)
+TEST(GifRate, EqualsRateOfFilmForALaterPart)
 {
     EXPECT_EQ(RateOfGif(DelaysBetween(Numbers(1001, 200), {30, 1})), (Rational{30, 1}));
 }
@@ -62,7 +62,7 @@ TEST(GifRate, IsTheMeanWhenNoUsualRateFits)
     EXPECT_NEAR(rate.ToDouble(), 23.45, kRoundedEnd);
 }
 
-TEST(GifRate, IsThatOfTheDelayWhenThereIsOneFrame)
+TEST(GifRate, IsDerivedFromTheDelayOfASingleFrame)
 {
     EXPECT_EQ(RateOfGif(std::vector<std::int64_t>{4}), (Rational{25, 1}));
 }

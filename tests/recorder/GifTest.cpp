@@ -125,7 +125,7 @@ TEST(GifPalette, ApproximatesBlendsOnlyWhenColoursOverflow)
     }
 }
 
-TEST(GifPalette, TakesAColourThatTurnsUpLaterWhenItFillsAnArea)
+TEST(GifPalette, AddsLaterColoursThatFillAnArea)
 {
     GifPalette palette;
     std::vector<std::uint8_t> indices(320 * 200);
@@ -165,7 +165,7 @@ Frame Speckled(int width, int height, int number, int count)
     return frame;
 }
 
-TEST_F(GifFilm, FramesOfAnyNumberOfColoursComeBackExactly)
+TEST_F(GifFilm, KeepsFramesOfAnyNumberOfColoursExactly)
 {
     for (const int colors : {1, 2, 3, 4, 5, 16, 17, 255, 256})
     {
@@ -196,7 +196,7 @@ std::vector<Frame> EverNewColours(int count)
     return frames;
 }
 
-TEST_F(GifFilm, AFrameCostsWhatItChangesHoweverOftenThePaletteDoes)
+TEST_F(GifFilm, StoresOnlyChangesWhenThePaletteChanges)
 {
     const std::uintmax_t one = SizeOf("one.gif", {}, EverNewColours(1));
     const std::uintmax_t all =
@@ -204,7 +204,7 @@ TEST_F(GifFilm, AFrameCostsWhatItChangesHoweverOftenThePaletteDoes)
     EXPECT_LT(all, 10 * one) << "whole frames are stored";
 }
 
-TEST_F(GifFilm, GroupsThatKnowNothingOfEachOtherCostAFrameEach)
+TEST_F(GifFilm, StoresAtMostOneMoreFrameForEachGroup)
 {
     const std::vector<Frame> frames = EverNewColours(300);
     const boxreel::VideoSettings inGroups{.framesPerSecond = {25, 1}, .groupFrames = 100};
@@ -213,7 +213,7 @@ TEST_F(GifFilm, GroupsThatKnowNothingOfEachOtherCostAFrameEach)
     EXPECT_LE(SizeOf("groups.gif", inGroups, frames), SizeOf("whole.gif", asOne, frames) + 2 * one);
 }
 
-TEST_F(GifFilm, AFrameThatStaysForLongerThanAGifCanSayKeepsItsTime)
+TEST_F(GifFilm, KeepsTimeOfFrameBeyondTheLongestDelay)
 {
     const boxreel::VideoSettings settings{
         .width = 64, .height = 48, .framesPerSecond = {1, 1}, .groupFrames = 100000};
@@ -231,7 +231,7 @@ TEST_F(GifFilm, AFrameThatStaysForLongerThanAGifCanSayKeepsItsTime)
     EXPECT_EQ(shown.back(), Drawing(64, 48, 9));
 }
 
-TEST_F(GifFilm, PlaysAsOftenAsItIsAsked)
+TEST_F(GifFilm, StoresTheNumberOfPlays)
 {
     const struct
     {
@@ -248,7 +248,7 @@ TEST_F(GifFilm, PlaysAsOftenAsItIsAsked)
     }
 }
 
-TEST_F(GifFilm, PartsOfAFastOneAreJoinedToTheFramesOfTheWhole)
+TEST_F(GifFilm, EqualsWholeFilmWhenJoinedFromFastParts)
 {
     const boxreel::Rational rate{60, 1}; // of which every second is kept
     const std::vector<Frame> frames = Drawings(64, 48, 47);
@@ -270,7 +270,7 @@ TEST_F(GifFilm, PartsOfAFastOneAreJoinedToTheFramesOfTheWhole)
     EXPECT_EQ(ReadBytes(m_folder / "film.gif"), ReadBytes(m_folder / "whole.gif"));
 }
 
-TEST_F(GifFilm, TimesAreRoundedOneByOneAndNeverDrift)
+TEST_F(GifFilm, RoundsEachTimeWithoutDrift)
 {
     WriteFilm(m_folder / "film.gif", {.framesPerSecond = {2997, 100}}, Drawings(64, 48, 300));
     const Film film = ReadFilm(m_folder / "film.gif");
@@ -283,7 +283,7 @@ TEST_F(GifFilm, TimesAreRoundedOneByOneAndNeverDrift)
     }
 }
 
-TEST_F(GifFilm, EverySecondFrameIsKeptOfSixtyASecond)
+TEST_F(GifFilm, KeepsEverySecondFrameAtSixtyPerSecond)
 {
     const std::vector<Frame> frames = Drawings(64, 48, 60);
     WriteFilm(m_folder / "film.gif", {.framesPerSecond = {60, 1}}, frames);
@@ -297,7 +297,7 @@ TEST_F(GifFilm, EverySecondFrameIsKeptOfSixtyASecond)
     EXPECT_EQ(film.info.framesPerSecond, (boxreel::Rational{30, 1}));
 }
 
-TEST_F(GifFilm, FramesOfDifferentPalettesComeBackExactly)
+TEST_F(GifFilm, KeepsFramesOfDifferentPalettesExactly)
 {
     std::vector<Frame> frames;
     for (int k = 0; k < 12; ++k)
@@ -309,7 +309,7 @@ TEST_F(GifFilm, FramesOfDifferentPalettesComeBackExactly)
     EXPECT_EQ(ReadFilm(m_folder / "film.gif").frames, frames);
 }
 
-TEST_F(GifFilm, LosslessIsRefusedWhenAFrameHasTooManyColours)
+TEST_F(GifFilm, RefusesLosslessFrameWithTooManyColours)
 {
     {
         Result<VideoWriter> writer = VideoWriter::Open(

@@ -125,7 +125,7 @@ protected:
     TemporaryFolder m_folder;
 };
 
-TEST_P(Parts, JoinedAreTheFilmMadeInOneGo)
+TEST_P(Parts, EqualTheWholeFilmWhenJoined)
 {
     MakePart(Path("whole"), 0, kCount);
     MakePart(Path("a"), 0, 20);
@@ -138,7 +138,7 @@ TEST_P(Parts, JoinedAreTheFilmMadeInOneGo)
     ExpectSame("film");
 }
 
-TEST_P(Parts, JoiningThemMayBeStoppedAtAnyTimeAndLeavesNothing)
+TEST_P(Parts, LeaveNothingWhenJoiningIsStopped)
 {
     MakePart(Path("a"), 0, 20);
     MakePart(Path("b"), 20, kCount);
@@ -158,7 +158,7 @@ TEST_P(Parts, JoiningThemMayBeStoppedAtAnyTimeAndLeavesNothing)
     EXPECT_GT(question, 4) << "it was hardly asked";
 }
 
-TEST_P(Parts, ASuspendedFilmIsContinuedToTheSameFrames)
+TEST_P(Parts, ContinueASuspendedFilmToTheSameFrames)
 {
     MakePart(Path("whole"), 0, kCount);
     for (const std::int64_t end : {5, 10, 11, 29, 45})
@@ -187,7 +187,7 @@ TEST_P(Parts, ASuspendedFilmIsContinuedToTheSameFrames)
     }
 }
 
-TEST_P(Parts, AKilledFilmIsContinuedToTheSameFrames)
+TEST_P(Parts, ContinueAKilledFilmToTheSameFrames)
 {
     MakePart(Path("whole"), 0, kCount);
     {
@@ -220,7 +220,7 @@ TEST_P(Parts, AreNotRestartedUnlessAllowed)
     EXPECT_EQ(ReadShown(Path("film.part"), kRate).size(), 15u) << "it is still there";
 }
 
-TEST_P(Parts, StoreAHeldFrameAsOftenAsTheTimingSays)
+TEST_P(Parts, StoreHeldFramesAsTheTimingRequires)
 {
     const std::string extension = GetParam().extension;
     const bool isAnimation = extension == ".gif" || extension == ".apng" || extension == ".webp";
@@ -300,7 +300,7 @@ std::vector<Frame> WriteRepetitions(VideoWriter writer, bool areEncoded)
     return truth;
 }
 
-TEST_P(Parts, ShowRepeatedFramesAsTheyWereShownFirst)
+TEST_P(Parts, ShowRepeatedFramesUnchanged)
 {
     VideoSettings settings = Settings();
     settings.groupFrames = 0;
@@ -382,7 +382,7 @@ Mp4Lengths LengthsOf(const std::filesystem::path& path)
             frames(sum, Number(bytes, track))};
 }
 
-TEST(Mp4, LastsAsLongAsItsFramesAlsoWhenTheLastIsHeld)
+TEST(Mp4, LastsAsLongAsItsFramesWithAHeldLastOne)
 {
     const TemporaryFolder folder;
     constexpr int kMoving = 44;
@@ -444,34 +444,34 @@ protected:
     TemporaryFolder m_folder;
 };
 
-TEST_F(JoinErrors, DifferentKindsAreNamed)
+TEST_F(JoinErrors, NameFilmOfAnotherKind)
 {
     Make("a.mkv", {});
     Make("b.mp4", {});
     EXPECT_EQ(Refusal({"a.mkv", "b.mp4"}, "c.mkv"), "b.mp4");
 }
 
-TEST_F(JoinErrors, PartsThatAreCodedInOtherWaysAreNamed)
+TEST_F(JoinErrors, NamePartOfAnotherCoding)
 {
     Make("a.mkv", {});
     Make("b.mkv", {.quality = Quality::High});
     EXPECT_EQ(Refusal({"a.mkv", "b.mkv"}, "c.mkv"), "b.mkv");
 }
 
-TEST_F(JoinErrors, WhatIsNoFilmIsNamed)
+TEST_F(JoinErrors, NameFileThatIsNoFilm)
 {
     Make("a.mkv", {});
     WriteBytes(m_folder / "b.mkv", "no film");
     EXPECT_EQ(Refusal({"a.mkv", "b.mkv"}, "c.mkv"), "b.mkv");
 }
 
-TEST_F(JoinErrors, KindsThatCannotBeJoinedAreNamed)
+TEST_F(JoinErrors, NameFilmOfKindThatCannotBeJoined)
 {
     Make("a.nut", {});
     EXPECT_EQ(Refusal({"a.nut"}, "c.nut"), "c.nut");
 }
 
-TEST_F(JoinErrors, PicturesNeedNoJoining)
+TEST_F(JoinErrors, NameSequenceOfPictures)
 {
     EXPECT_EQ(Refusal({"a-##.png"}, "c-##.png"), "c-##.png");
 }

@@ -36,7 +36,7 @@ TEST_F(PngSequence, IsNumberedFromZeroWithAsManyDigitsAsMarks)
                 UnorderedElementsAre("a-000-b.png", "a-001-b.png", "a-002-b.png"));
 }
 
-TEST_F(PngSequence, WritesOutANumberThatNeedsMoreDigits)
+TEST_F(PngSequence, UsesMoreDigitsForLargerNumbers)
 {
     WriteFilm(m_folder / "#.png", kSmall, Drawings(64, 48, 12));
     EXPECT_TRUE(std::filesystem::exists(m_folder / "9.png"));
@@ -109,7 +109,7 @@ TEST_F(PngSequence, FailsWhenAForeignFileExists)
     EXPECT_THAT(m_folder.Names(), ElementsAre("a-05.png"));
 }
 
-TEST(SequenceName, KnowsItsOwnNumbersOnly)
+TEST(SequenceName, ReadsOnlyItsOwnNumbers)
 {
     const boxreel::SequenceName name = *ParseSequenceName("folder/a#-###.png");
     EXPECT_EQ(name.PathOf(7), std::filesystem::path("folder/a#-007.png"));

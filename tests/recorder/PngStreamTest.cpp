@@ -119,13 +119,13 @@ TEST(PngStreams, AreNoLargerThanAtTheFastestLevelOfZlib)
     EXPECT_LT(EncodeOnce(frame).size(), EncodePng(frame, 1)->size());
 }
 
-TEST(PngStreams, OfNoiseAreHardlyLargerThanTheirPixels)
+TEST(PngStreams, AreHardlyLargerThanThePixelsOfNoise)
 {
     const Frame frame = Drawn(640, 360, {"Noise", Noise});
     EXPECT_LT(EncodeOnce(frame).size(), 640u * 360u * 3u * 101u / 100u);
 }
 
-TEST(PngStreams, AreNotOfATransparentFrame)
+TEST(PngStreams, AreRefusedForTransparentFrames)
 {
     for (const int width : {20, 21})
     {

@@ -46,7 +46,7 @@ void FillBox(std::int64_t frame, std::int64_t stop, FrameContent& content)
     content.list.AddSolidPolygon(box, 4, kOutline);
 }
 
-class RecordFixture : public testing::Test
+class RecordingTest : public testing::Test
 {
 protected:
     void SetUp() override
@@ -79,7 +79,7 @@ protected:
     std::optional<Renderer> m_renderer;
 };
 
-TEST_F(RecordFixture, TheFilmHoldsTheFramesThatDrawingOneByOneGives)
+TEST_F(RecordingTest, EqualsFramesDrawnOneByOne)
 {
     constexpr int kCount = 40;
     VideoWriter writer = OpenWriter(m_folder / "film.mkv");
@@ -98,7 +98,7 @@ TEST_F(RecordFixture, TheFilmHoldsTheFramesThatDrawingOneByOneGives)
     }
 }
 
-TEST_F(RecordFixture, EqualFramesAreRepeatedAndReported)
+TEST_F(RecordingTest, RepeatsAndReportsEqualFrames)
 {
     VideoWriter writer = OpenWriter(m_folder / "film.mkv");
     RecordingSettings settings = Settings(30, 10);
@@ -115,7 +115,7 @@ TEST_F(RecordFixture, EqualFramesAreRepeatedAndReported)
     EXPECT_EQ(ReadFilm(m_folder / "film.mkv").frames.size(), 30u);
 }
 
-TEST_F(RecordFixture, WritesFirstFrameEqualToRenderersLast)
+TEST_F(RecordingTest, WritesFirstFrameEqualToRenderersLast)
 {
     FrameContent content;
     FillBox(0, 0, content);
@@ -128,7 +128,7 @@ TEST_F(RecordFixture, WritesFirstFrameEqualToRenderersLast)
     EXPECT_EQ(film.frames[2], expected);
 }
 
-TEST_F(RecordFixture, FramesAreFilledInOrderOnTheCallingThread)
+TEST_F(RecordingTest, FillsFramesInOrderOnTheCallingThread)
 {
     const std::thread::id caller = std::this_thread::get_id();
     std::int64_t next = 0;
@@ -149,7 +149,7 @@ TEST_F(RecordFixture, FramesAreFilledInOrderOnTheCallingThread)
     EXPECT_EQ(next, 20);
 }
 
-TEST_F(RecordFixture, TheSameFilmHasTheSameBytesHoweverTheTimesFall)
+TEST_F(RecordingTest, WritesEqualBytesAtAnySpeed)
 {
     for (const char* name : {"a.mp4", "b.mp4"})
     {
@@ -169,7 +169,7 @@ TEST_F(RecordFixture, TheSameFilmHasTheSameBytesHoweverTheTimesFall)
     EXPECT_EQ(ReadBytes(m_folder / "a.mp4"), ReadBytes(m_folder / "b.mp4"));
 }
 
-TEST_F(RecordFixture, AnErrorOfTheCallerEndsTheFilmAndLeavesNothing)
+TEST_F(RecordingTest, LeavesNothingAfterErrorOfTheCaller)
 {
     {
         RecordingSettings settings = Settings(1000, 1000);
@@ -186,7 +186,7 @@ TEST_F(RecordFixture, AnErrorOfTheCallerEndsTheFilmAndLeavesNothing)
 
 // A GIF cannot hold a lossless frame of more than 256 colours: the writer fails in the middle of
 // the film.
-TEST_F(RecordFixture, AnErrorOfTheEncoderEndsTheLoopAndIsReturned)
+TEST_F(RecordingTest, ReturnsErrorOfTheEncoderAndEnds)
 {
     std::int64_t filled = 0;
     {
@@ -210,7 +210,7 @@ TEST_F(RecordFixture, AnErrorOfTheEncoderEndsTheLoopAndIsReturned)
     EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
 }
 
-TEST_F(RecordFixture, AStopIsNoErrorAndLeavesWhatTheWriterDoesWithIt)
+TEST_F(RecordingTest, StopsWithoutErrorAndKeepsTheWriterOpen)
 {
     {
         RecordingSettings settings = Settings(100000, 100000);
@@ -226,7 +226,7 @@ TEST_F(RecordFixture, AStopIsNoErrorAndLeavesWhatTheWriterDoesWithIt)
     EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
 }
 
-TEST_F(RecordFixture, RefusesAFilmWithoutFrames)
+TEST_F(RecordingTest, RefusesAFilmWithoutFrames)
 {
     VideoWriter writer = OpenWriter(m_folder / "film.mkv");
     const Result<boxreel::RecordingEnd> recorded = Record(Settings(0, 0), *m_renderer, writer);
@@ -234,7 +234,7 @@ TEST_F(RecordFixture, RefusesAFilmWithoutFrames)
     EXPECT_EQ(recorded.GetError().kind, ErrorKind::Unusable);
 }
 
-TEST_F(RecordFixture, ALoopOfOnesOwnMakesTheSameFilm)
+TEST_F(RecordingTest, WritesTheSameFilmFrameByFrame)
 {
     VideoWriter writer = OpenWriter(m_folder / "pulled.mkv");
     ASSERT_TRUE(Record(Settings(40, 25), *m_renderer, writer));
@@ -254,7 +254,7 @@ TEST_F(RecordFixture, ALoopOfOnesOwnMakesTheSameFilm)
     EXPECT_THAT(m_folder.Names(), testing::UnorderedElementsAre("pulled.mkv", "pushed.mkv"));
 }
 
-TEST_F(RecordFixture, CloseReturnsFirstErrorOfAdd)
+TEST_F(RecordingTest, ReturnsFirstErrorOfAddFromClose)
 {
     {
         Result<Recording> recording =
@@ -275,7 +275,7 @@ TEST_F(RecordFixture, CloseReturnsFirstErrorOfAdd)
     EXPECT_THAT(m_folder.Names(), testing::IsEmpty());
 }
 
-TEST_F(RecordFixture, ALoopOfOnesOwnThatIsLeftEarlyLeavesNothing)
+TEST_F(RecordingTest, LeavesNothingWithoutClose)
 {
     {
         Result<Recording> recording =

@@ -90,7 +90,7 @@ std::set<std::string> ContentsOf(Quality quality, const std::vector<boxreel::Fra
     return contents;
 }
 
-TEST(Repeat, ThreeThousandFilmsUnderLoadHaveEqualBytes)
+TEST(Repeat, WritesEqualBytesInThreeThousandFilms)
 {
     const std::vector<boxreel::Frame> frames = Crowd(160, 96, 40);
     for (const Quality quality :

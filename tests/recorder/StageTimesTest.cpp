@@ -10,7 +10,7 @@ namespace boxreel
 namespace
 {
 
-TEST(StageTimes, AddsUpWhatSeveralThreadsTake)
+TEST(StageTimes, AddUpTimesOfSeveralThreads)
 {
     StageTimes times;
     times.Add(Stage::Encode, 1'000'000, 2'000'000);
@@ -22,7 +22,7 @@ TEST(StageTimes, AddsUpWhatSeveralThreadsTake)
     EXPECT_EQ(times.At(Stage::Draw).cpu, 0.0);
 }
 
-TEST(StageTimes, ATimerTellsWaitingFromWork)
+TEST(StageTimes, DistinguishWaitingFromWork)
 {
     StageTimes times;
     {
@@ -43,7 +43,7 @@ TEST(StageTimes, ATimerTellsWaitingFromWork)
     EXPECT_EQ(times.At(Stage::Collect).wall, 0.0);
 }
 
-TEST(StageTimes, ATimerForNobodyDoesNothing)
+TEST(StageTimes, IgnoreTimerWithoutTimes)
 {
     const StageTimer timer(nullptr, Stage::Draw);
 }

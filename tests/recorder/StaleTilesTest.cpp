@@ -24,7 +24,7 @@ void Paint(Frame& frame, const PixelBounds& part, std::uint8_t value)
     }
 }
 
-TEST(StaleTiles, FollowAFrameThatChangesHereAndThereBetweenCopies)
+TEST(StaleTiles, FollowAFrameThatChangesBetweenCopies)
 {
     std::mt19937 random(7);
     const auto below = [&random](int end) { return int(random() % unsigned(end)); };
@@ -45,7 +45,7 @@ TEST(StaleTiles, FollowAFrameThatChangesHereAndThereBetweenCopies)
     }
 }
 
-TEST(StaleTiles, CopyNothingOfWhatIsUpToDate)
+TEST(StaleTiles, CopyNothingThatIsUpToDate)
 {
     Frame original(kWidth, kHeight), copy;
     StaleTiles stale;
@@ -61,7 +61,7 @@ TEST(StaleTiles, CopyNothingOfWhatIsUpToDate)
     EXPECT_EQ(copy.Pixel(70, 40)[1], 9);
 }
 
-TEST(StaleTiles, TakePartsThatReachBeyondTheFrame)
+TEST(StaleTiles, AcceptPartsBeyondTheFrame)
 {
     Frame original(kWidth, kHeight), copy;
     StaleTiles stale;

@@ -129,7 +129,7 @@ TEST_P(VideoFile, HasTheSameBytesEveryTime)
     }
 }
 
-TEST_P(VideoFile, ARepeatedFrameIsTheFrameBeforeOnceMore)
+TEST_P(VideoFile, RepeatsThePreviousFrame)
 {
     const std::string extension = GetParam();
     VideoSettings settings = kSmall;
@@ -146,7 +146,7 @@ TEST_P(VideoFile, ARepeatedFrameIsTheFrameBeforeOnceMore)
                             Drawing(64, 48, 5), Drawing(64, 48, 5)));
 }
 
-TEST_P(VideoFile, MayHaveAnyName)
+TEST_P(VideoFile, AcceptsAnyName)
 {
     for (const char* stem :
          {"with a space", "a:b", "http:x", "größe-日本", "100%d", "-o", "a.b", "#1"})
@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(EveryContainer, VideoFile,
 
 using VideoFileErrors = VideoFile;
 
-TEST_F(VideoFileErrors, AMissingFolderIsNamed)
+TEST_F(VideoFileErrors, NamePathInMissingFolder)
 {
     for (const auto& [name, file] :
          {std::pair("film.mp4", "film.mp4"), {"frames-####.png", "frames-0000.png"}})
@@ -175,7 +175,7 @@ TEST_F(VideoFileErrors, AMissingFolderIsNamed)
     }
 }
 
-TEST_F(VideoFileErrors, AFolderWithoutPermissionIsNamed)
+TEST_F(VideoFileErrors, NameFolderWithoutPermission)
 {
     // The kernel's folder refuses even the superuser.
     for (const char* name : {"film.mp4", "frames-##.png"})
@@ -186,7 +186,7 @@ TEST_F(VideoFileErrors, AFolderWithoutPermissionIsNamed)
     }
 }
 
-TEST_F(VideoFileErrors, TwoWritersOfOneFilmDoNotMix)
+TEST_F(VideoFileErrors, RefuseSecondWriterOfAFilm)
 {
     VideoWriter first = Open("film.mp4");
     const Error error = Refusal(m_folder / "film.mp4");
@@ -196,7 +196,7 @@ TEST_F(VideoFileErrors, TwoWritersOfOneFilmDoNotMix)
     EXPECT_EQ(ReadFilm(m_folder / "film.mp4").frames.size(), 1u);
 }
 
-TEST_F(VideoFileErrors, AFilmWithoutFramesIsNone)
+TEST_F(VideoFileErrors, RefuseFilmWithoutFrames)
 {
     {
         VideoWriter writer = Open("film.mp4");
@@ -235,7 +235,7 @@ int WriteIntoALimit(const std::filesystem::path& path, const std::filesystem::pa
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST_F(VideoFileErrors, ADiskWithoutRoomIsAnErrorAndLeavesNothing)
+TEST_F(VideoFileErrors, ReportFullDiskAndLeaveNothing)
 {
     for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif", "frames-####.png"})
     {
@@ -255,7 +255,7 @@ struct Refused
     const char* detail; ///< a number or a name of problem or remedy
 };
 
-TEST(CheckVideoPath, RefusesWhatNoFormatCanHoldAndSaysWhatCan)
+TEST(CheckVideoPath, RefusesSettingsThatFormatsDoNotSupport)
 {
     const Refused cases[] = {
         {"film", {}, "film", ""},
@@ -343,7 +343,7 @@ TEST(CheckVideoPath, AcceptsFormatsInAnyCaseAndOddSizesIn444)
     EXPECT_TRUE(CheckVideoPath("a.webm", odd));
 }
 
-TEST_F(VideoFileErrors, OddAndTinySizesComeBackWhole)
+TEST_F(VideoFileErrors, DoNotOccurForOddAndTinySizes)
 {
     for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif", "p-##.png"})
     {
@@ -375,7 +375,7 @@ TEST_F(VideoFileErrors, OddAndTinySizesComeBackWhole)
     }
 }
 
-TEST(StoredFrameRate, IsAsAskedButForAFastGif)
+TEST(StoredFrameRate, EqualsGivenRateExceptForFastGif)
 {
     EXPECT_EQ(StoredFrameRate("a.mp4", {60, 1}), (Rational{60, 1}));
     EXPECT_EQ(StoredFrameRate("a.gif", {50, 1}), (Rational{50, 1}));

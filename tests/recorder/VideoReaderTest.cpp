@@ -55,7 +55,7 @@ protected:
     TemporaryFolder m_folder;
 };
 
-TEST_F(VideoReaderTest, AnH264FilmCarriesTheTagsOfHd)
+TEST_F(VideoReaderTest, ReadsColourTagsOfHdFromH264)
 {
     for (const char* name : {"film.mp4", "film.mkv", "film.webm"})
     {
@@ -85,7 +85,7 @@ double MeanShift(const Frame& read, const Frame& written, int colour)
 }
 
 /// Half a pixel to the side would be one of 255 here, up in one colour and down in the other.
-TEST_F(VideoReaderTest, ColoursComeBackWhereTheyWere)
+TEST_F(VideoReaderTest, ReadsColoursAtTheirPlaces)
 {
     Frame frame(128, 64);
     for (int y = 0; y < frame.height; ++y)
@@ -106,7 +106,7 @@ TEST_F(VideoReaderTest, ColoursComeBackWhereTheyWere)
     }
 }
 
-TEST_F(VideoReaderTest, ALosslessFilmIsTaggedAsFullRangeRgb)
+TEST_F(VideoReaderTest, ReadsFullRangeRgbTagsOfLosslessFilms)
 {
     for (const char* name : {"film.mp4", "film.mkv", "film.webm"})
     {
@@ -118,7 +118,7 @@ TEST_F(VideoReaderTest, ALosslessFilmIsTaggedAsFullRangeRgb)
     }
 }
 
-TEST_F(VideoReaderTest, AnMp4StartsWithItsIndex)
+TEST_F(VideoReaderTest, FindsIndexAtTheStartOfMp4)
 {
     WriteFilm(m_folder / "film.mp4", {}, Drawings(64, 48, 30));
     const std::string bytes = ReadBytes(m_folder / "film.mp4");
@@ -126,7 +126,7 @@ TEST_F(VideoReaderTest, AnMp4StartsWithItsIndex)
     EXPECT_NE(bytes.find("mdat"), std::string::npos);
 }
 
-TEST_F(VideoReaderTest, AnotherProgramSeesTheSameFilm)
+TEST_F(VideoReaderTest, AgreesWithFfprobe)
 {
     if (std::system("command -v ffprobe > /dev/null 2>&1") != 0)
     {
@@ -159,7 +159,7 @@ TEST_F(VideoReaderTest, AnotherProgramSeesTheSameFilm)
     }
 }
 
-TEST_F(VideoReaderTest, MatroskaTimesAreRoundedOneByOneAndNeverDrift)
+TEST_F(VideoReaderTest, ReadsMatroskaTimesWithoutDrift)
 {
     for (const char* name : {"film.mkv", "film.webm"})
     {
@@ -175,7 +175,7 @@ TEST_F(VideoReaderTest, MatroskaTimesAreRoundedOneByOneAndNeverDrift)
     }
 }
 
-TEST_F(VideoReaderTest, AnMp4HasExactTimesAtAnyRate)
+TEST_F(VideoReaderTest, ReadsExactTimesOfMp4AtAnyRate)
 {
     for (const boxreel::Rational rate :
          {boxreel::Rational{30000, 1001}, {2997, 100}, {1, 7}, {1000, 1}, {12345, 678}})
@@ -195,7 +195,7 @@ TEST_F(VideoReaderTest, AnMp4HasExactTimesAtAnyRate)
 }
 
 /// libav rounds how long each frame stays to 1/100000 s and adds that up.
-TEST_F(VideoReaderTest, AnAnimatedPngDoesNotDrift)
+TEST_F(VideoReaderTest, ReadsAnimatedPngTimesWithoutDrift)
 {
     constexpr int kFrames = 6000; // in which that comes to more than a frame
     WriteFilm(m_folder / "film.apng", {.framesPerSecond = {60, 1}, .quality = Quality::Draft},
@@ -206,7 +206,7 @@ TEST_F(VideoReaderTest, AnAnimatedPngDoesNotDrift)
 }
 
 /// Its encoder leaves them out.
-TEST_F(VideoReaderTest, EqualFramesOfAnAnimatedPngKeepTheirTimes)
+TEST_F(VideoReaderTest, ReadsEqualFramesOfAnimatedPng)
 {
     std::vector<Frame> frames = Drawings(64, 48, 12);
     frames[3] = frames[4] = frames[2];
@@ -215,7 +215,7 @@ TEST_F(VideoReaderTest, EqualFramesOfAnAnimatedPngKeepTheirTimes)
     EXPECT_EQ(ReadFilm(m_folder / "film.apng").frames, frames);
 }
 
-TEST_F(VideoReaderTest, AMissingFilmAFolderAndAForeignFileAreNamed)
+TEST_F(VideoReaderTest, NamesMissingAndForeignFiles)
 {
     WriteBytes(m_folder / "text.mp4", "this is not a film\n");
     WriteBytes(m_folder / "empty.mp4", "");
@@ -233,7 +233,7 @@ TEST_F(VideoReaderTest, AMissingFilmAFolderAndAForeignFileAreNamed)
 
 /// A film cut at any length is an Error that names it: at Open, or when the reader comes to the
 /// cut.
-TEST_F(VideoReaderTest, ATruncatedFilmIsNeverTakenForAWholeOne)
+TEST_F(VideoReaderTest, RefusesTruncatedFilms)
 {
     for (const char* name :
          {"film.mp4", "film.mkv", "film.webm", "film.gif", "film.apng", "film.webp"})
@@ -255,7 +255,7 @@ TEST_F(VideoReaderTest, ATruncatedFilmIsNeverTakenForAWholeOne)
 
 /// Flipped bytes may go unnoticed or be an Error, but nothing breaks and nothing but frames comes
 /// out.
-TEST_F(VideoReaderTest, ADamagedFilmIsNoCrash)
+TEST_F(VideoReaderTest, DoesNotCrashOnDamagedFilms)
 {
     for (const char* name : {"film.mp4", "film.mkv", "film.webm", "film.gif"})
     {
@@ -277,7 +277,7 @@ TEST_F(VideoReaderTest, ADamagedFilmIsNoCrash)
     }
 }
 
-TEST_F(VideoReaderTest, ASequenceOfPicturesMustHaveNoGapAndOneSize)
+TEST_F(VideoReaderTest, RefusesSequencesWithGapsOrOtherSizes)
 {
     WriteFilm(m_folder / "p-###.png", {}, Drawings(64, 48, 5));
     EXPECT_EQ(*CountFrames(m_folder / "p-###.png"), 5);

@@ -98,7 +98,7 @@ protected:
     TemporaryFolder m_folder;
 };
 
-TEST_P(EveryFormat, GivesBackTheFramesThatWereWritten)
+TEST_P(EveryFormat, ReturnsTheWrittenFrames)
 {
     const Case& c = GetParam();
     const std::vector<Frame> frames = Drawings(kWidth, kHeight, kCount);
@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(VideoWriter, EveryFormat, testing::ValuesIn(kCases),
                              return name;
                          });
 
-TEST(CodecChoices, AreTakenByTheFormatsTheyNameAndNoOthers)
+TEST(CodecChoices, AreAcceptedOnlyByFormatsThatTheyName)
 {
     ASSERT_FALSE(boxreel::CodecChoices().empty());
     for (const boxreel::CodecChoice& choice : boxreel::CodecChoices())

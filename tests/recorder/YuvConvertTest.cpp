@@ -183,7 +183,7 @@ constexpr Exact kExactOf601[3] = {
     {128, 224 * (1000 - 299), -224 * 587, -224 * 114, 255 * 1402},
 };
 
-TEST(YuvConvert, EveryColourOfAPixelBecomesTheNearestValueOfBt601)
+TEST(YuvConvert, RoundsEveryColourToNearestValueOfBt601)
 {
     double worst = 0.0;
     for (int red = 0; red < 256; ++red)
@@ -205,7 +205,7 @@ TEST(YuvConvert, EveryColourOfAPixelBecomesTheNearestValueOfBt601)
     EXPECT_LE(worst, 0.50001);
 }
 
-TEST(YuvConvert, FlatAreasHaveTheirValuesOfBt601In420)
+TEST(YuvConvert, ConvertsFlatAreasToValuesOfBt601In420)
 {
     const struct
     {
@@ -227,7 +227,7 @@ TEST(YuvConvert, FlatAreasHaveTheirValuesOfBt601In420)
     }
 }
 
-TEST(YuvConvert, EveryColourOfAPixelBecomesTheNearestValue)
+TEST(YuvConvert, RoundsEveryColourToNearestValue)
 {
     std::array<double, 3> worst{};
     for (int red = 0; red < 256; ++red)
@@ -251,7 +251,7 @@ TEST(YuvConvert, EveryColourOfAPixelBecomesTheNearestValue)
     EXPECT_LE(worst[2], 0.5);
 }
 
-TEST(YuvConvert, EveryColourOfAFlatAreaKeepsItIn420)
+TEST(YuvConvert, KeepsEveryColourOfFlatAreasIn420)
 {
     std::array<double, 3> worst{};
     for (int red = 0; red < 256; ++red)
@@ -281,7 +281,7 @@ TEST(YuvConvert, EveryColourOfAFlatAreaKeepsItIn420)
     EXPECT_LE(worst[2], 0.5002);
 }
 
-TEST(YuvConvert, KnownColoursHaveTheirKnownValues)
+TEST(YuvConvert, ConvertsKnownColoursToKnownValues)
 {
     const struct
     {
@@ -306,7 +306,7 @@ TEST(YuvConvert, KnownColoursHaveTheirKnownValues)
     }
 }
 
-TEST(YuvConvert, GreysHaveNoColour)
+TEST(YuvConvert, GivesGreysNoChroma)
 {
     for (int grey = 0; grey < 256; ++grey)
     {
@@ -355,7 +355,7 @@ double WorstChroma(const Frame& frame)
     return worst;
 }
 
-TEST(YuvConvert, AChromaSampleIsTheLowPassOfTwoRowsOfFivePixels)
+TEST(YuvConvert, FiltersChromaOverTwoRowsOfFivePixels)
 {
     for (const auto& [width, height] : {std::pair(64, 48), {1, 1}, {2, 2}, {3, 5}, {1151, 7}})
     {
@@ -363,7 +363,7 @@ TEST(YuvConvert, AChromaSampleIsTheLowPassOfTwoRowsOfFivePixels)
     }
 }
 
-TEST(YuvConvert, TheHarshestEdgesEndAtTheBoundsOfAPicture)
+TEST(YuvConvert, KeepsChromaExactAtStrongestEdges)
 {
     // Blue, yellow, red and cyan are the ends of Cb and Cr.
     const int ends[4][3] = {{0, 0, 255}, {255, 255, 0}, {255, 0, 0}, {0, 255, 255}};
@@ -383,7 +383,7 @@ TEST(YuvConvert, TheHarshestEdgesEndAtTheBoundsOfAPicture)
     }
 }
 
-TEST(YuvConvert, RgbPlanesHoldTheColoursThemselves)
+TEST(YuvConvert, CopiesColoursIntoRgbPlanes)
 {
     const Frame frame = Noise(67, 5, 1);
     const Picture gbr = Converted(frame, PlaneFormat::Gbr);
@@ -423,7 +423,7 @@ PixelBounds RandomBounds(Random& random, int width, int height)
     return {x, y, random.Between(x + 1, width), random.Between(y + 1, height)};
 }
 
-TEST(YuvConvert, APartConvertedAgainGivesThePictureOfTheWholeFrame)
+TEST(YuvConvert, UpdatesPartsAsConvertingTheWholeFrame)
 {
     Random random;
     for (int round = 0; round < 1000; ++round)
@@ -456,7 +456,7 @@ TEST(YuvConvert, APartConvertedAgainGivesThePictureOfTheWholeFrame)
     }
 }
 
-TEST(YuvConvert, WideAndNarrowInstructionsMakeTheSameBits)
+TEST(YuvConvert, MakesEqualBitsWithWideInstructions)
 {
     for (const int width : {1, 2, 7, 8, 31, 64, 513, 1029})
     {
@@ -470,7 +470,7 @@ TEST(YuvConvert, WideAndNarrowInstructionsMakeTheSameBits)
     }
 }
 
-TEST(YuvConvert, NothingIsWrittenOutsideThePictureOrForNothing)
+TEST(YuvConvert, WritesNothingOutsideThePicture)
 {
     for (const PlaneFormat format : kFormats)
     {

@@ -174,7 +174,7 @@ TEST_F(BothBackEnds, AreNamedByTheirRenderers)
                 AllOf(testing::StartsWith("EGL, "), HasSubstr("Mesa ")));
 }
 
-TEST_F(BothBackEnds, MayBeMadeUsedAndEndedInAnyOrder)
+TEST_F(BothBackEnds, WorkInAnyOrderOfCreationAndEnd)
 {
     const Camera camera = PixelCamera(320, 240);
     std::optional<Renderer> first(std::move(*RendererOf(Backend::Egl)));
@@ -231,7 +231,7 @@ TEST_F(BothBackEnds, AreChosenByTheVariableUnlessTheSettingsNameOne)
     EXPECT_THAT(RendererOf(Backend::Auto)->Description(), testing::StartsWith("OSMesa, "));
 }
 
-TEST_F(BothBackEnds, FollowEachOtherWhenOneIsMissing)
+TEST_F(BothBackEnds, ReplaceEachOtherWhenOneIsMissing)
 {
     const Variable none(nullptr);
     const auto context = CreateContext(Backend::Auto, {.osMesa = kNoLibraries.osMesa});
@@ -254,7 +254,7 @@ TEST(Backend, IsReadFromItsName)
     }
 }
 
-TEST(Backend, OfAnUnknownNameInTheVariableIsRefused)
+TEST(Backend, IsRefusedForUnknownNameInVariable)
 {
     const Variable variable("vulkan");
     EXPECT_THAT(CreateContext(Backend::Auto, {}), Refuses("BOXREEL_BACKEND vulkan"));
@@ -291,7 +291,7 @@ TEST(Context, TriesOnlyTheBackEndThatIsNamed)
                 AllOf(HasSubstr("libNoSuchEgl.so.1"), Not(HasSubstr("libNoSuchMesa"))));
 }
 
-TEST(Context, RefusesLibraryThatIsAnother)
+TEST(Context, RefusesOtherLibraries)
 {
     const ContextLibraries foreign{"libm.so.6", "libm.so.6"};
     EXPECT_THAT(Refusal(Backend::OSMesa, foreign), HasSubstr("(libm.so.6"));

@@ -18,7 +18,7 @@ Convex Square(double half)
 
 } // namespace
 
-TEST(Convex, ComesOutWithPositiveAreaWhicheverWayItRuns)
+TEST(Convex, HasPositiveAreaInEitherDirection)
 {
     const Point clockwise[3] = {{0, 0}, {0, 2}, {2, 0}};
     EXPECT_DOUBLE_EQ(MakeConvex(clockwise, 3).Area(), 2.0);

@@ -23,7 +23,7 @@ bool Holds(const std::vector<PixelBounds>& rectangles, int x, int y)
 
 } // namespace
 
-TEST(DirtyTiles, RectanglesCoverAddedPixelsOnceInPicture)
+TEST(DirtyTiles, CoverAddedPixelsOnceInPicture)
 {
     std::mt19937 random(5);
     const auto below = [&](int maximum) { return int(random() % unsigned(maximum)); };
@@ -67,7 +67,7 @@ TEST(DirtyTiles, RectanglesCoverAddedPixelsOnceInPicture)
     }
 }
 
-TEST(DirtyTiles, LeaveAloneWhatIsFarFromWhatWasAdded)
+TEST(DirtyTiles, ExcludePixelsFarFromAddedOnes)
 {
     DirtyTiles tiles(1280, 720);
     tiles.Add({100, 100, 120, 130});
@@ -79,7 +79,7 @@ TEST(DirtyTiles, LeaveAloneWhatIsFarFromWhatWasAdded)
     EXPECT_FALSE(tiles.Touches({500, 100, 600, 600}));
 }
 
-TEST(DirtyTiles, TooManyPiecesAreTheWholePicture)
+TEST(DirtyTiles, CoverTheWholePictureForTooManyPieces)
 {
     DirtyTiles tiles(2000, 2000);
     for (int y = 0; y < 2000; y += 40)

@@ -69,14 +69,14 @@ void AddRandomBox(DrawList& list, Random& random, Vec2 at)
 
 } // namespace
 
-TEST(Edges, OfBoxesAreExact)
+TEST(Edges, AreExactForBoxes)
 {
     const EdgeError error = ErrorOf(OnGrid(40, AddRandomBox), "boxes");
     EXPECT_LE(error.rms, 1.1);
     EXPECT_LE(error.maximum, 10.0);
 }
 
-TEST(Edges, OfPolygonsAreExact)
+TEST(Edges, AreExactForPolygons)
 {
     const auto add = [](DrawList& list, Random& random, Vec2 at) {
         AddRegular(list, at, random.Between(4, 16), random.Between(4, 16),
@@ -87,7 +87,7 @@ TEST(Edges, OfPolygonsAreExact)
     EXPECT_LE(error.maximum, 8.0);
 }
 
-TEST(Edges, OfSliversAreExact)
+TEST(Edges, AreExactForSlivers)
 {
     const auto add = [](DrawList& list, Random& random, Vec2 at) {
         AddRegular(list, at, random.Between(8, 16), random.Between(0.05f, 2.0f),
@@ -98,7 +98,7 @@ TEST(Edges, OfSliversAreExact)
     EXPECT_LE(error.maximum, 9.0);
 }
 
-TEST(Edges, OfShapesSmallerThanAPixelAreExact)
+TEST(Edges, AreExactForShapesSmallerThanAPixel)
 {
     const auto add = [](DrawList& list, Random& random, Vec2 at) {
         AddTurnedBox(list, at, random.Between(0.05f, 0.6f), random.Between(0.05f, 0.6f),
@@ -109,7 +109,7 @@ TEST(Edges, OfShapesSmallerThanAPixelAreExact)
     EXPECT_LE(error.maximum, 10.0);
 }
 
-TEST(Edges, OfCirclesAreExact)
+TEST(Edges, AreExactForCircles)
 {
     const auto add = [](DrawList& list, Random& random, Vec2 at) {
         const float angle = random.Between(0, 6);
@@ -120,7 +120,7 @@ TEST(Edges, OfCirclesAreExact)
     EXPECT_LE(error.maximum, 16.0);
 }
 
-TEST(Edges, OfRingsAreExact)
+TEST(Edges, AreExactForRings)
 {
     const auto add = [](DrawList& list, Random& random, Vec2 at) {
         list.AddCircle(at, random.Between(3, 17), kStatic);
@@ -130,7 +130,7 @@ TEST(Edges, OfRingsAreExact)
     EXPECT_LE(error.maximum, 6.0);
 }
 
-TEST(Edges, OfSmallDiscsAreNearlyExact)
+TEST(Edges, AreNearlyExactForSmallDiscs)
 {
     const auto circle = [](DrawList& list, Random& random, Vec2 at) {
         list.AddCircle(at, random.Between(0.1f, 3.0f), kStatic);
@@ -142,7 +142,7 @@ TEST(Edges, OfSmallDiscsAreNearlyExact)
     EXPECT_LE(ErrorOf(OnGrid(12, point), "points").rms, 1.1);
 }
 
-TEST(Edges, OfLinesAreExactButForTheirEnds)
+TEST(Edges, AreExactForLinesExceptTheirEnds)
 {
     const auto add = [](DrawList& list, Random& random, Vec2 at) {
         const float angle = random.Between(0, 6);
@@ -153,7 +153,7 @@ TEST(Edges, OfLinesAreExactButForTheirEnds)
     EXPECT_LE(ErrorOf(OnGrid(40, add), "lines").rms, 1.8);
 }
 
-TEST(Edges, OfThickLinesHaveRoundEnds)
+TEST(Edges, AreRoundAtEndsOfThickLines)
 {
     Theme theme = Theme::Classic();
     theme.outlineWidth = 8.0f;
@@ -166,7 +166,7 @@ TEST(Edges, OfThickLinesHaveRoundEnds)
     EXPECT_LE(error.maximum, 8.0);
 }
 
-TEST(Edges, ComeCloserToAFinerTruth)
+TEST(Edges, AreMoreExactAgainstFinerSampling)
 {
     const double coarse = ErrorOf(OnGrid(64, AddRandomBox), "boxes, 16 x 16 points").rms;
     const double fine = ErrorOf(OnGrid(64, AddRandomBox), "boxes, 48 x 48 points", 48).rms;

@@ -24,7 +24,7 @@ Figure TwoPanels(const Theme& theme)
 
 } // namespace
 
-TEST(FigureFrame, OfOnePanelIsTheRenderersPicture)
+TEST(FigureFrame, EqualsTheRenderersPictureForOnePanel)
 {
     for (const Theme& theme : {Theme::Classic(), Theme::Print()})
     {
@@ -33,7 +33,7 @@ TEST(FigureFrame, OfOnePanelIsTheRenderersPicture)
     }
 }
 
-TEST(FigureFrame, PanelsAreTheRenderersPicturesPixelForPixel)
+TEST(FigureFrame, EqualsTheRenderersPicturesInItsPanels)
 {
     const Frame frame = FrameOf(TwoPanels(Theme::Print()));
     ASSERT_EQ(frame.width, 700);
@@ -54,7 +54,7 @@ TEST(FigureFrame, IsScaledAsAWhole)
               DrawWith(renderer, Everything(2), Scaled(PixelCamera(320, 240), 2.0)));
 }
 
-TEST(FigureFrame, WhatLiesBelowAPanelShowsThroughIt)
+TEST(FigureFrame, ShowsWhatLiesBelowAPanel)
 {
     DrawList below;
     AddRectangle(below, 20, 20, 80, 80, kAwake);
@@ -85,7 +85,7 @@ TEST(FigureFrame, CutsOffWhatLiesOutside)
     EXPECT_EQ(At(FrameOf(figure), 100, 100), (Pixel{26, 26, 26, 255}));
 }
 
-TEST(FigureFrame, SaysWhatCannotBe)
+TEST(FigureFrame, RefusesInvalidSizesAndCameras)
 {
     Figure figure = TwoPanels(Theme::Classic());
     figure.scale = 12.0;

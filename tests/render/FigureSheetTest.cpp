@@ -11,14 +11,14 @@ using namespace boxreel;
 
 using testing::HasSubstr;
 
-TEST(FigureSheet, OfOnePictureAloneIsThePicture)
+TEST(FigureSheet, EqualsItsOnlyPicture)
 {
     const Figure figure = SheetOf({{Everything(), PixelCamera(320, 240), ""}});
     EXPECT_EQ(figure.width, 320);
     EXPECT_EQ(FrameOf(figure), Picture(Everything(), 320, 240));
 }
 
-TEST(FigureSheet, LeavesEveryPictureAsItIs)
+TEST(FigureSheet, KeepsEveryPictureUnchanged)
 {
     for (const Theme& theme : {Theme::Classic(), Theme::Print()})
     {
@@ -45,7 +45,7 @@ TEST(FigureSheet, LeavesEveryPictureAsItIs)
     }
 }
 
-TEST(FigureSheet, ArrangesRowsOfAsManyColumns)
+TEST(FigureSheet, ArrangesPicturesInGivenColumns)
 {
     const auto columnsOf = [](std::size_t count, int columns) {
         const Figure figure =
@@ -71,7 +71,7 @@ TEST(FigureSheet, ArrangesRowsOfAsManyColumns)
     EXPECT_EQ(SheetOf({}).panels.size(), 1u);
 }
 
-TEST(FigureSheet, CaptionsAreWrappedInABandOfTheirOwn)
+TEST(FigureSheet, WrapsCaptionsInABandOfTheirOwn)
 {
     const SheetPicture picture{DrawList(), PixelCamera(200, 100), ""};
     const Figure one = SheetOf({picture}, {.caption = "Short."});
@@ -137,7 +137,7 @@ std::string Utf8(char32_t code)
 
 } // namespace
 
-TEST(TextWidth, IsThatOfWhatIsDrawnInTheFont)
+TEST(TextWidth, EqualsAdvanceOfLettersInTheFont)
 {
     // A letter between two bars; the bars' places tell how far the pen went on.
     const auto advance = [](const std::string& letter) {

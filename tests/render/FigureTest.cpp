@@ -242,7 +242,7 @@ TEST(Figure, IsScaledAsAWhole)
     EXPECT_EQ(larger, plain);
 }
 
-TEST(Figure, NamesBodiesAndNeverTwoAlike)
+TEST(Figure, NamesBodiesUniquely)
 {
     Figure figure = FigureOf(OneOfEach());
     figure.panels[0].bodyNames = {{3, "front wheel \xC3\xA9<"}, {4, "front wheel \xC3\xA9<"}};
@@ -279,7 +279,7 @@ TEST(Figure, NamesGroupsInAnyScriptAndKeepsLayersAndPanelsApart)
     EXPECT_EQ(WhyNotXml(text), "");
 }
 
-TEST(Figure, HoldsAnyText)
+TEST(Figure, IsValidXmlForAnyText)
 {
     DrawList list;
     list.AddText({5, 200}, std::string("\x01\xff<\xC3>]]>&amp;\xED\xA0\x80\"'\n\n\0last", 25),
@@ -294,7 +294,7 @@ TEST(Figure, HoldsAnyText)
     EXPECT_TRUE(ToPdf(figure));
 }
 
-TEST(Figure, CentresLabelsWhoseLettersTheViewerHasAlone)
+TEST(Figure, CentresLabelsWithLettersMissingInTheFont)
 {
     const std::string car = "\U0001F697 \u8eca";
     DrawList list;
@@ -325,7 +325,7 @@ TEST(Figure, ShowsTabsAndLineFeedsAsSpaces)
     EXPECT_EQ(FrameOf(figure).rgba, FrameOf(FigureOf(spaced)).rgba);
 }
 
-TEST(Figure, SaysWhichLettersAPdfDoesNotShow)
+TEST(Figure, ReportsLettersThatAPdfDoesNotShow)
 {
     DrawList list;
     list.AddText({5, 200}, "A \u4e2d\u6587 \U0001F44D \u4e2d \u00b5\u0416", kWhite);
@@ -407,7 +407,7 @@ TEST(Figure, LaysPanelsSideBySide)
     }
 }
 
-TEST(Figure, OfWrongSizeOrViewIsRefused)
+TEST(Figure, IsRefusedForWrongSizeOrView)
 {
     const auto refused = [](const auto& change) {
         Figure figure = FigureOf(OneOfEach());
@@ -428,7 +428,7 @@ TEST(Figure, OfWrongSizeOrViewIsRefused)
     EXPECT_FALSE(refused([](Figure&) {}));
 }
 
-TEST(Figure, IsTheSameBytesEveryTime)
+TEST(Figure, HasTheSameBytesEveryTime)
 {
     const Figure figure = FigureOf(OneOfEach());
     EXPECT_EQ(Svg(figure), Svg(figure));
@@ -456,7 +456,7 @@ TEST(Figure, IsWrittenWholeOrNotAtAll)
     EXPECT_EQ(folder.Names().size(), 2u);
 }
 
-TEST(Figure, OfPdfHasTextAndNamedGroups)
+TEST(Figure, HasTextAndNamedGroupsInPdf)
 {
     if (!Runs("pdftotext -v") || !Runs("pdfinfo -v"))
     {
@@ -505,7 +505,7 @@ TEST(Figure, ShowsWhatTheRendererShows)
     }
 }
 
-TEST(Figure, FillsTheHeadsOfAnnotationsArrowsWithTheirOutline)
+TEST(Figure, FillsHeadsOfAnnotationArrowsWithOutline)
 {
     DrawList list;
     const Vec2 head[3] = {{10, 10}, {50, 10}, {30, 40}};
@@ -519,7 +519,7 @@ TEST(Figure, FillsTheHeadsOfAnnotationsArrowsWithTheirOutline)
     EXPECT_GT(At(Picture(list, 60, 60, theme), 30, 30)[0], 200);
 }
 
-TEST(Figure, LetsThroughWhatItsOutlinesLetThrough)
+TEST(Figure, BlendsTransparentOutlinesAsTheRenderer)
 {
     DrawList list;
     AddRectangle(list, 40, 40, 280, 200, {230, 179, 179, 128});
@@ -569,7 +569,7 @@ TEST(Figure, PutsTextWhereTheRendererDoes)
 }
 
 // They take curves as lines that are up to 0.1 px off.
-TEST(Figure, LooksTheSameInOtherProgrammes)
+TEST(Figure, LooksTheSameInOtherPrograms)
 {
     const TemporaryFolder folder;
     const DrawList list = ManyShapes();

@@ -33,7 +33,7 @@ TEST(Fingerprint, IsSixteenHexDigits)
     EXPECT_EQ(fingerprint->find_first_not_of("0123456789abcdef"), std::string::npos);
 }
 
-TEST(Fingerprint, IsTheSameOfOSMesaAndEgl)
+TEST(Fingerprint, IsTheSameForOSMesaAndEgl)
 {
     const Result<std::string> osMesa = FingerprintOf(Backend::OSMesa);
     const Result<std::string> egl = FingerprintOf(Backend::Egl);
@@ -46,7 +46,7 @@ TEST(Fingerprint, IsTheSameOfOSMesaAndEgl)
 
 // References carry these. When drawing is changed on purpose, accept all references again, and
 // replace the numbers: otherwise each reference counts as another renderer's.
-TEST(Fingerprint, IsThatOfTheReferencesWithMesasWeKnow)
+TEST(Fingerprint, EqualsThatOfReferencesWithKnownMesas)
 {
     const Result<Renderer> renderer = Renderer::Create({.width = 8, .height = 8});
     ASSERT_TRUE(renderer) << renderer.GetError().Text();
@@ -78,7 +78,7 @@ TEST(Fingerprint, IsTheSameWhenThreadsAskAtOnce)
     EXPECT_THAT(fingerprints, testing::Each(*FingerprintOf(Backend::Auto)));
 }
 
-TEST(Fingerprint, LeavesTheRenderersPictureAsItIs)
+TEST(Fingerprint, KeepsTheRenderersPicture)
 {
     Result<Renderer> renderer = Renderer::Create({.width = 320, .height = 240});
     ASSERT_TRUE(renderer) << renderer.GetError().Text();

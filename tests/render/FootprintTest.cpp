@@ -36,7 +36,7 @@ bool Touches(ProgramKind kind, const std::vector<float>& a, int x, int y)
 
 } // namespace
 
-TEST(AFootprint, HoldsEveryPixelThatAShapeTouches)
+TEST(Footprint, HoldsEveryPixelThatAShapeTouches)
 {
     std::mt19937 random(4);
     const auto between = [&random](double a, double b) {
@@ -66,7 +66,7 @@ TEST(AFootprint, HoldsEveryPixelThatAShapeTouches)
     }
 }
 
-TEST(AFootprint, LeavesOutMostOfTheBoundsOfASlantedShape)
+TEST(Footprint, ExcludesMostOfTheBoundsOfASlantedShape)
 {
     const std::vector<float> line{50.0f, 50.0f, 0.70710678f, 0.70710678f, 60.0f, 1.0f};
     const Footprint footprint(ProgramKind::Box, kPicture, line);
@@ -79,7 +79,7 @@ TEST(AFootprint, LeavesOutMostOfTheBoundsOfASlantedShape)
     EXPECT_LT(pixels, kSize * 10);
 }
 
-TEST(AFootprint, IsAllOfTheBoundsOfWhatIsNoShape)
+TEST(Footprint, FillsTheBoundsForGlyphs)
 {
     const Footprint::Span span = Footprint(ProgramKind::Glyph, {3, 4, 30, 40}, {}).Between(10, 12);
     EXPECT_EQ(span.x0, 3);

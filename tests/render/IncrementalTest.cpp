@@ -390,7 +390,7 @@ RenderTotals Film(unsigned seed, Size size, int frames, Backend backend = Backen
 
 } // namespace
 
-TEST(Incremental, FramesEqualCompleteDrawingAfterAnyChange)
+TEST(IncrementalDrawing, EqualsCompleteDrawingAfterAnyChange)
 {
     RenderTotals sum;
     unsigned seed = 1;
@@ -413,7 +413,7 @@ TEST(Incremental, FramesEqualCompleteDrawingAfterAnyChange)
     EXPECT_GT(sum.frames - sum.framesInPart - sum.framesUnchanged, sum.frames / 20);
 }
 
-TEST(Incremental, FramesAreThoseDrawnAsAWholeWithEitherBackEnd)
+TEST(IncrementalDrawing, EqualsCompleteDrawingWithEitherBackEnd)
 {
     for (const Backend backend : {Backend::OSMesa, Backend::Egl})
     {
@@ -427,7 +427,7 @@ TEST(Incremental, FramesAreThoseDrawnAsAWholeWithEitherBackEnd)
     }
 }
 
-TEST(Incremental, RedrawsOldAndNewPlaceOfMovedItem)
+TEST(IncrementalDrawing, RedrawsOldAndNewPlaceOfMovedItem)
 {
     Renderer renderer = MakeRenderer(320, 240);
     const Camera camera = PixelCamera(320, 240);
@@ -450,7 +450,7 @@ TEST(Incremental, RedrawsOldAndNewPlaceOfMovedItem)
     EXPECT_LE(now.pixels, 2 * 40 * 40);
 }
 
-TEST(Incremental, AnUnchangedFrameCostsNoPixel)
+TEST(IncrementalDrawing, DrawsNoPixelOfUnchangedFrame)
 {
     Renderer renderer = MakeRenderer(320, 240);
     const Camera camera = PixelCamera(320, 240);
@@ -472,7 +472,7 @@ TEST(Incremental, AnUnchangedFrameCostsNoPixel)
     EXPECT_EQ(renderer.Totals().framesUnchanged, 2);
 }
 
-TEST(Incremental, WhatIsInsertedOrRemovedLeavesTheRestAlone)
+TEST(IncrementalDrawing, RedrawsOnlyInsertedOrRemovedItems)
 {
     Renderer renderer = MakeRenderer(320, 240);
     const Camera camera = PixelCamera(320, 240);
@@ -499,7 +499,7 @@ TEST(Incremental, WhatIsInsertedOrRemovedLeavesTheRestAlone)
     EXPECT_LE(renderer.Statistics().pixels, 3 * 16 * 16);
 }
 
-TEST(Incremental, APanelThatMovesLeavesNothingBehind)
+TEST(IncrementalDrawing, LeavesNothingBehindAMovedPanel)
 {
     // The same triangles elsewhere, and then other ones.
     Result<Hud> hud = Hud::Create(320, 240);
@@ -531,7 +531,7 @@ TEST(Incremental, APanelThatMovesLeavesNothingBehind)
     EXPECT_EQ(Difference(DrawWith(renderer, list, camera), Picture(list, 320, 240)), "");
 }
 
-TEST(Incremental, AFrameThatTheCallerSpoiledIsWholeAgain)
+TEST(IncrementalDrawing, RestoresFrameChangedByTheCaller)
 {
     Renderer renderer = MakeRenderer(320, 240);
     const Camera camera = PixelCamera(320, 240);

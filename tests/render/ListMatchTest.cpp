@@ -31,7 +31,7 @@ using Expected = std::vector<std::size_t>;
 
 } // namespace
 
-TEST(MatchItems, FindsWhatStayed)
+TEST(MatchItems, FindsUnchangedItems)
 {
     const DrawList last = Points({1, 2, 3, 4});
     EXPECT_EQ(Matches(last, last), (Expected{0, 1, 2, 3}));
@@ -43,7 +43,7 @@ TEST(MatchItems, FindsWhatStayed)
     EXPECT_EQ(Matches(Points({}), Points({1})), Expected{kNoMatch});
 }
 
-TEST(MatchItems, NeverCrosses)
+TEST(MatchItems, KeepsTheOrderOfMatches)
 {
     const Expected matches = Matches(Points({1, 2, 3, 4, 5}), Points({5, 4, 3, 2, 1}));
     std::size_t last = 0;
@@ -57,7 +57,7 @@ TEST(MatchItems, NeverCrosses)
     }
 }
 
-TEST(MatchItems, LooksAtAllThatIsSeenAndAtNothingElse)
+TEST(MatchItems, ComparesVisiblePropertiesOnly)
 {
     DrawList last;
     last.AddText({1, 1}, "a", {});

@@ -48,7 +48,7 @@ int Texel(const MeshCorner& c, std::size_t axis, int x, int y)
 
 } // namespace
 
-TEST(OverlayMesh, HasOneColourForATriangleOfOne)
+TEST(OverlayMesh, HasOneColourForTriangleOfOneColour)
 {
     const Color color{200, 100, 50, 77};
     const OverlayMesh mesh = MeshOf(
@@ -63,7 +63,7 @@ TEST(OverlayMesh, HasOneColourForATriangleOfOne)
     }
 }
 
-TEST(OverlayMesh, FindsEachTexelOfALetterWhereverItStands)
+TEST(OverlayMesh, FindsEachTexelOfALetterAtAnyPlace)
 {
     for (const float offset : {0.0f, 0.25f, 0.4f, 0.5f})
     {
@@ -89,7 +89,7 @@ TEST(OverlayMesh, FindsEachTexelOfALetterWhereverItStands)
     }
 }
 
-TEST(OverlayMesh, BlendsColoursAsAPlaneDoes)
+TEST(OverlayMesh, InterpolatesColoursLinearly)
 {
     std::mt19937 random(5);
     const auto below = [&](unsigned end) { return float(random() % (end * 256u)) / 256.0f; };

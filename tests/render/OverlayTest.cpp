@@ -74,7 +74,7 @@ TEST(Hud, LiesInTheTopLeftCornerAndNoLargerThanItsContent)
     EXPECT_LT(extent.upper.y, 160.0f);
 }
 
-TEST(Hud, NeverLeavesTheFrame)
+TEST(Hud, StaysInsideTheFrame)
 {
     HudContent content = Usual();
     content.title =
@@ -99,7 +99,7 @@ TEST(Hud, NeverLeavesTheFrame)
     }
 }
 
-TEST(Hud, CopesWithNothingToShow)
+TEST(Hud, IsBuiltForEmptyContent)
 {
     EXPECT_FALSE(Built(320, 240, {}).IsEmpty());
     EXPECT_FALSE(Built(320, 240, {"title", {}}).IsEmpty());
@@ -163,7 +163,7 @@ TEST(Hud, DarkensThePictureBelowAndShowsBrightText)
     EXPECT_LT(At(with, middleX, int(extent.upper.y) - 5)[0], At(without, 600, 300)[0] / 2 + 5);
 }
 
-TEST(AnOverlay, IsRefusedWhenACommandNamesIndicesThatItDoesNotHave)
+TEST(Overlay, IsRefusedWhenACommandNamesIndicesThatItDoesNotHave)
 {
     Renderer renderer = MakeRenderer(64, 64);
     Overlay overlay = Triangle();
@@ -175,7 +175,7 @@ TEST(AnOverlay, IsRefusedWhenACommandNamesIndicesThatItDoesNotHave)
                 RefusesWith("overlay", "index 4294967298 of 3"));
 }
 
-TEST(AnOverlay, IsRefusedWhenAnIndexNamesAVertexThatItDoesNotHave)
+TEST(Overlay, IsRefusedWhenAnIndexNamesAVertexThatItDoesNotHave)
 {
     Renderer renderer = MakeRenderer(64, 64);
     const Camera camera = PixelCamera(64, 64);
@@ -187,7 +187,7 @@ TEST(AnOverlay, IsRefusedWhenAnIndexNamesAVertexThatItDoesNotHave)
     EXPECT_TRUE(DrawWith(renderer, {}, camera, &good) == first) << "and nothing has changed";
 }
 
-TEST(AnOverlay, ShowsTheBytesOfTheFontUnderItsPixels)
+TEST(Overlay, ShowsTheBytesOfTheFontUnderItsPixels)
 {
     const FontAtlas& atlas = FontAtlas::Get();
     std::vector<GlyphQuad> quads;
@@ -243,7 +243,7 @@ TEST(FontAtlas, HasLettersOfWholePixelsSideBySide)
 }
 
 // Lines of such letters are 19.5 and 22.5 px apart.
-TEST(ALabel, ShowsTheBytesOfItsFontAtEveryScale)
+TEST(Label, ShowsTheBytesOfItsFontAtEveryScale)
 {
     for (const double scale : {1.0, 1.3, 1.5})
     {

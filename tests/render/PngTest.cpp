@@ -224,7 +224,7 @@ class EveryPngKind : public testing::TestWithParam<Kind>
 
 } // namespace
 
-TEST_P(EveryPngKind, ReadsAsMeantWhetherInterlacedOrNot)
+TEST_P(EveryPngKind, IsReadExactlyInterlacedOrNot)
 {
     for (const int interlace : {PNG_INTERLACE_NONE, PNG_INTERLACE_ADAM7})
     {
@@ -379,7 +379,7 @@ TEST(WritePng, RefusesASideLongerThanItCanReadBack)
     EXPECT_EQ(ReadPng(folder / "frame.png")->width, 16384);
 }
 
-TEST(ReadPng, NoticesWhereverAFileIsCutOff)
+TEST(ReadPng, RefusesFilesCutOffAnywhere)
 {
     const TemporaryFolder folder;
     for (const int interlace : {PNG_INTERLACE_NONE, PNG_INTERLACE_ADAM7})

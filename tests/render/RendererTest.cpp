@@ -154,7 +154,7 @@ TEST(Renderer, GivesTheSameBitsEveryTime)
     EXPECT_TRUE(first == second);
 }
 
-TEST(Renderer, LivesBesideAnotherAndInAnotherThread)
+TEST(Renderer, WorksBesideAnotherAndInAnotherThread)
 {
     Renderer a = MakeRenderer(320, 240);
     Renderer b = MakeRenderer(160, 120);
@@ -171,7 +171,7 @@ TEST(Renderer, LivesBesideAnotherAndInAnotherThread)
     EXPECT_TRUE(fromThread == fromA);
 }
 
-TEST(Renderer, CanBeMoved)
+TEST(Renderer, IsMovable)
 {
     Renderer first = MakeRenderer(320, 240);
     ASSERT_TRUE(first.Submit(Everything(), PixelCamera(320, 240)));
@@ -204,7 +204,7 @@ TEST(Renderer, SkipsWhatLiesOutsideWithoutChangingAPixel)
     EXPECT_TRUE(frame == Picture(inside, 40, 40));
 }
 
-TEST(Renderer, ShowsAtItsBordersWhatALargerPictureShowsThere)
+TEST(Renderer, DrawsBordersAsInALargerPicture)
 {
     // Rows of shapes, each a little farther across a border than the one before.
     Renderer large = MakeRenderer(96, 96);
@@ -237,7 +237,7 @@ TEST(Renderer, ShowsAtItsBordersWhatALargerPictureShowsThere)
     }
 }
 
-TEST(Renderer, DrawsGiantsAsTheirPartInThePicture)
+TEST(Renderer, DrawsVisiblePartOfHugeShapes)
 {
     // Edges through the picture's middle, the rest up to a hundred thousand kilometres away.
     for (const float size : {1e3f, 1e5f, 1e8f})
@@ -380,7 +380,7 @@ TEST(Renderer, RefusesOverflowingViewAndDrawsNextOne)
     }
 }
 
-TEST(Renderer, DoesNotDrawTheSameTwiceAndShowsItAllTheSame)
+TEST(Renderer, ShowsUnchangedFrameWithoutDrawing)
 {
     Renderer renderer = MakeRenderer(320, 240);
     DrawList list = Everything();
@@ -432,7 +432,7 @@ TEST(Renderer, ClipsAnOverlayToItsRectangles)
     }
 }
 
-TEST(Renderer, WritesTextWhereItIsAsked)
+TEST(Renderer, WritesTextAtItsPlace)
 {
     DrawList list;
     list.AddText({20, 40}, "Hill", kWhite); // top left corner at pixel (20, 20)

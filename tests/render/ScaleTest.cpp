@@ -124,7 +124,7 @@ DrawList Labels(const char* text)
 
 } // namespace
 
-TEST(Scale, OfEightAveragedDownIsTheTruthForOne)
+TEST(Scale, AveragesFromEightDownToOne)
 {
     const ScaleError shapes = CompareScales(Shapes(false), "shapes");
     EXPECT_LE(shapes.rms, 1.1);
@@ -136,7 +136,7 @@ TEST(Scale, OfEightAveragedDownIsTheTruthForOne)
 // Where two outlines cover the same part of a pixel, drawing one over the other covers more of it
 // than it should. Their parts count as independent (Porter and Duff, "Compositing Digital Images",
 // 1984).
-TEST(Scale, SeesAbuttingOutlinesALittleHeavier)
+TEST(Scale, DrawsAbuttingOutlinesHeavierAtOne)
 {
     DrawList list;
     for (int i = 0; i < 100; ++i)
@@ -197,7 +197,7 @@ TEST(Scale, MultipliesOutlinesPointsAndLetters)
     EXPECT_NE(At(large, 640 + 17, 480), (Pixel{255, 255, 255, 255}));
 }
 
-TEST(Scale, OutOfRangeIsRefused)
+TEST(Scale, IsRefusedOutOfRange)
 {
     for (const double scale : {0.0, -1.0, 0.09, 16.1, std::nan("")})
     {
@@ -209,7 +209,7 @@ TEST(Scale, OutOfRangeIsRefused)
     }
 }
 
-TEST(Scale, OfAPanelIsThePanelLarger)
+TEST(Scale, EnlargesPanels)
 {
     const HudContent content{"Title", {{"time", "1.500 s"}, {"bodies", "12"}}};
     Result<Hud> small = Hud::Create(320, 240);
@@ -230,7 +230,7 @@ TEST(Scale, OfAPanelIsThePanelLarger)
     EXPECT_NEAR(twice.y, 2.0f * once.y, 2.0f);
 }
 
-TEST(Scale, OfACameraKeepsItsView)
+TEST(Scale, KeepsTheViewOfACamera)
 {
     Camera camera = PixelCamera(321, 7);
     camera.pixelsPerMeter = 3.0;

@@ -91,24 +91,24 @@ void TryChains(int32 n, const std::string& against, const Add& add)
     }
 }
 
-TEST_P(ChainImpact, KeepsItTogetherOnAPostUnderTheChain)
+TEST_P(ChainImpact, KeepsTheChainTogetherOnAPostBelowIt)
 {
     TryChains(GetParam(), "a post", [](Chain& chain) { chain.AddPost(6.0f, -1.2f); });
 }
 
-TEST_P(ChainImpact, KeepsItTogetherOnAPostUnderTheAnchor)
+TEST_P(ChainImpact, KeepsTheChainTogetherOnAPostBelowTheAnchor)
 {
     TryChains(GetParam(), "a low post", [](Chain& chain) { chain.AddPost(0.0f, -10.0f); });
 }
 
-TEST_P(ChainImpact, KeepsItTogetherOnTheGround)
+TEST_P(ChainImpact, KeepsTheChainTogetherOnTheGround)
 {
     TryChains(GetParam(), "the ground", [](Chain& chain) { chain.AddGround(-15.0f); });
 }
 
 /// The ball touches the last link but one. Its end would have to be nearer than the ball's radius
 /// to resolve the overlap of their skins, so pushes rotate the links between again and again.
-TEST_P(ChainImpact, StaysTogetherWherePushesHaveNoWayOut)
+TEST_P(ChainImpact, StaysTogetherWhenAnOverlapCannotBeResolved)
 {
     Chain chain(GetParam(), 10.0f);
     double widest = 0.0;
@@ -118,7 +118,7 @@ TEST_P(ChainImpact, StaysTogetherWherePushesHaveNoWayOut)
 }
 
 /// In the frame in which the first of them is stopped by a thin wall the second flies on.
-TEST_P(ChainImpact, PullsBackBodyThatIsTiedToStoppedOne)
+TEST_P(ChainImpact, PullsABodyBackToTheOneThatAWallStopped)
 {
     for (const float32 ratio : {1.0f, 10.0f, 100.0f})
     {

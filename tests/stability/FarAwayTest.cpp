@@ -22,7 +22,7 @@ std::string Named(const char* what, float32 place)
     return what + std::string(", ") + std::to_string(int(place / 1000.0f)) + " km out";
 }
 
-TEST_P(FarAway, AStackStands)
+TEST_P(FarAway, KeepsAStackStanding)
 {
     for (const float32 place : kPlaces)
     {
@@ -47,7 +47,7 @@ TEST_P(FarAway, AStackStands)
 }
 
 /// 0.02 m/s for ten minutes, 12 m.
-TEST_P(FarAway, ASlowBodyMovesExactly)
+TEST_P(FarAway, MovesASlowBodyExactly)
 {
     for (const float32 place : kPlaces)
     {
@@ -63,7 +63,7 @@ TEST_P(FarAway, ASlowBodyMovesExactly)
 }
 
 /// The largest difference from the same pendulum at the origin.
-TEST_P(FarAway, APendulumSwingsAsAtTheOrigin)
+TEST_P(FarAway, SwingsAPendulumAsAtTheOrigin)
 {
     std::vector<float32> angles;
     for (const float32 place : kPlaces)
@@ -92,7 +92,7 @@ TEST_P(FarAway, APendulumSwingsAsAtTheOrigin)
 }
 
 /// A ball rolls down a slope and is thrown against a wall at 50 m/s.
-TEST_P(FarAway, ImpactsAreAsAtTheOrigin)
+TEST_P(FarAway, SolvesImpactsAsAtTheOrigin)
 {
     double atOrigin = 0.0;
     for (const float32 place : kPlaces)

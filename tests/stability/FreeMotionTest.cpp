@@ -45,7 +45,7 @@ private:
     double m_mass = 0.0;
 };
 
-TEST_P(FreeMotion, ASpinningBodyKeepsEverything)
+TEST_P(FreeMotion, ConservesEnergyAndMomentaOfASpinningBody)
 {
     Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));
     b2Body* body = trial.Part(0.0f, 0.0f, 1.0f, 0.1f);
@@ -97,7 +97,7 @@ void MakeGear(Trial& t, b2Body* a, b2Body* b)
     t.world.CreateJoint(&def);
 }
 
-TEST_P(FreeMotion, AJointedPairKeepsEverything)
+TEST_P(FreeMotion, ConservesEnergyAndMomentaOfAJointedPair)
 {
     for (const Bond& bond : {Bond{"hinge", MakeHinge}, Bond{"rod", MakeRod}, Bond{"weld", MakeWeld},
                              Bond{"slider at its stop", MakeSlider}, Bond{"gear", MakeGear}})
@@ -117,7 +117,7 @@ TEST_P(FreeMotion, AJointedPairKeepsEverything)
 }
 
 /// Twelve rods in a ring that is open, of which the first spins.
-TEST_P(FreeMotion, AChainInSpaceKeepsEverything)
+TEST_P(FreeMotion, ConservesEnergyAndMomentaOfAChain)
 {
     Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));
     for (int i = 0; i < 12; ++i)

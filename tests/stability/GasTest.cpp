@@ -92,7 +92,7 @@ void JudgeGas(int32 subSteps, const std::string& name, const b2Shape& shape, flo
     JudgeGas(trial, subSteps, name, shape, speed);
 }
 
-TEST_P(Gas, OfSmallBoxesKeepsItsEnergy)
+TEST_P(Gas, KeepsItsEnergyWithSmallBoxes)
 {
     b2PolygonShape box;
     box.SetAsBox(0.15f, 0.1f);
@@ -102,7 +102,7 @@ TEST_P(Gas, OfSmallBoxesKeepsItsEnergy)
 
 /// A body that moves farther in a step than an obstacle is wide may end the step behind it without
 /// having crossed it.
-TEST_P(Gas, AmongObstaclesKeepsItsEnergy)
+TEST_P(Gas, KeepsItsEnergyAmongObstacles)
 {
     Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));
     AddObstacles(trial);
@@ -111,14 +111,14 @@ TEST_P(Gas, AmongObstaclesKeepsItsEnergy)
     JudgeGas(trial, GetParam(), "boxes of 0.3 m among obstacles", box, 300.0f);
 }
 
-TEST_P(Gas, OfLargeBoxesKeepsItsEnergy)
+TEST_P(Gas, KeepsItsEnergyWithLargeBoxes)
 {
     b2PolygonShape box;
     box.SetAsBox(0.4f, 0.4f);
     JudgeGas(GetParam(), "boxes of 0.8 m", box, 100.0f);
 }
 
-TEST_P(Gas, OfRodsKeepsItsEnergy)
+TEST_P(Gas, KeepsItsEnergyWithRods)
 {
     b2PolygonShape rod;
     rod.SetAsBox(0.5f, 0.02f);
@@ -128,7 +128,7 @@ TEST_P(Gas, OfRodsKeepsItsEnergy)
 
 /// Two points of a contact, of which one comes near and the other goes away: held together they
 /// won 3 %.
-TEST_P(Gas, OfTrianglesKeepsItsEnergy)
+TEST_P(Gas, KeepsItsEnergyWithTriangles)
 {
     b2PolygonShape triangle;
     const b2Vec2 corners[] = {{-0.2f, -0.2f}, {0.2f, -0.2f}, {0.0f, 0.3f}};

@@ -103,7 +103,7 @@ void JudgeTrain(const Train& train, const std::string& name)
           kRounding);
 }
 
-TEST_P(GearsAndMotors, JammedByAWeldTheTrainStands)
+TEST_P(GearsAndMotors, StandStillWhenJammedByAWeld)
 {
     Trial trial(GetParam());
     const Train train(trial);
@@ -111,7 +111,7 @@ TEST_P(GearsAndMotors, JammedByAWeldTheTrainStands)
     JudgeTrain(train, "gears, last one welded");
 }
 
-TEST_P(GearsAndMotors, JammedByALimitTheTrainStands)
+TEST_P(GearsAndMotors, StandStillWhenJammedByALimit)
 {
     Trial trial(GetParam());
     const Train train(trial);
@@ -120,7 +120,7 @@ TEST_P(GearsAndMotors, JammedByALimitTheTrainStands)
     JudgeTrain(train, "gears, last one at its limit");
 }
 
-TEST_P(GearsAndMotors, JammedByABarTheTrainStands)
+TEST_P(GearsAndMotors, StandStillWhenJammedByABar)
 {
     Trial trial(GetParam());
     const Train train(trial);
@@ -132,7 +132,7 @@ TEST_P(GearsAndMotors, JammedByABarTheTrainStands)
     JudgeTrain(train, "gears, a bar in the last one");
 }
 
-TEST_P(GearsAndMotors, TwoMotorsAgainstEachOtherStand)
+TEST_P(GearsAndMotors, TurnAtTheSpeedOfTheStrongerMotor)
 {
     Trial trial(GetParam());
     const Train train(trial);
@@ -170,7 +170,7 @@ void JudgePush(const std::string& name, int32 n, const Push& push)
 }
 
 /// With a thousand times its weight.
-TEST_P(GearsAndMotors, SliderPushesABoxAgainstAWall)
+TEST_P(GearsAndMotors, PushABoxAgainstAWall)
 {
     Trial trial(GetParam());
     trial.Wall(3.0f);
@@ -192,7 +192,7 @@ TEST_P(GearsAndMotors, SliderPushesABoxAgainstAWall)
 
 /// One, two or five boxes on the ground between the slider and the wall: it pushes them, and never
 /// comes into them.
-TEST_P(GearsAndMotors, SliderPushesARowOfBoxesAgainstAWall)
+TEST_P(GearsAndMotors, PushARowOfBoxesAgainstAWall)
 {
     for (const int count : {1, 2, 5})
     {
@@ -237,7 +237,7 @@ TEST_P(GearsAndMotors, SliderPushesARowOfBoxesAgainstAWall)
 }
 
 /// An arm of 2 m presses its end on the ground, with a hundred times what its weight would do.
-TEST_P(GearsAndMotors, ArmPressesOnTheGround)
+TEST_P(GearsAndMotors, PressAnArmOnTheGround)
 {
     Trial trial(GetParam());
     trial.Ground();
@@ -258,7 +258,7 @@ TEST_P(GearsAndMotors, ArmPressesOnTheGround)
 }
 
 /// A car with a driven wheel is in front of a wall; the wheel spins.
-TEST_P(GearsAndMotors, CarDrivesAgainstAWall)
+TEST_P(GearsAndMotors, DriveACarAgainstAWall)
 {
     Trial trial(GetParam());
     trial.Ground();

@@ -8,7 +8,7 @@ namespace
 
 using namespace stability;
 
-STABILITY_SUITE(Kinematic);
+STABILITY_SUITE(KinematicBody);
 
 /// A body squeezed out of a stack is slower than this [m/s]: it rises by two metres.
 constexpr double kSqueezedOut = 6.5;
@@ -98,24 +98,24 @@ void TryWall(int32 subSteps, const std::string& name, int columns, int rows, flo
     TryPress(trial, name, pusher, boxes, (0.05 * columns + 0.45) / double(speed), mostSpeed);
 }
 
-TEST_P(Kinematic, WallPressesABoxAgainstAnother)
+TEST_P(KinematicBody, PressesABoxAgainstAWall)
 {
     TryWall(GetParam(), "a box, 5 cm/s", 1, 1, 0.05f, kJammed);
     TryWall(GetParam(), "a box, 1 m/s", 1, 1, 1.0f, 2.0 * kJammed);
 }
 
-TEST_P(Kinematic, WallPressesARowAgainstAnother)
+TEST_P(KinematicBody, PressesARowAgainstAWall)
 {
     TryWall(GetParam(), "row of five, 20 cm/s", 5, 1, 0.2f, kSqueezedOut);
     TryWall(GetParam(), "row of five, 1 m/s", 5, 1, 1.0f, kSqueezedOut);
 }
 
-TEST_P(Kinematic, WallPressesAPileAgainstAnother)
+TEST_P(KinematicBody, PressesAPileAgainstAWall)
 {
     TryWall(GetParam(), "pile of five by four", 5, 4, 0.2f, kSqueezedOut);
 }
 
-TEST_P(Kinematic, LiftPressesAStackAgainstTheCeiling)
+TEST_P(KinematicBody, PressesAStackAgainstTheCeiling)
 {
     Trial trial(GetParam());
     trial.WideGround();
@@ -127,7 +127,7 @@ TEST_P(Kinematic, LiftPressesAStackAgainstTheCeiling)
     TryPress(trial, "lift against a ceiling", lift, boxes, 3.6, kSqueezedOut);
 }
 
-TEST_P(Kinematic, DoorClosesOnBoxesAtAWall)
+TEST_P(KinematicBody, ClosesADoorOnBoxesAtAWall)
 {
     Trial trial(GetParam());
     trial.WideGround(0.6f);

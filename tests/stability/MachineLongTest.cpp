@@ -12,12 +12,12 @@ class MachineLong : public EverySubStepCount
 INSTANTIATE_TEST_SUITE_P(SubSteps, MachineLong, testing::Values(1, 2, 4, 8, 16),
                          testing::PrintToStringParamName());
 
-TEST_P(MachineLong, OfFortyTwoJointsRunsForTenMinutes)
+TEST_P(MachineLong, RunsForTenMinutesWithFortyTwoJoints)
 {
     RunFortyTwo(GetParam(), 600.0);
 }
 
-TEST_P(MachineLong, OfFortyRodsSwingsForTenMinutes)
+TEST_P(MachineLong, SwingsForTenMinutesWithFortyRods)
 {
     RunSwinging(GetParam(), 600.0);
 }

@@ -10,12 +10,12 @@ using namespace stability;
 
 STABILITY_SUITE(Machine);
 
-TEST_P(Machine, OfFortyTwoJointsRunsForTwentySeconds)
+TEST_P(Machine, RunsForTwentySecondsWithFortyTwoJoints)
 {
     RunFortyTwo(GetParam(), 20.0);
 }
 
-TEST_P(Machine, OfFortyRodsSwingsForTwentySeconds)
+TEST_P(Machine, SwingsForTwentySecondsWithFortyRods)
 {
     RunSwinging(GetParam(), 20.0);
 }

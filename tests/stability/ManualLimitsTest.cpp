@@ -11,7 +11,7 @@ using namespace stability;
 STABILITY_SUITE(ManualLimits);
 
 /// Ten boards of 1 m x 0.1 m, welded end to end and to a post, let go level.
-TEST_P(ManualLimits, AShelfOfWeldedBoardsStaysLevel)
+TEST_P(ManualLimits, LimitTheSagOfAShelfOfWeldedBoards)
 {
     Trial trial(GetParam());
     b2Body* last = trial.Post();
@@ -28,7 +28,7 @@ TEST_P(ManualLimits, AShelfOfWeldedBoardsStaysLevel)
 }
 
 /// A ball at 10 m/s in a damping of 5 /s, for a second: v = 10 e^-5.
-TEST_P(ManualLimits, DampingDoesNotDependOnTheStep)
+TEST_P(ManualLimits, LimitTheErrorOfDampingForEachStep)
 {
     struct Rate
     {
@@ -54,7 +54,7 @@ TEST_P(ManualLimits, DampingDoesNotDependOnTheStep)
 
 /// Ten boxes of 1 m whose skins touch, at a multiple of the earth's gravity. Measures how far the
 /// top one sinks in 20 s. With sub-steps it rises, by the rest of the slop.
-TEST_P(ManualLimits, AStackBearsTenTimesTheGravity)
+TEST_P(ManualLimits, LetAStackBearTenTimesTheGravity)
 {
     for (const float32 gravity : {10.0f, 100.0f})
     {
@@ -73,7 +73,7 @@ TEST_P(ManualLimits, AStackBearsTenTimesTheGravity)
 }
 
 /// The skins of the box and of the edge, less the slop that they overlap by.
-TEST_P(ManualLimits, ABoxRestsAboveAnEdge)
+TEST_P(ManualLimits, KeepABoxWithinTheSkinsAboveAnEdge)
 {
     Trial trial(GetParam());
     b2EdgeShape edge;
@@ -90,7 +90,7 @@ TEST_P(ManualLimits, ABoxRestsAboveAnEdge)
 /// Two rods of 1 m x 0.1 m, hinged end to end, fly into a wall at twenty angles and from ten
 /// fractions of a step. Measures the maximum opening of the hinge, and the number of steps with
 /// more than a slop.
-TEST_P(ManualLimits, AHingeHoldsWhenAWallStopsOneOfItsBodies)
+TEST_P(ManualLimits, KeepAHingeClosedWhenAWallStopsABody)
 {
     struct Hits
     {

@@ -45,7 +45,7 @@ void TryStack(int32 subSteps, const std::string& name, const Density& densityOf,
     Judge(name + ", energy won", subSteps, 100.0 * (maximum / before - 1.0), "%", 0.5);
 }
 
-TEST_P(MassRatios, StackBearsAHeavyTop)
+TEST_P(MassRatios, LetAStackBearAHeavyTop)
 {
     for (const float32 ratio : kRatios)
     {
@@ -56,7 +56,7 @@ TEST_P(MassRatios, StackBearsAHeavyTop)
     }
 }
 
-TEST_P(MassRatios, StackOfHeavyAndLightByTurnsStands)
+TEST_P(MassRatios, LetAStackOfHeavyAndLightBoxesStand)
 {
     for (const float32 ratio : kRatios)
     {
@@ -110,7 +110,7 @@ public:
     b2Body* ball;
 };
 
-TEST_P(MassRatios, ChainHangs)
+TEST_P(MassRatios, KeepAHangingChainClosed)
 {
     for (const float32 ratio : kRatios)
     {
@@ -143,7 +143,7 @@ struct Swing
 
 /// For 10 s, as in the benchmark, and 20 s, when the ball has gone to and fro twice and the links
 /// are thrown about where it turns.
-TEST_P(MassRatios, ChainSwings)
+TEST_P(MassRatios, KeepASwingingChainClosed)
 {
     for (const float32 ratio : kRatios)
     {
@@ -212,7 +212,7 @@ void TryTied(int32 subSteps, const std::string& name, int32 blocks, float32 rati
     Judge(all + ", energy won", subSteps, 100.0 * won / maximum, "%", 2.0);
 }
 
-TEST_P(MassRatios, RopesAndRodsHoldAHeavyBall)
+TEST_P(MassRatios, LetRopesAndRodsHoldAHeavyBall)
 {
     for (const int32 blocks : {5, 10, 20})
     {
@@ -225,7 +225,7 @@ TEST_P(MassRatios, RopesAndRodsHoldAHeavyBall)
 }
 
 /// Hinges that turn by so much and no more: where they stop, they carry.
-TEST_P(MassRatios, ChainWithLimitsSwings)
+TEST_P(MassRatios, KeepASwingingChainWithLimitsClosed)
 {
     for (const float32 angle : {0.3f, 1.0f})
     {

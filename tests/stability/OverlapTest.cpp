@@ -52,7 +52,7 @@ void TryApart(Trial& trial, const std::string& name, double mostJump = kNoJump,
           2000.0 * double(b2_linearSlop));
 }
 
-TEST_P(Overlap, OfTwoBoxesGoes)
+TEST_P(Overlap, IsCorrectedBetweenTwoBoxes)
 {
     Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));
     trial.Box(0.0f, 0.0f);
@@ -60,7 +60,7 @@ TEST_P(Overlap, OfTwoBoxesGoes)
     TryApart(trial, "two boxes");
 }
 
-TEST_P(Overlap, OfTwoBoxesInTheSamePlaceGoes)
+TEST_P(Overlap, IsCorrectedBetweenTwoBoxesInOnePlace)
 {
     Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));
     trial.Box(0.0f, 0.0f);
@@ -68,7 +68,7 @@ TEST_P(Overlap, OfTwoBoxesInTheSamePlaceGoes)
     TryApart(trial, "two boxes, same place");
 }
 
-TEST_P(Overlap, OfTwoBallsInTheSamePlaceGoes)
+TEST_P(Overlap, IsCorrectedBetweenTwoBallsInOnePlace)
 {
     Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));
     trial.Ball(0.0f, 0.0f);
@@ -76,7 +76,7 @@ TEST_P(Overlap, OfTwoBallsInTheSamePlaceGoes)
     TryApart(trial, "two balls, same place");
 }
 
-TEST_P(Overlap, OfALightBoxInAHeavyOneGoes)
+TEST_P(Overlap, IsCorrectedBetweenALightBoxAndAHeavyOne)
 {
     Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));
     Trial::SetDensity(trial.Box(0.0f, 0.0f, 1.0f, 1.0f), 1000.0f);
@@ -84,7 +84,7 @@ TEST_P(Overlap, OfALightBoxInAHeavyOneGoes)
     TryApart(trial, "light in heavy");
 }
 
-TEST_P(Overlap, OfATurnedBoxInTheGroundGoes)
+TEST_P(Overlap, IsCorrectedForATurnedBoxInTheGround)
 {
     Trial trial(GetParam());
     trial.WideGround();
@@ -92,7 +92,7 @@ TEST_P(Overlap, OfATurnedBoxInTheGroundGoes)
     TryApart(trial, "box in the ground");
 }
 
-TEST_P(Overlap, OfAPressedPileGoes)
+TEST_P(Overlap, IsCorrectedInAPressedPile)
 {
     Trial trial(GetParam());
     trial.WideGround();
@@ -105,7 +105,7 @@ TEST_P(Overlap, OfAPressedPileGoes)
     TryApart(trial, "pile of six, half as high", kNoJumpInARow, Bound(GetParam(), kShotOut, fall));
 }
 
-TEST_P(Overlap, OfTwentyThingsInOnePlaceGoes)
+TEST_P(Overlap, IsCorrectedBetweenTwentyBodiesInOnePlace)
 {
     Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));
     for (int i = 0; i < 20; ++i)
@@ -198,22 +198,22 @@ void TryRow(int32 n, int count, float32 heavy, const std::string& name)
     Judge("overlap: " + name + ", kinetic, late", n, jam.late, "J/kg", 0.5 * kShotOut * kShotOut);
 }
 
-TEST_P(Overlap, OfARowOf22BetweenWallsStaysCalm)
+TEST_P(Overlap, StaysCalmInARowOf22BetweenWalls)
 {
     TryRow(GetParam(), 22, 1.0f, "row of 22 between walls");
 }
 
-TEST_P(Overlap, OfARowOf30BetweenWallsStaysCalm)
+TEST_P(Overlap, StaysCalmInARowOf30BetweenWalls)
 {
     TryRow(GetParam(), 30, 1.0f, "row of 30 between walls");
 }
 
-TEST_P(Overlap, OfARowOf22LightAndHeavyBoxesStaysCalm)
+TEST_P(Overlap, StaysCalmInARowOf22LightAndHeavyBoxes)
 {
     TryRow(GetParam(), 22, 1000.0f, "row of 22, 1000:1 in turn");
 }
 
-TEST_P(Overlap, OfARowOf30LightAndHeavyBoxesStaysCalm)
+TEST_P(Overlap, StaysCalmInARowOf30LightAndHeavyBoxes)
 {
     TryRow(GetParam(), 30, 1000.0f, "row of 30, 1000:1 in turn");
 }
@@ -234,17 +234,17 @@ void TryConfined(int32 n, float32 heavy, const std::string& name)
     Judge("overlap: " + name + ", kinetic, late", n, jam.late, "J/kg", 0.5 * kShotOut * kShotOut);
 }
 
-TEST_P(Overlap, OfMoreThanABoxHoldsStaysCalm)
+TEST_P(Overlap, StaysCalmInAnOverfilledBox)
 {
     TryConfined(GetParam(), 1.0f, "twenty in a box for sixteen");
 }
 
-TEST_P(Overlap, OfMoreLightAndHeavyThingsThanABoxHoldsStaysCalm)
+TEST_P(Overlap, StaysCalmInAnOverfilledBoxOfUnequalMasses)
 {
     TryConfined(GetParam(), 1000.0f, "the same, 1000:1 in turn");
 }
 
-TEST_P(Overlap, OfABoxWedgedBetweenWallsDoesNotShootItOut)
+TEST_P(Overlap, DoesNotEjectABoxWedgedBetweenWalls)
 {
     // It can never come free: the walls are too close.
     Trial trial(GetParam(), b2Vec2(0.0f, 0.0f));

@@ -74,7 +74,7 @@ TEST(PyramidSleep, ComesWithinFiveSeconds)
 
 // By the manual's scheme sweeps find its load too slowly: it swings up and down, and has to stand
 // and stay awake.
-TEST(PyramidSleep, DoesNotComeToABaseOfAHundredThatStillSwings)
+TEST(PyramidSleep, DoesNotComeToABaseOfAHundredWhileItSwings)
 {
     const Verdict verdict = Watch(100, 1);
     EXPECT_LT(verdict.fastest, 3.0f);

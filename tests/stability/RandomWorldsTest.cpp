@@ -106,7 +106,7 @@ TEST(RandomWorlds, GainNoEnergyAndStayInTheirContainers)
 /// for those of another island's joints; rough rods thrown back at walls; springs loaded by
 /// corrections that rotate light bodies on long levers; bodies that impacts held back repeatedly
 /// while they kept the speed of their whole fall.
-TEST(RandomWorlds, ThatOnceBurstAreWell)
+TEST(RandomWorlds, PassWhereTheyOnceFailed)
 {
     for (const int number : {5,   44,  110, 224, 275, 324, 426, 448, 476,  567, 569,
                              576, 743, 774, 900, 927, 943, 950, 985, 1442, 2167})
@@ -129,7 +129,7 @@ TEST(RandomWorlds, ThatOnceBurstAreWell)
 /// - a body that impacts held back while a mouse joint accelerated it, paid with the credit of its
 ///   joints (172);
 /// - a circle that swings on a pulley by 0.5 rad in each of two sub-steps (1300).
-TEST(RandomWorlds, ThatOnceBurstWithOtherSubStepsAreWell)
+TEST(RandomWorlds, PassWithTheSubStepsThatOnceFailed)
 {
     constexpr std::pair<int, int> kWorlds[] = {
         {55, 4},  {172, 16}, {235, 2},  {299, 2},  {299, 4}, {314, 1}, {383, 1},
@@ -148,7 +148,7 @@ TEST(RandomWorlds, ThatOnceBurstWithOtherSubStepsAreWell)
 ///   1733, which does not take so long);
 /// - joints and contacts that contradicted each other, which nothing noticed because a long soft
 ///   spring had a target speed of thousands of metres per second (100).
-TEST(RandomWorlds, ThatOnceBurstLaterAreWell)
+TEST(RandomWorlds, PassTheLongRunsThatOnceFailed)
 {
     constexpr std::pair<int, int> kWorlds[] = {{100, 8}, {377, 1}, {377, 2},
                                                {396, 1}, {414, 1}, {1733, 1}};
@@ -160,7 +160,7 @@ TEST(RandomWorlds, ThatOnceBurstLaterAreWell)
     }
 }
 
-TEST(RandomWorlds, AreTheSameFromTheirNumbers)
+TEST(RandomWorlds, AreReproducedByTheirNumbers)
 {
     EXPECT_EQ(Describe(PlanWorld(417)), Describe(PlanWorld(417)));
     EXPECT_NE(Describe(PlanWorld(417)), Describe(PlanWorld(422)));
@@ -191,7 +191,7 @@ TEST(RandomWorlds, HaveEveryKindOfJointAndAllMasses)
 }
 
 // The check itself: a world that is given energy has to be found out.
-TEST(RandomWorlds, FailWhenTheAccountIsOverdrawn)
+TEST(RandomWorlds, FailWhenEnergyOrPositionsAreOutOfBounds)
 {
     Trial trial;
     EXPECT_EQ(WhyFailed(trial), "");
@@ -206,7 +206,7 @@ TEST(RandomWorlds, FailWhenTheAccountIsOverdrawn)
 }
 
 /// The world of BOXREEL_WORLD, or one that is known to be well.
-TEST(RandomWorlds, AreTriedAgainByTheirNumber)
+TEST(RandomWorlds, PassWhenReplayedByNumber)
 {
     const char* number = std::getenv("BOXREEL_WORLD");
     WorldPlan plan = Planned(number != nullptr ? std::atoi(number) : 1, CountAsked());

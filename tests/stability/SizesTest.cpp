@@ -38,7 +38,7 @@ void JudgePile(Trial& trial, const std::string& name, const std::vector<b2Body*>
     Judge(name + ", speed after 10 s", n, trembling, "m/s", speed);
 }
 
-TEST_P(Sizes, AStackOfEachStands)
+TEST_P(Sizes, LetAStackOfEachStand)
 {
     for (const float32 size : kSizes)
     {
@@ -54,7 +54,7 @@ TEST_P(Sizes, AStackOfEachStands)
     }
 }
 
-TEST_P(Sizes, ABallOfEachRestsWhereItFell)
+TEST_P(Sizes, LetABallOfEachFallAndSleep)
 {
     for (const float32 size : kSizes)
     {
@@ -72,7 +72,7 @@ TEST_P(Sizes, ABallOfEachRestsWhereItFell)
     }
 }
 
-TEST_P(Sizes, SmallOnLargeLies)
+TEST_P(Sizes, LetASmallBoxRestOnALargeOne)
 {
     for (const float32 size : {0.01f, 0.1f, 1.0f})
     {
@@ -87,7 +87,7 @@ TEST_P(Sizes, SmallOnLargeLies)
 }
 
 /// 10 m on two of 1 m: fifty times as heavy as each.
-TEST_P(Sizes, LargeOnSmallLies)
+TEST_P(Sizes, LetALargeBoxRestOnSmallOnes)
 {
     Trial trial(GetParam());
     trial.WideGround(0.6f);
@@ -99,7 +99,7 @@ TEST_P(Sizes, LargeOnSmallLies)
 }
 
 /// From the bottom up 5 m, 2 m, 1 m, 0.5 m, 0.2 m, 0.1 m, 5 cm, 2 cm, 1 cm.
-TEST_P(Sizes, ATowerThatGetsSmallerStands)
+TEST_P(Sizes, LetATowerOfDecreasingBoxesStand)
 {
     Trial trial(GetParam());
     trial.WideGround(0.6f);
@@ -115,7 +115,7 @@ TEST_P(Sizes, ATowerThatGetsSmallerStands)
 }
 
 /// Rows of boxes of one height, but of many widths, from 0.2 m to 3 m.
-TEST_P(Sizes, APyramidOfManyWidthsStands)
+TEST_P(Sizes, LetAPyramidOfManyWidthsStand)
 {
     Trial trial(GetParam());
     trial.WideGround(0.6f);

@@ -79,7 +79,7 @@ TEST_P(Sleep, NeverComesToASlowSpin)
 }
 
 /// A pendulum of this length and amplitude; it is slow for a long time where it reverses.
-TEST_P(Sleep, NeverComesToAPendulumThatTurns)
+TEST_P(Sleep, NeverComesToAPendulumThatReverses)
 {
     struct Swing
     {
@@ -97,7 +97,7 @@ TEST_P(Sleep, NeverComesToAPendulumThatTurns)
     }
 }
 
-TEST_P(Sleep, NeverComesToWhatFallsSlowly)
+TEST_P(Sleep, NeverComesToABodyThatFallsSlowly)
 {
     for (const float32 gravity : {10.0f, 0.03f, 0.01f})
     {
@@ -144,7 +144,7 @@ TEST_P(Sleep, NeverComesToASoftSpring)
     JudgeAwake(trial, "spring of 0.05 Hz, 10 cm");
 }
 
-TEST_P(Sleep, NeverComesToWhatBalancesForAWhile)
+TEST_P(Sleep, NeverComesToABodyThatBalancesForAWhile)
 {
     // A rod on its end, a third to a thirtieth of a degree off: it leans for long before it falls.
     for (const float32 off : {0.005f, 0.001f, 0.0005f})

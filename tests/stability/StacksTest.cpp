@@ -73,7 +73,7 @@ TEST_P(Stacks, StandStraight)
     }
 }
 
-TEST_P(Stacks, StandOneCentimetreOff)
+TEST_P(Stacks, StandWithOffsetsOfACentimetre)
 {
     for (const int height : {16, 20, 30, 50})
     {
@@ -140,7 +140,7 @@ private:
     float32 m_middle;
 };
 
-TEST_P(Stacks, CardHouseStands)
+TEST_P(Stacks, StandAsACardHouse)
 {
     Trial trial(GetParam());
     trial.world.SetAllowSleeping(false);
@@ -154,7 +154,7 @@ TEST_P(Stacks, CardHouseStands)
 /// The cards are put as if they had no skins, 2 to 4 cm deep in each other, and are pushed apart.
 /// The result depends on rounding, so the house is built at 24 places, a centimetre apart, and the
 /// falls are counted.
-TEST_P(Stacks, CardHouseThatIsTooTightStandsInMostPlaces)
+TEST_P(Stacks, StandAsATightCardHouseInMostPlaces)
 {
     constexpr int kPlaces = 24;
     int falls = 0;

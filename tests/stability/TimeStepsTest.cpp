@@ -26,7 +26,7 @@ const Rhythm kRhythms[] = {
      true},
 };
 
-TEST_P(TimeSteps, KeepAStack)
+TEST_P(TimeSteps, KeepAStackStanding)
 {
     for (const Rhythm& rhythm : kRhythms)
     {
@@ -48,7 +48,7 @@ TEST_P(TimeSteps, KeepAStack)
 }
 
 /// Ten links, the first half let go level, so that it swings and whips for all of the time.
-TEST_P(TimeSteps, KeepAChain)
+TEST_P(TimeSteps, KeepAChainClosed)
 {
     for (const Rhythm& rhythm : kRhythms)
     {
@@ -83,7 +83,7 @@ TEST_P(TimeSteps, KeepAChain)
 }
 
 /// A crank turned by a motor moves a piston over a rod.
-TEST_P(TimeSteps, KeepAMachine)
+TEST_P(TimeSteps, KeepAMachineClosed)
 {
     constexpr float32 kSpeed = 4.0f; // [rad/s]
     for (const Rhythm& rhythm : kRhythms)

@@ -81,7 +81,7 @@ FilmStrip SmallStrip()
     return strip;
 }
 
-TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
+TEST_F(PageInBrowser, HasWorkingControlsWithoutConsoleErrors)
 {
     // One that passes, one without a reference, one whose body 1 is 3 cm to the right, one with
     // another colour and a point more.
@@ -115,7 +115,7 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
     EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
 }
 
-TEST_F(PageInBrowser, ShowsHostileTextsAsTexts)
+TEST_F(PageInBrowser, ShowsMarkupInNamesAsText)
 {
     const std::string hostile = R"(</script><b class=planted onclick=planted()>\"' x)";
     fs::create_directories(output);
@@ -144,7 +144,7 @@ TEST_F(PageInBrowser, ShowsHostileTextsAsTexts)
     EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
 }
 
-TEST_F(PageInBrowser, IsCalmWhenAllIsAsApproved)
+TEST_F(PageInBrowser, ListsPassedMomentsWhenAllAreAsApproved)
 {
     Approve(World("same/1s"));
     ASSERT_TRUE(store.Verify(World("same/1s")));

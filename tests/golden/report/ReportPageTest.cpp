@@ -47,7 +47,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(Page, SaysThatAllIsAsApproved)
+TEST_F(Page, ShowsThatAllIsAsApproved)
 {
     const std::string page = Of({Moment("a", "same"), Moment("b", "same")});
     EXPECT_THAT(page, AllOf(HasSubstr("<title>2 moments"), HasSubstr("class=\"good\""),
@@ -67,7 +67,7 @@ TEST_F(Page, CountsEachVerdictAndShowsWhatDiffers)
                 AllOf(HasSubstr("id=\"b\""), HasSubstr("id=\"e\""), Not(HasSubstr("id=\"a\""))));
 }
 
-TEST_F(Page, HoldsThePicturesAndNeedsNothingElse)
+TEST_F(Page, EmbedsPicturesAndReadsNoOtherFile)
 {
     std::ofstream(folder / "base.actual.png") << "Man";
     std::ofstream(folder / "base.expected.txt") << "</script><b>";
@@ -89,7 +89,7 @@ TEST_F(Page, HoldsThePicturesAndNeedsNothingElse)
     EXPECT_THAT(page, Not(HasSubstr("{{")));
 }
 
-TEST_F(Page, ShowsHostileNamesAndMessagesAsText)
+TEST_F(Page, ShowsMarkupInNamesAndMessagesAsText)
 {
     const std::string hostile = "<b class=\"x\">'&{{script}}";
     const std::string page =
@@ -99,7 +99,7 @@ TEST_F(Page, ShowsHostileNamesAndMessagesAsText)
                             HasSubstr("data-name=\"ok&lt;b")));
 }
 
-TEST_F(Page, TellsWhatTheOtherShardsSay)
+TEST_F(Page, ShowsVerdictsOfOtherShards)
 {
     ReportedMoment moment = Moment("a", "state");
     moment.shown.folder = "shard-0";

@@ -64,7 +64,7 @@ TEST_F(Verdicts, AreFoundAtEveryDepthAndSortedByName)
     EXPECT_TRUE(moments[1].shown.Passed());
 }
 
-TEST_F(Verdicts, ReportsWorstVerdictOfShards)
+TEST_F(Verdicts, AreReducedToTheWorstOfShards)
 {
     Leave("a", "bridge", "same");
     Leave("b", "bridge", "state");
@@ -82,7 +82,7 @@ TEST_F(Verdicts, ReportsWorstVerdictOfShards)
     }
 }
 
-TEST_F(Verdicts, KnowTheStepTheLimitsAndWhatWasAccepted)
+TEST_F(Verdicts, HaveStepLimitsAndAcceptance)
 {
     Leave("out", "a", "state",
           R"(, "step": 120, "firstStep": 43, "firstBodies": [17, 3], "firstHash": "01234567",
@@ -104,7 +104,7 @@ TEST_F(Verdicts, KnowTheStepTheLimitsAndWhatWasAccepted)
     EXPECT_EQ(moments[1].shown.limits, "exact allows 0 pixels; rectangles left out: 1");
 }
 
-TEST_F(Verdicts, MayHoldAnyBytes)
+TEST_F(Verdicts, AreEscapedForAnyBytes)
 {
     Write("out/a.verdict.json", "{\"verdict\": 2, \"name\": \"</script>\", \"status\": \"same\", "
                                 "\"findings\": [\"\xff\xfe\"]}");
@@ -116,7 +116,7 @@ TEST_F(Verdicts, MayHoldAnyBytes)
     EXPECT_EQ(JsonText("a<b\"\n\xff"), "\"a\\u003cb\\\"\\n\uFFFD\"");
 }
 
-TEST_F(Verdicts, AreRefusedOfAFolderThatHasNone)
+TEST_F(Verdicts, AreRefusedForFolderWithoutThem)
 {
     fs::create_directories(folder / "empty");
     for (const char* name : {"none", "empty"})
@@ -125,7 +125,7 @@ TEST_F(Verdicts, AreRefusedOfAFolderThatHasNone)
     }
 }
 
-TEST_F(Verdicts, ThatCannotBeReadAreReportedWithTheOthers)
+TEST_F(Verdicts, AreReportedWithOthersWhenUnreadable)
 {
     const std::vector<std::string> damaged{
         "",

@@ -144,7 +144,7 @@ TEST_F(BackendCommand, RunsCommandsWithoutPixelsWithoutGl)
     }
 }
 
-TEST_F(BackendCommand, DoctorPassesWithOneWorkingBackend)
+TEST_F(BackendCommand, PassesDoctorWithOneWorkingBackend)
 {
     if (!Works(Backend::Egl))
     {
@@ -162,7 +162,7 @@ TEST_F(BackendCommand, DoctorPassesWithOneWorkingBackend)
                                    HasSubstr("ok    mp4"), HasSubstr("ok    engine")));
 }
 
-TEST_F(BackendCommand, DoctorFailsWhenVariableSelectsBrokenBackend)
+TEST_F(BackendCommand, FailsDoctorWhenVariableSelectsBrokenBackend)
 {
     const std::vector<std::string> shot{"shot", "bridge", "--step", "0", "-o", "b.png"};
     for (const auto& [name, code] : {std::pair{"foo", 1}, {"osmesa", 3}, {"egl-gpu", 3}})
@@ -184,7 +184,7 @@ TEST_F(BackendCommand, DoctorFailsWhenVariableSelectsBrokenBackend)
     }
 }
 
-TEST_F(BackendCommand, DoctorReportsBackendOfVariable)
+TEST_F(BackendCommand, ReportsBackendOfVariableInDoctor)
 {
     if (!Works(Backend::Egl))
     {
@@ -226,7 +226,7 @@ TEST_F(BackendCommand, LoadsOnlyTheLibraryThatDraws)
     }
 }
 
-TEST_F(BackendCommand, BackendsWriteEqualBytes)
+TEST_F(BackendCommand, WritesEqualBytesWithEveryBackend)
 {
     if (!Works(Backend::OSMesa) || !Works(Backend::Egl))
     {

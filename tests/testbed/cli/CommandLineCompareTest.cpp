@@ -78,7 +78,7 @@ TEST(CommandLineCompare, ReplacesLimitBeforeAndAfterPreset)
     }
 }
 
-TEST(CommandLineCompare, GoldenVerifyHasAllOptionsAndAcceptNone)
+TEST(CommandLineCompare, GivesGoldenVerifyAllOptionsAndAcceptNone)
 {
     const Result<Request> request =
         Parse("golden verify pyramid --preset cross-machine --max-pixels 5 --ignore 0,0,5x6");

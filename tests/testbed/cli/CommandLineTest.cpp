@@ -40,7 +40,7 @@ std::string Refusal(const std::string& line)
     return request.GetError().culprit;
 }
 
-TEST(CommandLine, RecordHasTheDefaultsOfTheManual)
+TEST(CommandLine, GivesRecordTheDefaultsOfTheManual)
 {
     const RecordOptions options = Parsed<RecordOptions>("record pyramid -o pyramid.mp4");
     EXPECT_EQ(options.scene, "pyramid");
@@ -63,7 +63,7 @@ TEST(CommandLine, RecordHasTheDefaultsOfTheManual)
     EXPECT_FALSE(options.look.panels.hud);
 }
 
-TEST(CommandLine, RecordReadsEveryOption)
+TEST(CommandLine, ReadsOptionsOfRecord)
 {
     const RecordOptions options =
         Parsed<RecordOptions>("record --seconds 2.5 --fps 29.97 --hz 240 --size 640x480 --speed "
@@ -93,7 +93,7 @@ TEST(CommandLine, RecordReadsEveryOption)
     EXPECT_TRUE(options.look.panels.hud);
 }
 
-TEST(CommandLine, ArrowsHaveScales)
+TEST(CommandLine, ReadsScalesOfArrows)
 {
     const SceneLook plain = Parsed<ShotOptions>("shot bridge --at 1s -o a.png").look;
     EXPECT_EQ(plain.arrows.velocitySeconds, 0.2);
@@ -107,12 +107,12 @@ TEST(CommandLine, ArrowsHaveScales)
                 !look.layers[DrawLayer::Shapes]);
 }
 
-TEST(CommandLine, HudMillisecondsShowThePanel)
+TEST(CommandLine, ShowsPanelForHudMilliseconds)
 {
     EXPECT_TRUE(Parsed<ShotOptions>("shot bridge --at 1s -o a.png --hud-ms").look.panels.hud);
 }
 
-TEST(CommandLine, ShotTakesATimeOrAStep)
+TEST(CommandLine, ReadsTimeOrStepOfShot)
 {
     EXPECT_EQ(Parsed<ShotOptions>("shot bridge --at 500ms -o a.png").at,
               std::vector<Duration>{{500'000'000}});
@@ -122,7 +122,7 @@ TEST(CommandLine, ShotTakesATimeOrAStep)
               std::vector<std::int64_t>{0});
 }
 
-TEST(CommandLine, GoldenTakesNamesAndFolders)
+TEST(CommandLine, ReadsNamesAndFoldersOfGolden)
 {
     const GoldenOptions verify =
         Parsed<GoldenOptions>("golden verify pyramid bridge --references r --output o");
@@ -133,7 +133,7 @@ TEST(CommandLine, GoldenTakesNamesAndFolders)
     EXPECT_TRUE(Parsed<GoldenOptions>("golden accept").accept);
 }
 
-TEST(CommandLine, GoldenReportTakesFoldersAndAFile)
+TEST(CommandLine, ReadsFoldersAndFileOfGoldenReport)
 {
     EXPECT_TRUE(Parsed<GoldenReportOptions>("golden report").folders.empty());
     const GoldenReportOptions report = Parsed<GoldenReportOptions>(
@@ -158,7 +158,7 @@ TEST(CommandLine, AcceptsBackendNamesInEveryDrawingCommand)
     EXPECT_EQ(Refusal("record a -o a.mp4 --backend gpu"), "--backend gpu");
 }
 
-TEST(CommandLine, DiffTakesTwoPicturesAndAPreset)
+TEST(CommandLine, ReadsPicturesAndPresetOfDiff)
 {
     const DiffOptions diff = Parsed<DiffOptions>("diff a.png b.png --preset exact -o d.png");
     EXPECT_EQ(diff.expected, "a.png");
@@ -367,7 +367,7 @@ TEST(CommandLine, ShowsHelpWithoutArguments)
 }
 
 // A test runs docs/golden.md, so its build path exists.
-TEST(CommandLine, HelpNamesOtherBuildAsInDocumentation)
+TEST(CommandLine, NamesOtherBuildInHelpAsInDocumentation)
 {
     const std::string text = ReadBytes(BOXREEL_GOLDEN_PAGE);
     for (const char* command : {"golden verify --help", "golden report --help"})
@@ -379,7 +379,7 @@ TEST(CommandLine, HelpNamesOtherBuildAsInDocumentation)
     }
 }
 
-TEST(CommandLine, HelpCommandEqualsHelpOption)
+TEST(CommandLine, PrintsEqualHelpForCommandAndOption)
 {
     for (const std::string command : {"record", "golden verify"})
     {
@@ -388,7 +388,7 @@ TEST(CommandLine, HelpCommandEqualsHelpOption)
     }
 }
 
-TEST(CommandLine, UsageNamesRequiredArguments)
+TEST(CommandLine, NamesRequiredArgumentsInUsage)
 {
     EXPECT_THAT(Parsed<TextRequest>("--help").text, HasSubstr("Usage: boxreel COMMAND\n"));
     EXPECT_THAT(Parsed<TextRequest>("record --help").text,
@@ -401,7 +401,7 @@ TEST(CommandLine, UsageNamesRequiredArguments)
                 HasSubstr("Usage: boxreel ui [SCENE] [OPTIONS]\n"));
 }
 
-TEST(CommandLine, HelpFitsATerminalOfHundredColumns)
+TEST(CommandLine, FitsHelpIntoHundredColumns)
 {
     const CommandText program = DescribeProgram();
     for (const CommandText* command : AllCommands(program))
@@ -417,7 +417,7 @@ TEST(CommandLine, HelpFitsATerminalOfHundredColumns)
     }
 }
 
-TEST(CommandLine, VersionIsOneLine)
+TEST(CommandLine, PrintsVersionInOneLine)
 {
     EXPECT_EQ(Parsed<TextRequest>("--version").text, "boxreel " BOXREEL_VERSION "\n");
 }

@@ -94,7 +94,7 @@ TEST_F(Command, NamesOptionOfEmptyFileName)
     }
 }
 
-TEST_F(Command, ListNamesPrintsOneNamePerLine)
+TEST_F(Command, PrintsOneNamePerLineForListNames)
 {
     const Outcome outcome = Run({"list", "--names"});
     std::string expected;
@@ -107,7 +107,7 @@ TEST_F(Command, ListNamesPrintsOneNamePerLine)
     EXPECT_EQ(outcome.errors, "");
 }
 
-TEST_F(Command, ListPrintsCategoryNameAndSummary)
+TEST_F(Command, ListsCategoryNameAndSummaryOfScenes)
 {
     const Outcome outcome = Run({"list"});
     EXPECT_EQ(outcome.code, 0);
@@ -120,7 +120,7 @@ TEST_F(Command, ListPrintsCategoryNameAndSummary)
     EXPECT_THAT(outcome.output, testing::Not(HasSubstr("\x1b")));
 }
 
-TEST_F(Command, HelpAndVersionGoToStandardOutput)
+TEST_F(Command, PrintsHelpAndVersionToStandardOutput)
 {
     for (const char* option : {"--help", "--version"})
     {
@@ -131,7 +131,7 @@ TEST_F(Command, HelpAndVersionGoToStandardOutput)
     }
 }
 
-TEST_F(Command, ShotWritesPictureOfGivenSize)
+TEST_F(Command, WritesShotOfGivenSize)
 {
     const Outcome outcome =
         Run({"shot", "pyramid", "--step", "30", "-o", "a.png", "--size", "321x153", "--hud"});
@@ -144,7 +144,7 @@ TEST_F(Command, ShotWritesPictureOfGivenSize)
     EXPECT_EQ(frame->height, 153);
 }
 
-TEST_F(Command, ShotAtTimeEqualsShotAtStep)
+TEST_F(Command, WritesEqualShotsForTimeAndStep)
 {
     for (const char* at : {"500ms", "0.5s", "0.5"})
     {
@@ -160,7 +160,7 @@ TEST_F(Command, ShotAtTimeEqualsShotAtStep)
     }
 }
 
-TEST_F(Command, ShotAcceptsAnySize)
+TEST_F(Command, WritesShotsOfAnySize)
 {
     const std::pair<const char*, std::pair<int, int>> sizes[] = {
         {"1x1", {1, 1}}, {"33x17", {33, 17}}, {"8192x3", {8192, 3}}, {"3x8191", {3, 8191}}};
@@ -187,7 +187,7 @@ TEST_F(Command, RefusesCamerasOnMissingBodies)
                   "--camera path:2s=0,0,5;1s=0,0,5");
 }
 
-TEST_F(Command, LookOptionsChangeThePicture)
+TEST_F(Command, ChangesPictureByLookOptions)
 {
     const std::vector<std::string> plain{"shot",   "bridge",  "--step", "20",
                                          "--size", "320x180", "-o"};
@@ -364,7 +364,7 @@ TEST_F(Command, RefusesMistypedOptionsAndValues)
                   "film");
 }
 
-TEST_F(Command, DiffExitCodeIsZeroOneOrTwo)
+TEST_F(Command, ReturnsZeroOneOrTwoFromDiff)
 {
     Picture("a.png", 64, 48, 100);
     Picture("same.png", 64, 48, 100);
@@ -381,7 +381,7 @@ TEST_F(Command, DiffExitCodeIsZeroOneOrTwo)
     ExpectRefusal({"diff", "a.png", "other.png", "--preset", "sloppy"}, 1, "--preset sloppy");
 }
 
-TEST_F(Command, DiffRefusesToOverwriteItsInputs)
+TEST_F(Command, RefusesToOverwriteInputsOfDiff)
 {
     Picture("a.png", 64, 48, 100);
     Picture("other.png", 64, 48, 140);
@@ -394,7 +394,7 @@ TEST_F(Command, DiffRefusesToOverwriteItsInputs)
     EXPECT_EQ(ReadBytes(folder / "a.png"), before);
 }
 
-TEST_F(Command, DiffWritesDifferencePicture)
+TEST_F(Command, WritesDifferencePicture)
 {
     Picture("a.png", 64, 48, 100);
     Picture("other.png", 64, 48, 140);

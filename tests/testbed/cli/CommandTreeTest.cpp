@@ -193,7 +193,7 @@ TEST(CommandTree, CompletesFilesByExtension)
     }
 }
 
-TEST(CommandTree, ManualPageContainsEveryOption)
+TEST(CommandTree, ListsEveryOptionInManualPage)
 {
     const CommandText program = DescribeProgram();
     const std::string page = ManualPage(program);

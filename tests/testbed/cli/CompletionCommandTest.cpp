@@ -137,7 +137,7 @@ protected:
     std::string program = BOXREEL_PROGRAM;
 };
 
-TEST_F(CompletionCommand, BashOffersEveryCommandAndOption)
+TEST_F(CompletionCommand, OffersEveryCommandAndOptionInBash)
 {
     const CommandText described = DescribeProgram();
     const std::vector<const CommandText*> commands = AllCommands(described);
@@ -165,7 +165,7 @@ TEST_F(CompletionCommand, BashOffersEveryCommandAndOption)
     }
 }
 
-TEST_F(CompletionCommand, BashOffersValidSceneNames)
+TEST_F(CompletionCommand, OffersValidSceneNamesInBash)
 {
     const std::vector<std::string> offered = BashOffer("record ''");
     std::vector<std::string> slugs;
@@ -183,7 +183,7 @@ TEST_F(CompletionCommand, BashOffersValidSceneNames)
     }
 }
 
-TEST_F(CompletionCommand, BashOffersValuesOfPosition)
+TEST_F(CompletionCommand, OffersValuesOfPositionInBash)
 {
     const std::pair<std::string, std::vector<std::string>> cases[] = {
         {"rec", {"record"}},
@@ -224,13 +224,13 @@ TEST_F(CompletionCommand, BashOffersValuesOfPosition)
     }
 }
 
-TEST_F(CompletionCommand, BashRegistersCompletionByName)
+TEST_F(CompletionCommand, RegistersCompletionByNameInBash)
 {
     const Outcome outcome = RunTool({"bash", "-c", ". ./bash; complete -p boxreel"}, folder.Path());
     EXPECT_EQ(outcome.output, "complete -F _boxreel boxreel\n");
 }
 
-TEST_F(CompletionCommand, ZshOffersValuesOfPosition)
+TEST_F(CompletionCommand, OffersValuesOfPositionInZsh)
 {
     const std::pair<std::string, std::string> cases[] = {
         {"boxreel rec", "boxreel record "},
@@ -259,7 +259,7 @@ TEST_F(CompletionCommand, ZshOffersValuesOfPosition)
     EXPECT_EQ(ZshCompletes(lines, "autoload -Uz compinit; compinit -u -D; source ./zsh"), expected);
 }
 
-TEST_F(CompletionCommand, ZshLoadsScriptFromFpath)
+TEST_F(CompletionCommand, LoadsScriptFromFpathInZsh)
 {
     Write("_boxreel", ReadBytes(folder / "zsh"));
     const std::string setup = "fpath=($PWD $fpath); autoload -Uz compinit; compinit -u -D";
@@ -279,7 +279,7 @@ TEST_F(CompletionCommand, OffersCommandsOfCheckoutScript)
               (std::vector<std::string>{"./boxreel test ", "./boxreel record "}));
 }
 
-TEST_F(CompletionCommand, CheckoutScriptDoesNotBuildForCompletion)
+TEST_F(CompletionCommand, DoesNotBuildThroughCheckoutScript)
 {
     const std::string build = std::filesystem::path(BOXREEL_PROGRAM).parent_path().string();
     const auto ask = [&](const std::string& buildFolder) {
@@ -294,7 +294,7 @@ TEST_F(CompletionCommand, CheckoutScriptDoesNotBuildForCompletion)
     EXPECT_FALSE(std::filesystem::exists(folder / "none"));
 }
 
-TEST_F(CompletionCommand, ManualPageHasNoGroffWarnings)
+TEST_F(CompletionCommand, PrintsManualPageWithoutGroffWarnings)
 {
     const Outcome page = RunBoxreel({"man"}, folder.Path());
     EXPECT_EQ(page.code, 0);

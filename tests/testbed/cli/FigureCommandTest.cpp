@@ -56,7 +56,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(FigureCommand, ExtensionSelectsFormat)
+TEST_F(FigureCommand, SelectsFormatByExtension)
 {
     const std::string svg = Written("a.svg", {"--labels"});
     EXPECT_THAT(svg, testing::StartsWith("<?xml"));
@@ -183,7 +183,7 @@ TEST_F(FigureCommand, WritesEqualBytesForEqualCommands)
     }
 }
 
-TEST_F(FigureCommand, ScaleMultipliesPixels)
+TEST_F(FigureCommand, MultipliesPixelsByScale)
 {
     Written("a.png", {"--scale", "2.5", "--hud"});
     const Result<Frame> frame = ReadPng(folder / "a.png");
@@ -202,7 +202,7 @@ TEST_F(FigureCommand, ScaleMultipliesPixels)
         << "8192 is a limit of pixels";
 }
 
-TEST_F(FigureCommand, ThemesChangeColoursOnly)
+TEST_F(FigureCommand, ChangesOnlyColoursByTheme)
 {
     const std::string classic = Written("classic.svg", {"--theme", "classic"});
     EXPECT_EQ(classic, Written("default.svg"));
@@ -216,7 +216,7 @@ TEST_F(FigureCommand, ThemesChangeColoursOnly)
     EXPECT_NE(Written("print.png", {"--theme", "print"}), Written("classic.png"));
 }
 
-TEST_F(FigureCommand, ThemeBothWritesLightAndDarkPicture)
+TEST_F(FigureCommand, WritesLightAndDarkPictureForThemeBoth)
 {
     for (const char* extension : {".svg", ".png"})
     {
@@ -262,7 +262,7 @@ TEST_F(FigureCommand, RefusesInvalidOptionsBeforeSimulation)
     ExpectRefusal({"record", "pyramid", "-o", "a.mp4", "--scale", "2"}, 1, "--scale");
 }
 
-TEST_F(FigureCommand, PdfWithoutCairoNamesPackageToInstall)
+TEST_F(FigureCommand, NamesMissingCairoForPdf)
 {
     std::filesystem::create_directory(folder / "lib");
     std::ofstream(folder / "lib/libcairo.so.2") << "no library";
@@ -272,7 +272,7 @@ TEST_F(FigureCommand, PdfWithoutCairoNamesPackageToInstall)
     unsetenv("LD_LIBRARY_PATH");
 }
 
-TEST_F(FigureCommand, FilmsHaveThemes)
+TEST_F(FigureCommand, AppliesThemesToFilms)
 {
     const auto film = [&](const std::string& theme) {
         const Outcome outcome =

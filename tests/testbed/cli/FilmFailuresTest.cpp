@@ -290,7 +290,7 @@ TEST_F(FilmFailures, FailsWhenStandardOutputIsOnFullDisk)
     EXPECT_THAT(errors, StartsWith("boxreel: standard output: "));
 }
 
-TEST_F(FilmFailures, SignalLeavesPlayablePage)
+TEST_F(FilmFailures, LeavesPlayablePageAfterSignal)
 {
     const std::filesystem::path part = folder / "film.part.html";
     for (const int signal : {SIGINT, SIGTERM})

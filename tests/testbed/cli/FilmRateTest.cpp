@@ -16,7 +16,7 @@ using testing::HasSubstr;
 class FilmRate : public FilmFixture
 {};
 
-TEST_F(FilmRate, OfFastGifIsReported)
+TEST_F(FilmRate, IsReportedForFastGif)
 {
     const Outcome outcome =
         Run({"record", "pyramid", "-o", "film.gif", "--frames", "5", "--size", "160x90"});
@@ -26,7 +26,7 @@ TEST_F(FilmRate, OfFastGifIsReported)
                                           "GIF shows at most 50 a second)"));
 }
 
-TEST_F(FilmRate, IsConstantUnlessVariableIsAsked)
+TEST_F(FilmRate, IsConstantWithoutVariableRate)
 {
     const auto make = [&](const std::vector<std::string>& more) {
         std::vector<std::string> command{"record", "pyramid", "--frames",   "40",   "--from", "8s",
@@ -48,7 +48,7 @@ TEST_F(FilmRate, IsConstantUnlessVariableIsAsked)
     EXPECT_EQ(make({"-o", "film.mp4", "--variable-rate", "--constant-rate"}).code, 1);
 }
 
-TEST_F(FilmRate, OfVariableFilmsIsReportedWithStoredFrames)
+TEST_F(FilmRate, IsReportedWithStoredFramesOfVariableFilms)
 {
     for (const std::string film : {"film.gif", "film.apng", "film.webp"})
     {
@@ -63,7 +63,7 @@ TEST_F(FilmRate, OfVariableFilmsIsReportedWithStoredFrames)
     }
 }
 
-TEST_F(FilmRate, OfMergedFilmsIsReportedWithStoredFrames)
+TEST_F(FilmRate, IsReportedWithStoredFramesOfMergedFilms)
 {
     const auto part = [&](const std::string& name, const std::string& range,
                           const std::vector<std::string>& more) {

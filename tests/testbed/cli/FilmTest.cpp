@@ -54,7 +54,7 @@ TEST_F(Film, KeepsFilmWhenCameraTargetIsMissing)
     }
 }
 
-TEST_F(Film, ShotEqualsFrameOfFilmAtSameTime)
+TEST_F(Film, HasFramesEqualToShotsAtSameTime)
 {
     const std::vector<std::string> look{"--size", "320x180", "--hud"};
     std::vector<std::string> record{"record", "newtons-cradle", "-o",      "film.mkv", "--frames",
@@ -70,7 +70,7 @@ TEST_F(Film, ShotEqualsFrameOfFilmAtSameTime)
     EXPECT_NE(frames[17], frames[39]) << "something moves";
 }
 
-TEST_F(Film, MovingCameraIsIndependentOfFrameRate)
+TEST_F(Film, MovesCameraIndependentlyOfFrameRate)
 {
     for (const char* camera :
          {"follow:32:8", "fit:12,13", "path:0s=0,20,50;1s=10,5,12;1500ms=0,20,50"})
@@ -97,7 +97,7 @@ TEST_F(Film, MovingCameraIsIndependentOfFrameRate)
     }
 }
 
-TEST_F(Film, SlowMotionRepeatsSteps)
+TEST_F(Film, RepeatsStepsInSlowMotion)
 {
     const Outcome outcome = Run({"record", "bridge", "-o", "film.mkv", "--frames", "9", "--quality",
                                  "lossless", "--size", "160x90", "--speed", "0.25"});
@@ -108,7 +108,7 @@ TEST_F(Film, SlowMotionRepeatsSteps)
     EXPECT_EQ(frames[8], Shot("bridge", 2, {"--size", "160x90"}));
 }
 
-TEST_F(Film, InterpolateShowsMomentsBetweenSteps)
+TEST_F(Film, ShowsMomentsBetweenStepsWithInterpolate)
 {
     const std::vector<std::string> look{"--size", "160x90", "--camera", "follow:17"};
     const auto film = [&](const char* name, std::vector<std::string> more) {
@@ -134,7 +134,7 @@ TEST_F(Film, InterpolateShowsMomentsBetweenSteps)
     EXPECT_EQ(Decode("merged.mkv"), frames);
 }
 
-TEST_F(Film, TwoRunsWriteEqualBytes)
+TEST_F(Film, HasEqualBytesInTwoRuns)
 {
     for (const char* name : {"a.mkv", "b.mkv"})
     {
@@ -168,7 +168,7 @@ TEST_F(Film, WritesGivenFramesInEveryFormat)
     }
 }
 
-TEST_F(Film, ForceOverwrites)
+TEST_F(Film, IsOverwrittenWithForce)
 {
     for (const char* frames : {"5", "7"})
     {
@@ -226,7 +226,7 @@ void StopWhenBegun(int process, int signal, const std::filesystem::path& folder)
     kill(process, signal);
 }
 
-TEST_F(Film, SignalLeavesPlayableFilmToResume)
+TEST_F(Film, IsPlayableAndResumableAfterSignal)
 {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
     {
@@ -245,7 +245,7 @@ TEST_F(Film, SignalLeavesPlayableFilmToResume)
     }
 }
 
-TEST_F(Film, SignalLeavesPlayableAnimation)
+TEST_F(Film, IsPlayableAnimationAfterSignal)
 {
     for (const std::string kind : {".gif", ".apng", ".webp"})
     {
@@ -261,7 +261,7 @@ TEST_F(Film, SignalLeavesPlayableAnimation)
     }
 }
 
-TEST_F(Film, SecondSignalEndsAtOnceAndLeavesPart)
+TEST_F(Film, EndsAtOnceAndLeavesPartAfterSecondSignal)
 {
     const Outcome outcome = RunBoxreel(
         {"record", "pyramid", "--frames", "10000000", "-o", "film.mp4", "--size", "160x90"},
@@ -279,7 +279,7 @@ TEST_F(Film, SecondSignalEndsAtOnceAndLeavesPart)
     EXPECT_THAT(folder.Names(), Not(testing::Contains("film.mp4")));
 }
 
-TEST_F(Film, ThumbnailEqualsFrameAtItsTime)
+TEST_F(Film, HasThumbnailEqualToFrameAtItsTime)
 {
     const std::vector<std::string> look{"--size", "160x90", "--camera", "0,5,30"};
     const auto thumbnail = [&](const std::vector<std::string>& when) {
@@ -299,7 +299,7 @@ TEST_F(Film, ThumbnailEqualsFrameAtItsTime)
     EXPECT_EQ(thumbnail({"--until", "time >= 0.15"}), shot(9)) << "it ended before its middle";
 }
 
-TEST_F(Film, ResumedFilmEqualsUninterruptedFilm)
+TEST_F(Film, EqualsUninterruptedFilmWhenResumed)
 {
     const std::vector<std::string> record{"record",   "tumbler",  "--frames", "360",
                                           "--size",   "160x90",   "--group",  "100",
@@ -343,7 +343,7 @@ TEST_F(Film, ContinuesAtItsLastKeyframeWithoutGroups)
     EXPECT_THAT(folder.Names(), ElementsAre("film.mp4"));
 }
 
-TEST_F(Film, ResumedAndJoinedAnimationsEqualWholeOnes)
+TEST_F(Film, EqualsWholeAnimationWhenResumedOrJoined)
 {
     for (const std::string kind : {".gif", ".apng", ".webp"})
     {
@@ -372,7 +372,7 @@ TEST_F(Film, ResumedAndJoinedAnimationsEqualWholeOnes)
     }
 }
 
-TEST_F(Film, JoinedPartsEqualWholeFilm)
+TEST_F(Film, EqualsWholeFilmWhenJoinedFromParts)
 {
     const std::vector<std::string> record{"record", "dominos", "--frames", "250", "--size",
                                           "160x90", "--group", "50",       "-o"};
@@ -602,7 +602,7 @@ TEST_F(Film, FailsWhileAnotherProgramWritesFilm)
     });
 }
 
-TEST_F(Film, SignalDuringSimulationKeepsFilm)
+TEST_F(Film, KeepsFramesAfterSignalDuringSimulation)
 {
     std::vector<std::string> record{"record", "pyramid", "--frames", "20000",    "--hz",    "6000",
                                     "--size", "160x90",  "-o",       "film.mkv", "--group", "100"};
@@ -632,7 +632,7 @@ TEST_F(Film, SignalDuringSimulationKeepsFilm)
     }
 }
 
-TEST_F(Film, ResumeFinishesFilmWithAllFrames)
+TEST_F(Film, IsFinishedByResumeWhenAllFramesExist)
 {
     const auto record = [](const std::string& frames) {
         return std::vector<std::string>{"record", "pyramid", "-o",    "a-####.png", "--frames",

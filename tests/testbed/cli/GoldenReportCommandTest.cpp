@@ -110,7 +110,7 @@ TEST_F(GoldenReport, ShowsPicturesOfProgramWithoutPages)
                 AllOf(HasSubstr("\"expected\":\"data:image/png"), Not(HasSubstr("Page\":"))));
 }
 
-TEST_F(GoldenReport, VerifyReportsOnlyVerifiedMoments)
+TEST_F(GoldenReport, HasOnlyMomentsOfVerify)
 {
     PlantADifference();
     ASSERT_EQ(Run({"verify", "car/2s", "--references", "r", "--output", "o"}).code, 2);

@@ -73,7 +73,7 @@ std::pair<int, int> Find(const Frame& part, const Frame& whole, int fromX, int f
     return {-1, -1};
 }
 
-TEST_F(MotionCommand, GridCellsEqualPicturesOfTheirMoments)
+TEST_F(MotionCommand, FillsGridWithPicturesOfMoments)
 {
     for (const std::vector<std::string>& look :
          {std::vector<std::string>{"--size", "160x90"},
@@ -97,7 +97,7 @@ TEST_F(MotionCommand, GridCellsEqualPicturesOfTheirMoments)
                 testing::AllOf(HasSubstr(">0 s</text>"), HasSubstr(">1.5 s</text>")));
 }
 
-TEST_F(MotionCommand, SeveralMomentsHaveSmallerDefaultSize)
+TEST_F(MotionCommand, HasSmallerDefaultSizeForSeveralMoments)
 {
     EXPECT_THAT(Written("a.svg", {"--step", "0,10"}), HasSubstr("width=\"640\" height=\"360\""));
     EXPECT_THAT(Written("b.svg", {"--step", "0,10", "--columns", "1", "--size", "320x180"}),
@@ -126,7 +126,7 @@ TEST_F(MotionCommand, WritesEqualBytesInEveryFormat)
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 
-TEST_F(MotionCommand, ThemesHaveEqualSheets)
+TEST_F(MotionCommand, WritesLightAndDarkSheetForThemeBoth)
 {
     const std::vector<std::string> look{"--at", "1s", "--size", "160x90", "--axes", "--theme"};
     const auto with = [&look](const char* theme) {
@@ -168,7 +168,7 @@ TEST_F(MotionCommand, RefusesInvalidOptionsBeforeSimulation)
 }
 
 /// In the tumbler the drum is body 0, and all others come later.
-class MotionOfWhatComesLater : public MotionCommand
+class MotionOfLaterBodies : public MotionCommand
 {
 protected:
     Outcome Shot(const std::vector<std::string>& extra) const
@@ -180,7 +180,7 @@ protected:
     }
 };
 
-TEST_F(MotionOfWhatComesLater, IsShown)
+TEST_F(MotionOfLaterBodies, IsShownOnceTheyExist)
 {
     const std::pair<std::vector<std::string>, const char*> looks[] = {
         {{"--trail", "3"}, "body-3-trails"},        {{"--strobe", "250ms:3"}, "body-3-poses"},
@@ -198,7 +198,7 @@ TEST_F(MotionOfWhatComesLater, IsShown)
         << "there in one of the pictures";
 }
 
-TEST_F(MotionOfWhatComesLater, IsRefusedBeforeItExists)
+TEST_F(MotionOfLaterBodies, IsRefusedBeforeTheyExist)
 {
     for (const std::vector<std::string>& look : {std::vector<std::string>{"--trail", "399"},
                                                  {"--strobe", "250ms:399"},

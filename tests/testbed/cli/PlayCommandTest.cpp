@@ -100,7 +100,7 @@ TEST_F(PlayCommand, ComparesPicturesWithReferences)
     EXPECT_EQ(std::distance(begin(pictures), end(pictures)), 2) << "one for all, one of its own";
 }
 
-TEST_F(PlayCommand, CheckWritesNothing)
+TEST_F(PlayCommand, WritesNothingWithCheck)
 {
     Write("scene car\nat 1s press d\nat 4s expect chassis.x > -5\nrecord film.mp4\n");
     const Outcome outcome = Play({"--check"});
@@ -109,7 +109,7 @@ TEST_F(PlayCommand, CheckWritesNothing)
     EXPECT_THAT(folder.Names(), testing::ElementsAre("a.play"));
 }
 
-TEST_F(PlayCommand, TestWritesNoFilms)
+TEST_F(PlayCommand, WritesNoFilmsWithTest)
 {
     Write("scene car\nat 1s expect chassis.x > 0\nrecord film.mp4\nat 1s shot a.png\n");
     const Outcome outcome = Play({"--test"});
@@ -119,7 +119,7 @@ TEST_F(PlayCommand, TestWritesNoFilms)
 }
 
 /// Each is what shows off a scene that answers to keys or the mouse.
-TEST(Scripts, TestbedScriptsPassAndCoverScenesWithKeys)
+TEST(Scripts, PassAndCoverScenesWithKeys)
 {
     const TemporaryFolder folder;
     std::set<std::string> titles;
@@ -186,7 +186,7 @@ TEST_F(PlayCommand, ResumesStoppedFilmIfActionsAreEqual)
     EXPECT_EQ(Play({"--resume"}).code, 0);
 }
 
-TEST_F(PlayCommand, ResumeSkipsCompleteFiles)
+TEST_F(PlayCommand, SkipsCompleteFilesWithResume)
 {
     Write("scene car\nat 0s shot a.png --size 64x64\nrecord a.mp4 --frames 2 --size 64x64\n"
           "record b.mp4 --frames 2 --size 64x64\n");

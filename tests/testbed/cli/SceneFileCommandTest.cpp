@@ -31,7 +31,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(SceneFile, ExportedFileGivesPicturesOfScene)
+TEST_F(SceneFile, GivesPicturesOfExportedScene)
 {
     ASSERT_EQ(Run({"export", "bridge", "-o", "bridge.json"}).code, 0);
     for (const char* scene : {"bridge", "bridge.json"})
@@ -65,7 +65,7 @@ TEST_F(SceneFile, IsOverwrittenOnlyByForce)
     EXPECT_EQ(Run({"check", "a.json"}).code, 0);
 }
 
-TEST_F(SceneFile, CheckListsOmittedPartsAndNotes)
+TEST_F(SceneFile, ListsOmittedPartsAndNotesInCheck)
 {
     Write(R"({"body": [{"name": "cart", "type": 2, "fixture": [{"name": "f", "density": 1,
               "friction": 0.3, "circle": {"radius": 0}}]}]})");

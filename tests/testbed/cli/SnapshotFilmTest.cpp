@@ -104,7 +104,7 @@ protected:
     const std::vector<std::string> kStates{"--snapshots", "states"};
 };
 
-TEST_F(Snapshots, FilmFromSnapshotEqualsFilmFromStart)
+TEST_F(Snapshots, GiveFilmsEqualToFilmsFromStart)
 {
     std::ofstream(folder / "machine.json") << kMachine;
     const std::vector<std::vector<std::string>> films{
@@ -148,7 +148,7 @@ TEST_F(Snapshots, AreWrittenAtGivenInterval)
     EXPECT_THAT(Steps("second.mkv", "100-101", kStates), ElementsAre(4, 98));
 }
 
-TEST_F(Snapshots, OfOtherFilmsAreKept)
+TEST_F(Snapshots, AreNotUsedForOtherFilms)
 {
     Record("first.mkv", "0-199", kStates);
     const std::vector<std::vector<std::string>> others{{"--hz", "120"},
@@ -169,7 +169,7 @@ TEST_F(Snapshots, OfOtherFilmsAreKept)
     EXPECT_THAT(Steps("other.mkv", "200-201", kStates), SizeIs(1));
 }
 
-TEST_F(Snapshots, OfChangedSceneFileAreKept)
+TEST_F(Snapshots, AreNotUsedAfterSceneFileChanged)
 {
     std::ofstream(folder / "machine.json") << kMachine;
     SetFilm({"record", "machine.json"});
@@ -181,7 +181,7 @@ TEST_F(Snapshots, OfChangedSceneFileAreKept)
     EXPECT_THAT(Steps("film.mkv", "200-201", kStates), SizeIs(1));
 }
 
-TEST_F(Snapshots, DamagedOrForeignOnesAreReportedAndReplaced)
+TEST_F(Snapshots, AreReportedAndReplacedWhenDamagedOrForeign)
 {
     Record("plain.mkv", "200-299");
     Record("first.mkv", "0-199", kStates);
@@ -230,7 +230,7 @@ TEST_F(Snapshots, DamagedOrForeignOnesAreReportedAndReplaced)
     }
 }
 
-TEST_F(Snapshots, UnwritableOnesAreReportedAndFilmIsComplete)
+TEST_F(Snapshots, AreReportedWhenUnwritableAndFilmIsComplete)
 {
     Record("plain.mkv", "200-299");
     Record("first.mkv", "0-199", kStates);
@@ -242,7 +242,7 @@ TEST_F(Snapshots, UnwritableOnesAreReportedAndFilmIsComplete)
     ExpectSameAsPlain("film.mkv");
 }
 
-TEST_F(Snapshots, OfConcurrentRunsAreValid)
+TEST_F(Snapshots, AreValidAfterConcurrentRuns)
 {
     Record("plain.mkv", "200-299");
     const auto run = [this](const char* output) {

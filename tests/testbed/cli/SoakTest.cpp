@@ -53,7 +53,7 @@ Decoded Decode(const std::filesystem::path& path)
     return decoded;
 }
 
-TEST(Soak, MemoryStaysConstantForLongFilms)
+TEST(Soak, KeepsMemoryConstantForLongFilms)
 {
     constexpr long kRoom = 2 * 1024; // [KB]
     // An MP4 has its index in front, so it is copied when it is complete: the library's reader and
@@ -78,7 +78,7 @@ TEST(Soak, MemoryStaysConstantForLongFilms)
     }
 }
 
-TEST(Soak, FramesOf8K)
+TEST(Soak, RecordsFramesOf8K)
 {
     const TemporaryFolder folder;
     for (const char* name : {"film.mp4", "film.mkv", "film.webm", "frame-#.png"})
@@ -112,7 +112,7 @@ std::string Boxes(int side)
            bodies + "]}";
 }
 
-TEST(Soak, TenThousandBodies)
+TEST(Soak, RecordsTenThousandBodies)
 {
     const TemporaryFolder folder;
     std::ofstream(folder / "boxes.json") << Boxes(100);

@@ -48,7 +48,7 @@ TEST_F(FilmManifestTest, NotesStatesWhereGroupsBegin)
     EXPECT_THAT(folder.Names(), IsEmpty());
 }
 
-TEST_F(FilmManifestTest, FindsWhatIsLeftOfTheSameFilmOnly)
+TEST_F(FilmManifestTest, FindsPartOfTheSameFilmOnly)
 {
     options.film.resume = true;
     const FilmPlan plan = Plan();

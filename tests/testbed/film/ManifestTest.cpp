@@ -47,7 +47,7 @@ protected:
     TemporaryFolder m_folder;
 };
 
-TEST_F(ManifestFile, ComeBackAsTheyWereWritten)
+TEST_F(ManifestFile, IsReadAsItWasWritten)
 {
     ASSERT_TRUE(WriteManifest(m_folder / "a.mkv", Sample()));
     EXPECT_THAT(m_folder.Names(), ElementsAre("a.mkv.json"));
@@ -64,12 +64,12 @@ TEST_F(ManifestFile, ComeBackAsTheyWereWritten)
     EXPECT_EQ(read->states, Sample().states);
 }
 
-TEST_F(ManifestFile, ThatAreMissingAreNamedWithTheRemedy)
+TEST_F(ManifestFile, IsNamedWhenMissing)
 {
     EXPECT_EQ(Refusal(), (m_folder / "a.mkv.json").string());
 }
 
-TEST_F(ManifestFile, ThatAreDamagedAreNamedWithTheRemedy)
+TEST_F(ManifestFile, IsNamedWhenDamaged)
 {
     ASSERT_TRUE(WriteManifest(m_folder / "a.mkv", Sample()));
     const std::string good = ReadBytes(m_folder / "a.mkv.json");
@@ -92,7 +92,7 @@ TEST_F(ManifestFile, ThatAreDamagedAreNamedWithTheRemedy)
     }
 }
 
-TEST_F(ManifestFile, TellAFilmFromEveryOther)
+TEST_F(ManifestFile, ChangesChecksumWhenFilmChanges)
 {
     const auto checksum = [this](const std::string& bytes) {
         std::ofstream(m_folder / "a.mkv") << bytes;
@@ -109,7 +109,7 @@ TEST_F(ManifestFile, TellAFilmFromEveryOther)
     EXPECT_EQ(ChecksumOfFilm(m_folder.Path()), "");
 }
 
-TEST(Manifest, TheCommandIsWithoutWhatChangesNoFrame)
+TEST(Manifest, OmitsOptionsThatChangeNoFrame)
 {
     EXPECT_THAT(CommandOfFilm({"record", "pyramid", "-o", "a.mkv", "--force", "--resume",
                                "--frame-range=0-9", "--quality", "high", "--progress", "none",
@@ -118,7 +118,7 @@ TEST(Manifest, TheCommandIsWithoutWhatChangesNoFrame)
                 ElementsAre("record", "pyramid", "--quality", "high"));
 }
 
-TEST(Manifest, TheCommandIsWithoutAFileAttachedToItsOption)
+TEST(Manifest, OmitsFileAttachedToItsOption)
 {
     for (const char* output : {"-oa.mkv", "-o=a.mkv", "-oa=b.mkv"})
     {
@@ -128,7 +128,7 @@ TEST(Manifest, TheCommandIsWithoutAFileAttachedToItsOption)
     }
 }
 
-TEST(Manifest, SayWhatDiffers)
+TEST(Manifest, ReportsDifferentVersionAndCommand)
 {
     Manifest other = Sample();
     other.first = 0;

@@ -13,18 +13,18 @@ using testing::Not;
 
 constexpr RecordingProgress kHalf{300, 600};
 
-TEST(Progress, TheBarShowsPercentRateAndTimeLeft)
+TEST(Progress, ShowsPercentRateAndTimeLeftInBar)
 {
     EXPECT_EQ(ProgressBarText(kHalf, 3.0, 120),
               " 50% [####################....................] 300/600 frames, 100 fps, 0:03 left");
 }
 
-TEST(Progress, AFailureIsOneLineForAgents)
+TEST(Progress, WritesFailureForOpenJobDescriptionInOneLine)
 {
     EXPECT_EQ(FailOpenJdText("No.\nGive another."), "openjd_fail: No. Give another.");
 }
 
-TEST(Progress, TheBarFitsEveryTerminal)
+TEST(Progress, FitsBarIntoEveryTerminal)
 {
     for (int columns = 1; columns < 200; ++columns)
     {
@@ -33,12 +33,12 @@ TEST(Progress, TheBarFitsEveryTerminal)
     }
 }
 
-TEST(Progress, NothingDoneYetPromisesNothing)
+TEST(Progress, ShowsNoTimeLeftBeforeFirstFrame)
 {
     EXPECT_THAT(ProgressLineText({0, 600}, 0.0), HasSubstr("-:-- left"));
 }
 
-TEST(Progress, FramesThatWereThereBeforeTookNoneOfTheTime)
+TEST(Progress, ExcludesKeptFramesFromRate)
 {
     EXPECT_EQ(ProgressLineText({.framesDone = 300, .framesTotal = 600, .framesKept = 200}, 1.0),
               " 50%  300/600 frames, 100 fps, 0:03 left");
@@ -46,24 +46,24 @@ TEST(Progress, FramesThatWereThereBeforeTookNoneOfTheTime)
               " 33%  200/600 frames, 0 fps, -:-- left");
 }
 
-TEST(Progress, OneFrameShortOfTheEndIsNotHundredPercent)
+TEST(Progress, ShowsHundredPercentOnlyAtTheEnd)
 {
     EXPECT_THAT(ProgressLineText({9999, 10000}, 1.0), HasSubstr(" 99%"));
     EXPECT_THAT(ProgressLineText({10000, 10000}, 1.0), HasSubstr("100%"));
 }
 
-TEST(Progress, LongTimesHaveHours)
+TEST(Progress, ShowsHoursOfLongTimes)
 {
     EXPECT_THAT(ProgressLineText({1, 3601}, 1.0), HasSubstr("1:00:00 left"));
 }
 
-TEST(Progress, JsonIsOneObject)
+TEST(Progress, WritesJsonAsOneObject)
 {
     EXPECT_EQ(ProgressJsonText(kHalf, 1.5),
               R"({"event":"progress","frames":300,"total":600,"seconds":1.500})");
 }
 
-TEST(Progress, TheReportSaysWhatWasMade)
+TEST(Progress, ReportsFileFramesSizeAndTime)
 {
     const FilmReport report{"drop.mp4", 600, 600, 1280, 720, 60.0, 4.25, 1'234'567, {}};
     EXPECT_EQ(ReportText(report),
@@ -75,7 +75,7 @@ TEST(Progress, TheReportSaysWhatWasMade)
               R"("height":720,"fps":60,"bytes":1234567,"seconds":4.250})");
 }
 
-TEST(Progress, TheReportCountsStoredFramesOfAVariableRate)
+TEST(Progress, ReportsStoredFramesOfVariableRate)
 {
     FilmReport report{"drop.gif", 600, 600, 1280, 720, 60.0, 4.25, 1'234'567, 424};
     EXPECT_EQ(
@@ -86,7 +86,7 @@ TEST(Progress, TheReportCountsStoredFramesOfAVariableRate)
     EXPECT_THAT(ReportText(report), Not(HasSubstr("stored")));
 }
 
-TEST(Progress, AFileNameCannotBreakTheJson)
+TEST(Progress, EscapesFileNameInJson)
 {
     FilmReport report;
     report.file = "a\"b\\c\nd.mp4";

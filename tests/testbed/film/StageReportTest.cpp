@@ -36,7 +36,7 @@ TEST(StageReport, ShowsTimePerStageAndTheRemainder)
     EXPECT_THAT(NumbersOf(text, "all"), ElementsAre(12.0, 35.0));
 }
 
-TEST(StageReport, TellsProgramsTheSameInOneLine)
+TEST(StageReport, WritesStagesAsJsonInOneLine)
 {
     StageTimes stages;
     stages.Add(Stage::Write, 5'000'000, 6'000'000);

@@ -16,7 +16,7 @@ std::string Refusal(BodyRef body, const std::map<std::uint32_t, std::string>& na
     return found ? "found" : found.GetError().culprit;
 }
 
-TEST(BodyRef, ANameBecomesItsNumber)
+TEST(BodyRef, BecomesTheNumberOfItsName)
 {
     BodyRef wheel("left wheel");
     BodyRef third(3);
@@ -25,12 +25,12 @@ TEST(BodyRef, ANameBecomesItsNumber)
     EXPECT_EQ(third, BodyRef(3)) << "numbers need no name";
 }
 
-TEST(BodyRef, ANameOfSeveralIsRefusedWithTheirNumbers)
+TEST(BodyRef, IsRefusedForNameOfSeveralBodies)
 {
     EXPECT_EQ(Refusal(BodyRef("ball"), kNames), "--trail ball");
 }
 
-TEST(BodyRef, RefusesUnknownNameWithTheNearest)
+TEST(BodyRef, IsRefusedForUnknownName)
 {
     EXPECT_EQ(Refusal(BodyRef("left wheal"), kNames), "--trail 'left wheal'");
     EXPECT_EQ(Refusal(BodyRef("ball"), {}), "--trail ball");

@@ -19,7 +19,7 @@ std::string Refusal(const Result<Value>& result)
     return result ? "accepted" : result.GetError().culprit;
 }
 
-TEST(MotionChoice, BodiesAreNumbersOrWhatMoves)
+TEST(MotionChoice, ReadsBodiesAsNumbersNamesOrMoving)
 {
     EXPECT_EQ(*ParseBodyChoice("--trail", "moving"), BodyChoice());
     EXPECT_EQ(*ParseBodyChoice("--trail", "3,17"), kThese);
@@ -33,7 +33,7 @@ TEST(MotionChoice, BodiesAreNumbersOrWhatMoves)
     }
 }
 
-TEST(MotionChoice, AStrobeHasTimesOrStepsAndBodies)
+TEST(MotionChoice, ReadsStrobeWithTimesOrStepsAndBodies)
 {
     EXPECT_EQ(*ParseStrobe("--strobe", "250ms"), (StrobeChoice{{{250'000'000}, 0}, {}}));
     EXPECT_EQ(*ParseStrobe("--strobe", "0.5"), (StrobeChoice{{{500'000'000}, 0}, {}}));
@@ -45,7 +45,7 @@ TEST(MotionChoice, AStrobeHasTimesOrStepsAndBodies)
     }
 }
 
-TEST(MotionChoice, AnOnionHasANumberOfPosesAndTheirDistance)
+TEST(MotionChoice, ReadsOnionWithCountIntervalAndBodies)
 {
     EXPECT_EQ(*ParseOnion("--onion", "5"), (OnionChoice{5, {{100'000'000}, 0}, {}}));
     EXPECT_EQ(*ParseOnion("--onion", "5:50ms"), (OnionChoice{5, {{50'000'000}, 0}, {}}));
@@ -56,7 +56,7 @@ TEST(MotionChoice, AnOnionHasANumberOfPosesAndTheirDistance)
     }
 }
 
-TEST(MotionChoice, ADimensionGoesFromABodyOrAPointToAnother)
+TEST(MotionChoice, ReadsDimensionBetweenBodiesAndPoints)
 {
     EXPECT_EQ(*ParseDimension("--dimension", "3,17"), (DimensionChoice{3, 17}));
     EXPECT_EQ(*ParseDimension("--dimension", "3 to 17"), (DimensionChoice{3, 17}));
@@ -78,7 +78,7 @@ TEST(MotionChoice, ADimensionGoesFromABodyOrAPointToAnother)
     }
 }
 
-TEST(MotionChoice, MomentsGrow)
+TEST(MotionChoice, RefusesMomentsThatDoNotIncrease)
 {
     EXPECT_EQ(*ParseMoments("--at", "3s"), (std::vector<Duration>{{3'000'000'000}}));
     EXPECT_EQ(*ParseMoments("--at", "0s,500ms,2"),

@@ -39,7 +39,7 @@ DrawList Collected(b2World& world, const LayerCollector& collector, const View& 
     return list;
 }
 
-TEST(SceneLayers, AreThoseThatAreNamedAndNoOthers)
+TEST(SceneLayers, AreOnlyThoseThatAreNamed)
 {
     LayerSet expected;
     EXPECT_EQ(Layers("joints,shapes"), expected) << "what is drawn unless said";
@@ -56,7 +56,7 @@ TEST(SceneLayers, AreThoseThatAreNamedAndNoOthers)
     }
 }
 
-TEST(SceneLayers, ThatAreOffCollectNothing)
+TEST(SceneLayers, CollectNothingWhenOff)
 {
     MixedWorld mixed(1);
     const View all = ViewOfEverything(Camera());
@@ -86,7 +86,7 @@ TEST(SceneLayers, ThatAreOffCollectNothing)
 }
 
 /// A still says which contacts are new just as the film does that comes to the same step.
-TEST(SceneLayers, ContactsAreNewInTheSameStepsHoweverOneComesThere)
+TEST(SceneLayers, MarkNewContactsEquallyInFilmAndShot)
 {
     SceneLook look;
     look.layers = Layers("contacts");
@@ -114,7 +114,7 @@ TEST(SceneLayers, ContactsAreNewInTheSameStepsHoweverOneComesThere)
 }
 
 /// The weight of a box at rest is drawn a third of its size long, of a hanging one an eighth.
-TEST(SceneLayers, ImpulsesHaveLongerDefaultScaleThanForces)
+TEST(SceneLayers, DrawImpulsesLongerThanForcesByDefault)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2BodyDef def;
@@ -156,7 +156,7 @@ TEST(SceneLayers, ImpulsesHaveLongerDefaultScaleThanForces)
 }
 
 /// Contact points move with the bodies, which takes them far out of both boxes for long bodies.
-TEST(SceneLayers, DrawsContactPointsOutsideTheirBodies)
+TEST(SceneLayers, DrawContactPointsOutsideTheirBodies)
 {
     b2World world(b2Vec2(0.0f, 0.0f));
     b2BodyDef def;
@@ -183,7 +183,7 @@ TEST(SceneLayers, DrawsContactPointsOutsideTheirBodies)
 }
 
 /// For any view, pixels, drawn items and figure equal those of the whole list.
-TEST(SceneLayers, OfAViewGiveThePictureThatAllOfTheWorldGives)
+TEST(SceneLayers, GiveEqualPicturesForViewAndWholeWorld)
 {
     std::size_t seen = 0;
     std::size_t all = 0;

@@ -17,7 +17,7 @@ std::int64_t Nanoseconds(std::string_view text)
     return duration ? duration->nanoseconds : -1;
 }
 
-TEST(Values, TimesAreReadExactly)
+TEST(Values, ReadsTimesExactly)
 {
     EXPECT_EQ(Nanoseconds("3s"), 3'000'000'000);
     EXPECT_EQ(Nanoseconds("3"), 3'000'000'000);
@@ -59,7 +59,7 @@ TEST(Values, RefusesInvalidTimes)
     }
 }
 
-TEST(Values, TimesFinerThanANanosecondAreRounded)
+TEST(Values, RoundsTimesFinerThanANanosecond)
 {
     EXPECT_EQ(Nanoseconds("0.46666666666666667"), 466'666'667);
     EXPECT_EQ(Nanoseconds("0.0000000001"), 0);
@@ -68,7 +68,7 @@ TEST(Values, TimesFinerThanANanosecondAreRounded)
     EXPECT_EQ(Nanoseconds("0.12345678x9"), -1);
 }
 
-TEST(Values, ARefusalNamesTheOptionTheTextAndARemedy)
+TEST(Values, NamesOptionAndTextInRefusal)
 {
     const Result<Duration> duration = ParseDuration("--seconds", "nan");
     ASSERT_FALSE(duration);
@@ -76,7 +76,7 @@ TEST(Values, ARefusalNamesTheOptionTheTextAndARemedy)
     EXPECT_EQ(duration.GetError().culprit, "--seconds nan");
 }
 
-TEST(Values, WholeNumbersKeepToTheirRange)
+TEST(Values, RefusesWholeNumbersOutOfRange)
 {
     const auto read = [](std::string_view text) {
         const Result<std::int64_t> value = ParseWhole("--frames", text, 1, 1000);
@@ -91,7 +91,7 @@ TEST(Values, WholeNumbersKeepToTheirRange)
     }
 }
 
-TEST(Values, SizesAreTwoNumbersOfPixels)
+TEST(Values, ReadsSizesAsTwoNumbersOfPixels)
 {
     const Result<PixelSize> size = ParseSize("--size", "1920x1080");
     ASSERT_TRUE(size);
@@ -106,7 +106,7 @@ TEST(Values, SizesAreTwoNumbersOfPixels)
     }
 }
 
-TEST(Values, RatesAreFractionsWithinTheirRange)
+TEST(Values, ReadsRatesAsFractionsWithinRange)
 {
     const Result<Rational> rate = ParseRatio("--fps", "30000/1001", 0.1, 1000.0);
     ASSERT_TRUE(rate);
@@ -123,7 +123,7 @@ TEST(Values, RatesAreFractionsWithinTheirRange)
     EXPECT_EQ(refusal("29.97002997"), "--fps 29.97002997");
 }
 
-TEST(Values, NumbersAreFinite)
+TEST(Values, RefusesNumbersThatAreNotFinite)
 {
     const Result<double> number = ParseNumber("--camera", "-2.5");
     ASSERT_TRUE(number);
@@ -134,7 +134,7 @@ TEST(Values, NumbersAreFinite)
     }
 }
 
-TEST(Values, FramesFillALengthToTheNearest)
+TEST(Values, RoundsLengthToNearestFrame)
 {
     EXPECT_EQ(FramesIn(Duration{10'000'000'000}, Rational{60, 1}), 600);
     EXPECT_EQ(FramesIn(Duration{10'000'000'000}, Rational{30000, 1001}), 300);
@@ -142,7 +142,7 @@ TEST(Values, FramesFillALengthToTheNearest)
     EXPECT_EQ(FramesIn(Duration{1'000'000'000'000'000}, Rational{999999999, 1000000}), 999999999);
 }
 
-TEST(Values, ATimeIsTheLastStepThatLiesNoLater)
+TEST(Values, RoundsTimeDownToStep)
 {
     EXPECT_EQ(StepAt(Duration{3'000'000'000}, Rational{60, 1}), 180);
     EXPECT_EQ(StepAt(Duration{100'000'000}, Rational{60, 1}), 6);

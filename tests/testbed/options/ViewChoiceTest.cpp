@@ -28,7 +28,7 @@ std::string Refusal(const std::string& text)
     return view.GetError().culprit;
 }
 
-TEST(ViewChoice, EachFormIsRead)
+TEST(ViewChoice, ReadsEachForm)
 {
     EXPECT_EQ(Parsed("scene"), ViewChoice());
     EXPECT_EQ(Parsed("fit"), ViewChoice(FitView{}));
@@ -52,7 +52,7 @@ TEST(ViewChoice, RefusesUnknownViews)
     }
 }
 
-TEST(ViewChoice, ANumberOutOfItsLimitsIsNamedWithThem)
+TEST(ViewChoice, RefusesNumbersOutOfLimits)
 {
     for (const char* text :
          {"1,2,0", "1,2,-5", "1,2,1e9", "follow:1:0", "follow:1:-3", "follow:1:1e9"})
@@ -63,7 +63,7 @@ TEST(ViewChoice, ANumberOutOfItsLimitsIsNamedWithThem)
     EXPECT_EQ(Refusal("1e9,0,5"), "--camera 1e9,0,5");
 }
 
-TEST(ViewChoice, BodiesAreWholeNumbersOrNames)
+TEST(ViewChoice, RefusesInvalidBodies)
 {
     for (const char* text :
          {"fit:", "fit:-1", "fit:1,,2", "fit:1.5", "fit:3:17", "fit:99999999999", "fit: 3"})
@@ -77,7 +77,7 @@ TEST(ViewChoice, BodiesAreWholeNumbersOrNames)
     }
 }
 
-TEST(ViewChoice, APathHasTwoKeysOrMoreWhoseTimesGrow)
+TEST(ViewChoice, RefusesInvalidPaths)
 {
     EXPECT_EQ(Refusal("path:0s=0,20,50"), "--camera path:0s=0,20,50");
     EXPECT_EQ(Refusal("path:1s=0,20,50;0s=1,1,5"), "--camera path:1s=0,20,50;0s=1,1,5");

@@ -71,10 +71,10 @@ RubeNotes Build(const RubeScene& scene, b2World& world)
     return leftOut;
 }
 
-class SceneFileOf : public testing::TestWithParam<SceneCase>
+class ExportedSceneFile : public testing::TestWithParam<SceneCase>
 {};
 
-TEST_P(SceneFileOf, EverySceneComesBackAsItWas)
+TEST_P(ExportedSceneFile, RestoresTheScene)
 {
     const std::unique_ptr<Scene> scene = GetParam()->create(SceneSettings());
     for (const int steps : {0, 30})
@@ -108,7 +108,7 @@ TEST_P(SceneFileOf, EverySceneComesBackAsItWas)
     }
 }
 
-TEST(RubeExport, OfAllJointsAndShapesGoesRoundWithoutLoss)
+TEST(RubeExport, KeepsAllJointsAndShapes)
 {
     for (unsigned seed = 0; seed < 20; ++seed)
     {
@@ -154,7 +154,7 @@ TEST(RubeExport, GivesTheMassOfEveryDynamicBody)
     EXPECT_THAT(leftOut, IsEmpty());
 }
 
-TEST(RubeExport, LeavesOutAMassThatNoFileMayGive)
+TEST(RubeExport, OmitsMassAboveLimit)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2BodyDef def;
@@ -168,7 +168,7 @@ TEST(RubeExport, LeavesOutAMassThatNoFileMayGive)
     EXPECT_THAT(leftOut, testing::ElementsAre(Note("mass of body 0", "")));
 }
 
-TEST(RubeExport, SaysWhichLimitsAndSidesItLeavesOut)
+TEST(RubeExport, NotesLimitsAndSidesThatItOmits)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2BodyDef body;
@@ -206,7 +206,7 @@ TEST(RubeExport, SaysWhichLimitsAndSidesItLeavesOut)
 }
 
 // The engine tells how long a pulley's ropes are; a file wants how long they may be together.
-TEST(RubeExport, OfASlackPulleyStaysSlack)
+TEST(RubeExport, KeepsPulleySlack)
 {
     const std::string text = R"({"gravity": {"x": 0, "y": -10}, "body": [
         {"type": 2, "awake": true, "massData-mass": 1, "angle": 0.7},
@@ -227,7 +227,7 @@ TEST(RubeExport, OfASlackPulleyStaysSlack)
     }
 }
 
-TEST(RubeExport, KeepsWhatTheEngineHasNoUseFor)
+TEST(RubeExport, KeepsNamesImagesAndCustomProperties)
 {
     const std::string text = R"({"body": [
         {"name": "cart", "type": 2, "awake": true, "customProperties": [{"name": "hp", "int": 7}],
@@ -275,7 +275,7 @@ TEST(RubeExport, WritesNumbersThatAreReadBackBitByBit)
     EXPECT_THAT(text, HasSubstr("\"80000000\""));
 }
 
-TEST(RubeTraps, NameWhatTheFormatFillsInOtherwiseThanTheEngine)
+TEST(RubeTraps, NameDefaultsThatDifferFromTheEngine)
 {
     const auto traps = [](const std::string& text) {
         const Result<RubeNotes> found = RubeTraps(text, "scene");
@@ -310,7 +310,7 @@ TEST(RubeTraps, AreThousandAtMost)
     EXPECT_EQ(found->back().part, "500 more parts");
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SceneFileOf, testing::ValuesIn(EveryScene()), CaseName);
+INSTANTIATE_TEST_SUITE_P(Scenes, ExportedSceneFile, testing::ValuesIn(EveryScene()), CaseName);
 
 } // namespace
 } // namespace boxreel

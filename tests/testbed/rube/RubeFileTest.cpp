@@ -90,7 +90,7 @@ TEST(RubeBuilder, GivesBodiesTheirState)
     EXPECT_TRUE(first->IsAwake());
 }
 
-TEST(RubeBuilder, LetsABodySleepThatDoesNotSayItIsAwake)
+TEST(RubeBuilder, MakesBodiesAsleepUnlessFileSaysAwake)
 {
     Built built(R"({"body":[{"type":2}]})");
     EXPECT_FALSE(built.world.GetBodyList()->IsAwake());
@@ -111,7 +111,7 @@ TEST(RubeBuilder, TakesTheMassOfTheFixturesUnlessOneIsGiven)
     EXPECT_EQ(given.world.GetBodyList()->GetLocalCenter(), b2Vec2(0.5f, 0.0f));
 }
 
-TEST(RubeBuilder, LeavesOutAMassThatNoBodyCanHave)
+TEST(RubeBuilder, OmitsImpossibleMass)
 {
     Built built(R"({"body":[{"name":"top","type":2,"massData-mass":7,"massData-I":1,
         "massData-center":{"x":1,"y":0}}]})");
@@ -185,7 +185,7 @@ TEST(RubeBuilder, NamesShapesWithoutExtent)
     }
 }
 
-TEST(RubeBuilder, KeepsItsListOfFindingsShort)
+TEST(RubeBuilder, LimitsNumberAndLengthOfFindings)
 {
     std::string text =
         R"({"body":[{"name":"\u001b[31m)" + std::string(500, 'n') + R"("},{}],"joint":[)";
@@ -221,7 +221,7 @@ protected:
     TemporaryFolder m_folder;
 };
 
-TEST_F(RubeFile, SaysHowItsSceneWantsToBeStepped)
+TEST_F(RubeFile, GivesStepSettingsToItsScene)
 {
     RubeNotes leftOut;
     const auto scene = LoadRubeScene(
@@ -250,7 +250,7 @@ TEST_F(RubeFile, FramesItsImages)
     EXPECT_EQ(boxes[1].upperBound, b2Vec2(12.0f, 1.0f));
 }
 
-TEST_F(RubeFile, ThatCannotBeReadIsNamed)
+TEST_F(RubeFile, IsNamedWhenUnreadable)
 {
     const std::filesystem::path absent = m_folder / "absent.json";
     EXPECT_THAT(Load(absent), Refuses(absent.string()));
@@ -262,14 +262,14 @@ TEST_F(RubeFile, ThatCannotBeReadIsNamed)
     EXPECT_THAT(Load(empty), Refuses(empty.string()));
 }
 
-TEST_F(RubeFile, RefusesGigabyteFileUnread)
+TEST_F(RubeFile, IsRefusedUnreadWhenTooLarge)
 {
     const std::filesystem::path file = Write("{");
     std::filesystem::resize_file(file, 1u << 30); // sparse, takes no room on the disk
     EXPECT_THAT(Load(file), RefusesWith(file.string(), "64 MB"));
 }
 
-TEST_F(RubeFile, WithAnyByteChangedNeverBreaksTheWorldItMakes)
+TEST_F(RubeFile, BuildsWorldThatStepsWithAnyByteChanged)
 {
     const std::string whole =
         R"({"gravity":{"x":0,"y":-10},"body":[{"type":2,"awake":true,"massData-mass":2,)"

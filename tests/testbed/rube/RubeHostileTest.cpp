@@ -232,7 +232,7 @@ std::vector<Fields> AllFields()
     };
 }
 
-TEST(HostileSceneFile, WithAFieldOfAWrongKindIsRefusedWithItsPath)
+TEST(HostileSceneFile, IsRefusedWithPathOfFieldOfWrongType)
 {
     int refused = 0;
     for (const Fields& fields : AllFields())
@@ -269,7 +269,7 @@ TEST(HostileSceneFile, WithAFieldOfAWrongKindIsRefusedWithItsPath)
     EXPECT_GT(refused, 1000);
 }
 
-TEST(HostileSceneFile, WithPartsOfAWrongKindIsRefusedWithTheirPath)
+TEST(HostileSceneFile, IsRefusedWithPathOfPartOfWrongType)
 {
     for (const char* part : {"null", "true", "3", "\"x\"", "[]"})
     {
@@ -288,7 +288,7 @@ TEST(HostileSceneFile, WithPartsOfAWrongKindIsRefusedWithTheirPath)
 
 // ---- Numbers
 
-TEST(HostileSceneFile, MayHaveNumbersThatAreTinyOrMinusZero)
+TEST(HostileSceneFile, AcceptsTinyNumbersAndMinusZero)
 {
     for (const char* number : {"-0", "-0.0", "1e-45", "1e-400", "-1e-400", "\"80000000\"",
                                "\"00000001\"", "\"807fffff\""})
@@ -298,7 +298,7 @@ TEST(HostileSceneFile, MayHaveNumbersThatAreTinyOrMinusZero)
     }
 }
 
-TEST(HostileSceneFile, WithNumbersThatNoDoubleHoldsIsRefused)
+TEST(HostileSceneFile, IsRefusedForInvalidOrTooLargeNumbers)
 {
     for (const char* number : {"1e999", "-1e999", "1e2147483648"})
     {
@@ -317,7 +317,7 @@ TEST(HostileSceneFile, WithNumbersThatNoDoubleHoldsIsRefused)
 
 // ---- Counts
 
-TEST(HostileSceneFile, WithMoreThanCanBeHeldIsRefused)
+TEST(HostileSceneFile, IsRefusedForTooManyBodiesOrVertices)
 {
     EXPECT_THAT(Parse("{\"body\":[" + Repeated("{}", 1'000'000) + "]}"),
                 RefusesWith("scene.json", "500000"));
@@ -326,7 +326,7 @@ TEST(HostileSceneFile, WithMoreThanCanBeHeldIsRefused)
                 RefusesWith("scene.json", "2000000"));
 }
 
-TEST(HostileSceneFile, WithManyVerticesInAPolygonHasItLeftOut)
+TEST(HostileSceneFile, OmitsPolygonWithTooManyVertices)
 {
     const std::string many = Repeated("1", 100'000);
     Built built(Fixture(Vertices("polygon", many, many)));
@@ -351,7 +351,7 @@ TEST(HostileSceneFile, SumsMassOfManyFixtures)
 }
 
 // The first step would look at each pair: five thousand in one place are four gigabytes.
-TEST(HostileSceneFile, WithTooManyShapesInOnePlaceIsRefused)
+TEST(HostileSceneFile, IsRefusedForTooManyShapesInOnePlace)
 {
     const auto load = [](int type, std::size_t bodies, std::size_t fixtures) {
         const std::string circles = Repeated(R"({"circle":{"radius":1}})", fixtures);
@@ -372,7 +372,7 @@ TEST(HostileSceneFile, WithTooManyShapesInOnePlaceIsRefused)
 
 // ---- What the engine would assert
 
-TEST(HostileSceneFile, MayHaveABoxWhoseCornersBeginAnywhere)
+TEST(HostileSceneFile, AcceptsBoxThatBeginsAtAnyCorner)
 {
     for (const auto& [x, y] : {std::pair("-1,1,1,-1", "-2,-2,2,2"),
                                {"1,1,-1,-1", "-2,2,2,-2"},
@@ -422,7 +422,7 @@ TEST(HostileSceneFile, AcceptsVerticesAtToleranceDistance)
     }
 }
 
-TEST(HostileSceneFile, LeavesOutJointsThatCannotBe)
+TEST(HostileSceneFile, OmitsInvalidJoints)
 {
     for (const auto& [joint, kind] : {std::pair(R"("type":"gear","joint1":0,"joint2":0)", "gear"),
                                       {R"("type":"gear","joint1":7,"joint2":1000000000)", "gear"},
@@ -442,7 +442,7 @@ TEST(HostileSceneFile, LeavesOutJointsThatCannotBe)
     }
 }
 
-TEST(HostileSceneFile, LeavesOutGearsThatStandOnEachOther)
+TEST(HostileSceneFile, OmitsGearsThatReferToEachOther)
 {
     const std::string gears = R"({"type":"gear","bodyA":0,"bodyB":1,"joint1":1,"joint2":2},
         {"type":"gear","bodyA":0,"bodyB":1,"joint1":2,"joint2":0},
@@ -452,7 +452,7 @@ TEST(HostileSceneFile, LeavesOutGearsThatStandOnEachOther)
     EXPECT_EQ(built.world.GetJointCount(), 0);
 }
 
-TEST(HostileSceneFile, ThatPointsAtWhatIsNotThereIsRefused)
+TEST(HostileSceneFile, IsRefusedForReferencesToMissingBodies)
 {
     EXPECT_THAT(Parse(Joint(R"("type":"weld","bodyB":2)")), Refuses("scene.json: joint[0].bodyB"));
     EXPECT_THAT(Parse(R"({"body":[],"image":[{"body":0}]})"), Refuses("scene.json: image[0].body"));
@@ -462,7 +462,7 @@ TEST(HostileSceneFile, ThatPointsAtWhatIsNotThereIsRefused)
 
 // ---- Sleeping bodies
 
-TEST(HostileSceneFile, ThatSleepsInFullSpinRests)
+TEST(HostileSceneFile, StopsBodiesThatSleepWithVelocity)
 {
     const std::string spinning =
         R"("type":2,"massData-mass":1,"massData-I":2,"massData-center":{"x":1,"y":0},)"
@@ -482,14 +482,14 @@ TEST(HostileSceneFile, ThatSleepsInFullSpinRests)
 
 // ---- Names and duplicates
 
-TEST(HostileSceneFile, CannotGarbleATerminalWithItsNames)
+TEST(HostileSceneFile, ReplacesControlCharactersInNames)
 {
     const std::string name = "\\u0000\\u001b[2J\\u007f\\u009b2J\\r\\n";
     Built built(Body(R"("name":")" + name + R"(zß中","fixture":[{}])"));
     EXPECT_THAT(built.Missing(), ElementsAre("fixture 0 of body 0 \"??[2J??2J??zß中\""));
 }
 
-TEST(HostileSceneFile, OfAnotherEncodingIsRefused)
+TEST(HostileSceneFile, IsRefusedWhenNotUtf8)
 {
     for (const std::string& name :
          {std::string("\xFF"), std::string("\xC0\x80"), std::string("\xED\xA0\x80"),
@@ -509,7 +509,7 @@ TEST(HostileSceneFile, UsesTheLastOfDuplicateMembers)
     EXPECT_EQ(built.world.GetBodyList()->GetAngle(), 2.0f);
 }
 
-TEST(HostileSceneFile, WithTwoShapesInAFixtureHasItNoted)
+TEST(HostileSceneFile, NotesFixtureWithTwoShapes)
 {
     const std::string text =
         Fixture(R"("friction":1,"density":1,"polygon":3,"circle":{"radius":1},"loop":[])");
@@ -525,7 +525,7 @@ TEST(HostileSceneFile, WithTwoShapesInAFixtureHasItNoted)
 
 // ---- Devices
 
-TEST(HostileSceneFile, ThatIsADeviceIsRefusedUnread)
+TEST(HostileSceneFile, IsRefusedWhenItIsADevice)
 {
     for (const char* device : {"/dev/zero", "/dev/null", "/dev", "/proc/self/mem"})
     {

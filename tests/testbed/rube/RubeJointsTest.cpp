@@ -183,7 +183,7 @@ TEST(RubeJointBuilder, NamesJointsThatItCannotBuild)
     EXPECT_FALSE(static_cast<b2RevoluteJoint*>(built.world.GetJointList())->IsLimitEnabled());
 }
 
-TEST(RubeJointBuilder, LeavesOutAGearOnABodyOfNoneOfItsJoints)
+TEST(RubeJointBuilder, OmitsGearOnBodyOfNoneOfItsJoints)
 {
     const Built built(R"({"body":[{},{"type":2},{"type":2},{"name":"far","type":2}],"joint":[
         {"type":"revolute","bodyA":0,"bodyB":1},

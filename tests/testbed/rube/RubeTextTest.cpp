@@ -343,7 +343,7 @@ constexpr const char* kWholeScene = R"({"gravity":{"x":0,"y":-10},"body":[{"name
 {"fixture":[{"chain":{"vertices":{"x":[-5,5],"y":[-3,-3]}}}]}],
 "joint":[{"type":"distance","bodyA":0,"bodyB":1,"anchorA":0,"anchorB":0,"length":2.5}]})";
 
-TEST(RubeText, ThatIsForeignIsRefusedWithItsPlace)
+TEST(RubeText, IsRefusedWithPlaceWhenInvalid)
 {
     EXPECT_THAT(Parse(""), RefusesPart(""));
     EXPECT_THAT(Parse("\n"), RefusesPart(""));
@@ -357,7 +357,7 @@ TEST(RubeText, ThatIsForeignIsRefusedWithItsPlace)
     EXPECT_THAT(Parse("{\"body\":[{\"name\":\"\xFF\"}]}"), RefusesPlace("1:19"));
 }
 
-TEST(RubeText, CutOffAnywhereIsRefused)
+TEST(RubeText, IsRefusedWhenCutOffAnywhere)
 {
     const std::string whole = kWholeScene;
     ASSERT_TRUE(Parse(whole));
@@ -368,7 +368,7 @@ TEST(RubeText, CutOffAnywhereIsRefused)
     }
 }
 
-TEST(RubeText, WithAnyByteChangedIsReadOrRefusedButNeverCrashes)
+TEST(RubeText, IsReadOrRefusedWithAnyByteChanged)
 {
     const std::string whole = kWholeScene;
     std::size_t refused = 0;
@@ -384,7 +384,7 @@ TEST(RubeText, WithAnyByteChangedIsReadOrRefusedButNeverCrashes)
     EXPECT_GT(refused, whole.size()) << "most changes make it malformed";
 }
 
-TEST(RubeText, NestedTooDeeplyIsRefused)
+TEST(RubeText, IsRefusedWhenNestedTooDeeply)
 {
     for (const char* open : {"[", "{\"a\":"})
     {
@@ -397,7 +397,7 @@ TEST(RubeText, NestedTooDeeplyIsRefused)
     }
 }
 
-TEST(RubeText, MayNestAsDeeplyAsTheLimitAndNoDeeper)
+TEST(RubeText, IsReadWhenNestedUpToTheLimit)
 {
     const auto nested = [](std::size_t lists) {
         return R"({"body":[],"x":)" + std::string(lists, '[') + std::string(lists, ']') + "}";
@@ -406,7 +406,7 @@ TEST(RubeText, MayNestAsDeeplyAsTheLimitAndNoDeeper)
     EXPECT_THAT(Parse(nested(64)), RefusesWith("scene.json", "64"));
 }
 
-TEST(RubeText, WithTooManyValuesIsRefused)
+TEST(RubeText, IsRefusedForTooManyValues)
 {
     std::string text = R"({"body":[)";
     for (int i = 0; i < 2'000'001; ++i)
@@ -416,12 +416,12 @@ TEST(RubeText, WithTooManyValuesIsRefused)
     EXPECT_THAT(Parse(text), RefusesWith("scene.json", "2000000"));
 }
 
-TEST(RubeText, LargerThanTheLimitIsRefused)
+TEST(RubeText, IsRefusedWhenLargerThanTheLimit)
 {
     EXPECT_THAT(Parse(std::string((64u << 20) + 1, ' ')), RefusesWith("scene.json", "64 MB"));
 }
 
-TEST(RubeText, WithHugeNamesMakesShortErrors)
+TEST(RubeText, MakesShortErrorsForHugeNames)
 {
     const std::string name(1'000'000, 'n');
     const std::string text = R"({"body":[{")" + name + R"(":1,"type":"x"}]})";

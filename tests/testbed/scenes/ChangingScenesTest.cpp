@@ -23,7 +23,7 @@ TEST(WebScene, BearsLightPebblesAndTearsUnderHeavyOnes)
     EXPECT_EQ(scene->Describe()[1].second, std::to_string(whole - left));
 }
 
-TEST(WebScene, TheMouseTearsWhatItPulls)
+TEST(WebScene, TearsWhereTheMousePulls)
 {
     const auto scene = Make("Web");
     Play(*scene, 0.5f);
@@ -38,7 +38,7 @@ TEST(WebScene, TheMouseTearsWhatItPulls)
     EXPECT_LT(JointsOf<b2DistanceJoint>(*scene).size(), before);
 }
 
-TEST(WebScene, KeysTearAThreadAndTakeAKnot)
+TEST(WebScene, LosesAThreadAndAKnotByKeys)
 {
     const auto scene = Make("Web");
     const std::size_t threads = JointsOf<b2DistanceJoint>(*scene).size();
@@ -49,7 +49,7 @@ TEST(WebScene, KeysTearAThreadAndTakeAKnot)
     EXPECT_EQ(Movers(*scene).size(), knots - 1);
 }
 
-TEST(BodyTypesScene, ThePlatformIsMovedOnlyByWhatItsTypeAllows)
+TEST(BodyTypesScene, MovesPlatformAsItsTypeAllows)
 {
     const auto scene = Make("Body Types");
     scene->KeyDown('s');
@@ -70,7 +70,7 @@ TEST(BodyTypesScene, ThePlatformIsMovedOnlyByWhatItsTypeAllows)
     EXPECT_NEAR(platform->GetPosition().y, 6.0f, 0.01f) << "the slide holds it up";
 }
 
-TEST(BodyTypesScene, GoesThroughTheTypesByItself)
+TEST(BodyTypesScene, ChangesTypesByItself)
 {
     const auto scene = Make("Body Types");
     std::string types;

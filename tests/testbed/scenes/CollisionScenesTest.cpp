@@ -9,7 +9,7 @@ namespace boxreel
 namespace
 {
 
-TEST(CollisionScenes, TheChainSlideTakesNoSpeed)
+TEST(ChainSlideScene, KeepsEnergyOfBoxAndBall)
 {
     const std::unique_ptr<Scene> scene = Make("Chain Slide");
     const b2Body* box = Movers(*scene).front();
@@ -31,7 +31,7 @@ TEST(CollisionScenes, TheChainSlideTakesNoSpeed)
     EXPECT_NEAR(energy(box) / boxEnergy, 1.0f, 0.02f);
 }
 
-TEST(CollisionScenes, NoSeamOfTheGhostBumpsIsFelt)
+TEST(GhostBumpsScene, HasNoBumpsAtSeams)
 {
     const std::unique_ptr<Scene> scene = Make("Ghost Bumps");
     const std::vector<b2Body*> boxes = Movers(*scene); // on the chain, the edges, the boxes
@@ -50,7 +50,7 @@ TEST(CollisionScenes, NoSeamOfTheGhostBumpsIsFelt)
     EXPECT_NEAR(boxes[0]->GetLinearVelocity().x, -8.0f, 0.01f) << "back from the buffer";
 }
 
-TEST(CollisionScenes, TheSkinnyBoxNeverPassesTheGround)
+TEST(SkinnyBoxScene, KeepsBoxAboveGround)
 {
     const std::unique_ptr<Scene> scene = Make("Skinny Box");
     const b2Body* box = Movers(*scene).front();
@@ -60,7 +60,7 @@ TEST(CollisionScenes, TheSkinnyBoxNeverPassesTheGround)
     EXPECT_EQ(scene->Describe().front().second, "30");
 }
 
-TEST(CollisionScenes, AKeyThrowsTheSkinnyBoxAgain)
+TEST(SkinnyBoxScene, ThrowsBoxAgainByKey)
 {
     const std::unique_ptr<Scene> scene = Make("Skinny Box");
     ASSERT_EQ(scene->Keys().size(), 1u);
@@ -70,7 +70,7 @@ TEST(CollisionScenes, AKeyThrowsTheSkinnyBoxAgain)
     EXPECT_EQ(Movers(*scene).front()->GetPosition().y, 10.0f);
 }
 
-TEST(CollisionScenes, TheSpinnerTurnsAndLosesNothing)
+TEST(SpinnerScene, TurnsBarAndKeepsBodiesInside)
 {
     const std::unique_ptr<Scene> scene = Make("Spinner");
     const b2Body* bar = Movers(*scene).front();

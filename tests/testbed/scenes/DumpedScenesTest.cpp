@@ -41,7 +41,7 @@ std::string Stored()
     return text;
 }
 
-TEST(DumpShellScene, ItsDumpIsTheTextThatItIsMadeOf)
+TEST(DumpShellScene, DumpsTheTextItIsBuiltFrom)
 {
     const auto scene = Make("Dump Shell");
     const std::string dumped = Dumped(scene->World());

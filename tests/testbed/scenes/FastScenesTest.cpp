@@ -7,7 +7,7 @@ namespace boxreel
 namespace
 {
 
-TEST(SphereStackScene, OnlyTheTrueColumnStands)
+TEST(SphereStackScene, KeepsOnlyExactColumnStanding)
 {
     const auto scene = Make("SphereStack");
     const std::vector<b2Body*> balls = Movers(*scene);
@@ -24,7 +24,7 @@ TEST(SphereStackScene, OnlyTheTrueColumnStands)
     }
 }
 
-TEST(ConfinedScene, NoBallGetsOut)
+TEST(ConfinedScene, KeepsAllBallsInside)
 {
     const auto scene = Make("Confined");
     scene->KeyDown('c');
@@ -41,7 +41,7 @@ TEST(ConfinedScene, NoBallGetsOut)
     EXPECT_GT(farthest, 7.4f);
 }
 
-TEST(TilesScene, TheTilesCarryThePyramid)
+TEST(TilesScene, CarriesThePyramid)
 {
     const auto scene = Make("Tiles");
     const std::vector<b2Body*> boxes = Movers(*scene);
@@ -54,7 +54,7 @@ TEST(TilesScene, TheTilesCarryThePyramid)
     EXPECT_NEAR(boxes.back()->GetPosition().y, 11.5f, 0.5f);
 }
 
-TEST(BulletTestScene, OnlyTheBulletHits)
+TEST(BulletTestScene, HitsOnlyWithTheBullet)
 {
     const auto scene = Make("Bullet Test");
     const std::vector<b2Body*> movers = Movers(*scene);
@@ -73,7 +73,7 @@ TEST(BulletTestScene, OnlyTheBulletHits)
     EXPECT_LT(movers.back()->GetPosition().x, 14.3f) << "the wall stops it nevertheless";
 }
 
-TEST(ContinuousTestScene, TheBarStaysAboveTheFloor)
+TEST(ContinuousTestScene, KeepsBarAboveFloorOnlyWhenContinuous)
 {
     const auto scene = Make("Continuous Test");
     b2Body* bar = Movers(*scene).front();
@@ -92,7 +92,7 @@ TEST(ContinuousTestScene, TheBarStaysAboveTheFloor)
     EXPECT_LT(lowest, -2.0f) << "without continuous collision it gets through";
 }
 
-TEST(AddPairStressTestScene, TheBlockPloughsThroughTheField)
+TEST(AddPairStressTestScene, MovesBlockThroughField)
 {
     const auto scene = Make("Add Pair Stress Test");
     const std::vector<b2Body*> movers = Movers(*scene);

@@ -45,7 +45,7 @@ Counter Drawn(const Scene& scene)
     return counter;
 }
 
-TEST(RayCastScene, TheClosestIsNeverFartherAndAllAreSometimesMany)
+TEST(RayCastScene, FindsClosestAndSometimesSeveralHits)
 {
     const auto scene = Make("Ray-Cast");
     int hits = 0;
@@ -68,7 +68,7 @@ TEST(RayCastScene, TheClosestIsNeverFartherAndAllAreSometimesMany)
     EXPECT_GT(many, 30);
 }
 
-TEST(RayCastScene, TheRaysStopOnAKey)
+TEST(RayCastScene, StopsRaysByKey)
 {
     const auto scene = Make("Ray-Cast");
     for (b2Body* body : Movers(*scene))
@@ -81,7 +81,7 @@ TEST(RayCastScene, TheRaysStopOnAKey)
     EXPECT_EQ(scene->Describe(), before);
 }
 
-TEST(TimeOfImpactScene, TheSweepsThatHitTouchAtThatTime)
+TEST(TimeOfImpactScene, ReportsImpactsWithinReachOfBodies)
 {
     const auto scene = Make("Time of Impact");
     std::set<std::string> impacts;
@@ -98,7 +98,7 @@ TEST(TimeOfImpactScene, TheSweepsThatHitTouchAtThatTime)
     }
 }
 
-TEST(DistanceTestScene, DistanceStaysWithinBoundsOfCentres)
+TEST(DistanceTestScene, ReportsDistanceWithinBoundsOfCentres)
 {
     const auto scene = Make("Distance Test");
     const b2Body* drifter = Movers(*scene).front();
@@ -116,7 +116,7 @@ TEST(DistanceTestScene, DistanceStaysWithinBoundsOfCentres)
     EXPECT_GT(farthest, 1.0f);
 }
 
-TEST(DistanceTestScene, KeysMoveTheTriangle)
+TEST(DistanceTestScene, MovesTriangleByKeys)
 {
     const auto scene = Make("Distance Test");
     const b2Vec2 before = Movers(*scene).front()->GetPosition();
@@ -129,7 +129,7 @@ TEST(DistanceTestScene, KeysMoveTheTriangle)
     EXPECT_NEAR(moved.y, 0.1f, 1e-4f);
 }
 
-TEST(PolyCollisionScene, ManifoldsHaveUpToTwoPointsAndArrows)
+TEST(PolyCollisionScene, DrawsUpToTwoManifoldPoints)
 {
     const auto scene = Make("PolyCollision");
     std::map<std::string, int> counts;
@@ -142,7 +142,7 @@ TEST(PolyCollisionScene, ManifoldsHaveUpToTwoPointsAndArrows)
     EXPECT_EQ(counts["0"] + counts["1"] + counts["2"], 900);
 }
 
-TEST(ConvexHullScene, NewHullHangsAndEarlierOnesFall)
+TEST(ConvexHullScene, HangsNewHullAndDropsEarlierOnes)
 {
     const auto scene = Make("Convex Hull");
     Play(*scene, 14.0f);

@@ -31,7 +31,7 @@ TEST(CarScene, RollsDownTheSlopeUnlessItBrakes)
     EXPECT_LT(JointsOf<b2WheelJoint>(*braked)[0]->GetBodyA()->GetPosition().x, -24.0f);
 }
 
-TEST(CarScene, HasSpringsOfAsManyHertzAsTheKeysSay)
+TEST(CarScene, ChangesSpringFrequencyByKeys)
 {
     const auto scene = Make("Car");
     const b2WheelJoint* spring = JointsOf<b2WheelJoint>(*scene)[0];
@@ -64,7 +64,7 @@ TEST(TheoJansensWalkerScene, WalksFiveMetresWithJointsIntact)
     }
 }
 
-TEST(TheoJansensWalkerScene, WalksTheOtherWayWhenAsked)
+TEST(TheoJansensWalkerScene, WalksLeftOrRightByKeys)
 {
     const auto right = Make("Theo Jansen's Walker");
     const auto left = Make("Theo Jansen's Walker");
@@ -120,7 +120,7 @@ TEST(PrismaticScene, CarriesItsBoxesUpAndDownBetweenTheLimits)
     }
 }
 
-TEST(PulleysScene, LetTheBasketDownWhenTheBallsAreInIt)
+TEST(PulleysScene, LowersBasketWhenBallsAreInIt)
 {
     const auto scene = Make("Pulleys");
     const b2PulleyJoint* rope = JointsOf<b2PulleyJoint>(*scene)[0];
@@ -137,7 +137,7 @@ TEST(PulleysScene, LetTheBasketDownWhenTheBallsAreInIt)
     EXPECT_GT(rope->GetCurrentLengthA(), basket + 5.0f);
 }
 
-TEST(GearsScene, TurnAsTheirTeethSay)
+TEST(GearsScene, TurnsAsRatioOfTeethGives)
 {
     const auto scene = Make("Gears");
     const auto gears = JointsOf<b2RevoluteJoint>(*scene);
@@ -186,7 +186,7 @@ TEST(ApplyForceScene, PushesItsShipIntoTheBoxesAndAllComesToRest)
     }
 }
 
-TEST(ApplyForceScene, TurnsTheWayTheKeysSay)
+TEST(ApplyForceScene, TurnsShipByKeys)
 {
     for (const char key : {'a', 'd'})
     {
@@ -262,7 +262,7 @@ TEST(ScissorLiftScene, RisesLevelWithItsLoadAndHoldsItUp)
     EXPECT_NEAR(platform.GetPosition().y, start, 0.02f) << "down again, at the stop";
 }
 
-TEST(ScissorLiftScene, RisesEvenlyThoughItsFeetDoNot)
+TEST(ScissorLiftScene, RisesAtConstantSpeed)
 {
     const auto scene = Make("Scissor Lift");
     const b2PrismaticJoint* motor = JointsOf<b2PrismaticJoint>(*scene)[0];
@@ -329,7 +329,7 @@ TEST(SkierScene, GoesDownOverTheJumpOnItsSkiAndStopsUpright)
     EXPECT_LT(ski.GetLinearVelocity().Length(), 0.1f);
 }
 
-TEST(PinballScene, FlippersHitTheBallBackUp)
+TEST(PinballScene, HitsBallUpWithFlippers)
 {
     for (const float32 side : {-1.0f, 1.0f})
     {

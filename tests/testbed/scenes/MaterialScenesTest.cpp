@@ -30,7 +30,7 @@ TEST(OneSidedPlatformScene, LetsWhatRisesThroughAndHoldsWhatFalls)
     }));
 }
 
-TEST(OneSidedPlatformScene, TheClimberGoesWhereTheKeysSay)
+TEST(OneSidedPlatformScene, MovesClimberByKeys)
 {
     const auto scene = Make("One-Sided Platform");
     b2Body* climber = Movers(*scene).back();
@@ -68,7 +68,7 @@ TEST(ConveyorBeltScene, StandsStillAndRunsBackOnKeys)
     EXPECT_EQ(scene->Describe().front().second, "0.00 m/s");
 }
 
-TEST(SensorTestScene, PullsWhatIsInItAndNothingElse)
+TEST(SensorTestScene, PullsOnlyBodiesInTheSensor)
 {
     const auto scene = Make("Sensor Test");
     Play(*scene, 12.0f);
@@ -84,7 +84,7 @@ TEST(SensorTestScene, PullsWhatIsInItAndNothingElse)
     EXPECT_EQ(scene->Describe().front().second, std::to_string(held));
 }
 
-TEST(VaryingRestitutionScene, EachBallComesBackToItsLine)
+TEST(VaryingRestitutionScene, BouncesEachBallToHeightOfRestitution)
 {
     const auto scene = Make("Varying Restitution");
     const std::vector<b2Body*> balls = Movers(*scene);
@@ -109,7 +109,7 @@ TEST(VaryingRestitutionScene, EachBallComesBackToItsLine)
     }
 }
 
-TEST(VaryingFrictionScene, TheLessFrictionTheFarther)
+TEST(VaryingFrictionScene, SlidesBoxesFartherWithLessFriction)
 {
     const auto scene = Make("Varying Friction");
     const std::vector<b2Body*> boxes = Movers(*scene);
@@ -123,7 +123,7 @@ TEST(VaryingFrictionScene, TheLessFrictionTheFarther)
     }
 }
 
-TEST(CollisionFilteringScene, MasksAndGroupsDecideWhatCollides)
+TEST(CollisionFilteringScene, CollidesAsMasksAndGroupsAllow)
 {
     const auto scene = Make("Collision Filtering");
     Play(*scene, 8.0f);
@@ -143,7 +143,7 @@ TEST(CollisionFilteringScene, MasksAndGroupsDecideWhatCollides)
     EXPECT_LT(highestStranger, 0.9f) << "all on the ground, in the same place";
 }
 
-TEST(CollisionProcessingScene, TheBigEatTheSmallWithTheirMass)
+TEST(CollisionProcessingScene, ReducesNumberOfBallsAndKeepsMass)
 {
     const auto scene = Make("Collision Processing");
     const auto mass = [&] {

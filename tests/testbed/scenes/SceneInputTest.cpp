@@ -41,7 +41,7 @@ public:
     int gone = 0;
 };
 
-TEST(SceneInput, TheMouseDragsTheBodyUnderIt)
+TEST(SceneInput, DragsBodyUnderMouse)
 {
     TwoBoxes scene;
     scene.MouseDown(b2Vec2(0.5f, 0.0f));
@@ -52,7 +52,7 @@ TEST(SceneInput, TheMouseDragsTheBodyUnderIt)
     EXPECT_EQ(scene.younger->GetPosition().y, 5.0f);
 }
 
-TEST(SceneInput, LettingGoLeavesNoJoint)
+TEST(SceneInput, RemovesJointOnRelease)
 {
     TwoBoxes scene;
     scene.MouseDown(b2Vec2(0.5f, 0.0f));
@@ -63,7 +63,7 @@ TEST(SceneInput, LettingGoLeavesNoJoint)
     EXPECT_EQ(scene.gone, 0);
 }
 
-TEST(SceneInput, WhatIsNotDynamicAndEmptySpaceAreNotGripped)
+TEST(SceneInput, GripsOnlyDynamicBodies)
 {
     TwoBoxes scene;
     scene.MouseDown(b2Vec2(10.0f, 0.0f));
@@ -74,7 +74,7 @@ TEST(SceneInput, WhatIsNotDynamicAndEmptySpaceAreNotGripped)
     EXPECT_EQ(scene.World().GetBodyCount(), 3);
 }
 
-TEST(SceneInput, TheYoungestOfSeveralBodiesIsGripped)
+TEST(SceneInput, GripsYoungestOfOverlappingBodies)
 {
     TwoBoxes scene;
     scene.younger->SetTransform(b2Vec2(0.5f, 0.0f), 0.0f);
@@ -82,7 +82,7 @@ TEST(SceneInput, TheYoungestOfSeveralBodiesIsGripped)
     EXPECT_EQ(scene.World().GetJointList()->GetBodyB(), scene.younger);
 }
 
-TEST(SceneInput, TheGripGoesWithItsBody)
+TEST(SceneInput, EndsGripWhenBodyIsDestroyed)
 {
     TwoBoxes scene;
     scene.MouseDown(b2Vec2(0.0f, 0.0f));
@@ -93,7 +93,7 @@ TEST(SceneInput, TheGripGoesWithItsBody)
     scene.Steps(10);
 }
 
-TEST(SceneInput, BombReplacesThePreviousOne)
+TEST(SceneInput, ReplacesPreviousBomb)
 {
     TwoBoxes scene;
     scene.ThrowBomb(b2Vec2(-20.0f, 0.0f), b2Vec2(60.0f, 0.0f));
@@ -108,7 +108,7 @@ TEST(SceneInput, BombReplacesThePreviousOne)
     EXPECT_EQ(bomb->GetLinearVelocity().y, -150.0f);
 }
 
-TEST(SceneInput, AShiftedOriginMovesTheTargetToo)
+TEST(SceneInput, ShiftsTargetWithOrigin)
 {
     TwoBoxes scene;
     scene.MouseDown(b2Vec2(0.0f, 0.0f));
@@ -118,7 +118,7 @@ TEST(SceneInput, AShiftedOriginMovesTheTargetToo)
     EXPECT_LT((scene.older->GetPosition() - b2Vec2(-99.0f, 0.0f)).Length(), 0.05f);
 }
 
-TEST(SceneInput, AGripAndABombAreKeptInSnapshots)
+TEST(SceneInput, KeepsGripAndBombInSnapshots)
 {
     TwoBoxes scene;
     scene.ThrowBomb();

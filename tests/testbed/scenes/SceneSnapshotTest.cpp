@@ -69,7 +69,7 @@ void ExpectGoesOn(const SceneEntry& entry, int32 subSteps)
 class SnapshotOfScene : public testing::TestWithParam<SceneCase>
 {};
 
-TEST_P(SnapshotOfScene, GoesOnToTheLastBit)
+TEST_P(SnapshotOfScene, ContinuesBitForBit)
 {
     ExpectGoesOn(*GetParam(), 1);
 }
@@ -112,7 +112,7 @@ public:
     Random random{1};
 };
 
-TEST(SceneSnapshot, KeepsPointersNumbersAndChance)
+TEST(SceneSnapshot, KeepsPointersNumbersAndRandomState)
 {
     Keeper saved;
     saved.flag = true;
@@ -134,7 +134,7 @@ TEST(SceneSnapshot, KeepsPointersNumbersAndChance)
     EXPECT_EQ(restored.random.Next(), saved.random.Next());
 }
 
-TEST(SceneSnapshot, OfAnotherKindIsRefusedAndChangesNothing)
+TEST(SceneSnapshot, IsRefusedForSceneOfAnotherKind)
 {
     Keeper keeper;
     keeper.number = 5;
@@ -147,7 +147,7 @@ TEST(SceneSnapshot, OfAnotherKindIsRefusedAndChangesNothing)
     EXPECT_EQ(plain.World().GetBodyCount(), 0);
 }
 
-TEST(SceneSnapshot, WithAnyByteChangedOrMissingIsRefused)
+TEST(SceneSnapshot, IsRefusedWithAnyByteChangedOrMissing)
 {
     Keeper keeper;
     const std::vector<uint8> whole = SaveScene(keeper);

@@ -73,7 +73,7 @@ public:
 [[maybe_unused]] testing::Environment* const kAcceptance =
     testing::AddGlobalTestEnvironment(new Acceptance);
 
-TEST(SceneStates, AreStoredForTheScenesThereAreAndNoOthers)
+TEST(SceneStates, AreStoredForExactlyAllScenes)
 {
     EXPECT_EQ(StoredStates().size(), AllScenes().size());
     for (const SceneEntry& entry : AllScenes())

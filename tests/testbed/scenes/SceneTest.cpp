@@ -38,7 +38,7 @@ std::vector<uint32> State(Scene& scene)
     return state;
 }
 
-TEST(SceneTable, NamesEverySceneOnceAndSaysWhatItShows)
+TEST(SceneTable, NamesEverySceneOnceWithASummary)
 {
     std::set<std::string> names;
     for (const SceneEntry& entry : AllScenes())
@@ -74,7 +74,7 @@ TEST_P(EachScene, StaysInBoundsAndCreatesBodiesOnlyAsDeclared)
     }
 }
 
-TEST_P(EachScene, DoesTheSameForTheSameSeed)
+TEST_P(EachScene, MovesEquallyForEqualSeeds)
 {
     const auto first = GetParam()->create(SceneSettings{7});
     const auto second = GetParam()->create(SceneSettings{7});
@@ -85,7 +85,7 @@ TEST_P(EachScene, DoesTheSameForTheSameSeed)
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EachScene, testing::ValuesIn(EveryScene()), CaseName);
 
-TEST(ScenesWithRandomNumbers, DoSomethingElseForAnotherSeed)
+TEST(ScenesWithRandomNumbers, DifferForAnotherSeed)
 {
     for (const char* name : {"Vertical Stack", "Bridge", "Tumbler"})
     {
@@ -201,7 +201,7 @@ std::vector<float32> FallingTimes(Scene& scene, const std::vector<b2Body*>& domi
     return times;
 }
 
-TEST(DominosScene, FallInOrderAndPutTheBallIntoTheBucket)
+TEST(DominosScene, FallsInOrderAndPutsBallIntoBucket)
 {
     const auto scene = Make("Dominos");
     std::vector<b2Body*> dominoes;

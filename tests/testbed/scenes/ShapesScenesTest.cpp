@@ -7,7 +7,7 @@ namespace boxreel
 namespace
 {
 
-TEST(EdgeTestScene, WhoKnowsItsNeighboursIsSmooth)
+TEST(EdgeTestScene, IsSmoothOnEdgesWithNeighbours)
 {
     const auto scene = Make("Edge Test");
     const std::vector<b2Body*> movers = Movers(*scene);
@@ -30,7 +30,7 @@ TEST(EdgeTestScene, WhoKnowsItsNeighboursIsSmooth)
     EXPECT_GT(rightmost, 10.0f);
 }
 
-TEST(EdgeTestScene, TheSeamsOfEdgesThatAreAloneTakeSpeed)
+TEST(EdgeTestScene, SlowsDiscOnlyOnEdgesWithoutNeighbours)
 {
     const auto scene = Make("Edge Test");
     float32 alone = 8.0f;
@@ -48,7 +48,7 @@ TEST(EdgeTestScene, TheSeamsOfEdgesThatAreAloneTakeSpeed)
     EXPECT_EQ(rows[1].second, "0.00 m/s");
 }
 
-TEST(EdgeShapesScene, TheHillsCarryWhatFalls)
+TEST(EdgeShapesScene, CarriesFallingBodiesOnHills)
 {
     const auto scene = Make("Edge Shapes");
     Play(*scene, 10.0f);
@@ -63,7 +63,7 @@ TEST(EdgeShapesScene, TheHillsCarryWhatFalls)
     EXPECT_EQ(Movers(*scene).size(), 31u);
 }
 
-TEST(PolygonShapesScene, TheProbeFindsWhatOverlapsIt)
+TEST(PolygonShapesScene, FindsBodiesThatOverlapProbe)
 {
     const auto scene = Make("Polygon Shapes");
     EXPECT_EQ(scene->Describe().front().second, "0");
@@ -82,7 +82,7 @@ TEST(PolygonShapesScene, TheProbeFindsWhatOverlapsIt)
     EXPECT_GE(inside, 3);
 }
 
-TEST(CompoundShapesScene, TheBowlOnTheTableKeepsItsBall)
+TEST(CompoundShapesScene, KeepsBallInBowlOnTable)
 {
     const auto scene = Make("Compound Shapes");
     const std::vector<b2Body*> bodies = Movers(*scene);
@@ -98,7 +98,7 @@ TEST(CompoundShapesScene, TheBowlOnTheTableKeepsItsBall)
     }
 }
 
-TEST(ShapeEditingScene, TheLoadTipsItAndItRightsItselfWithout)
+TEST(ShapeEditingScene, TipsWithLoadAndRightsItselfWithout)
 {
     const auto scene = Make("Shape Editing");
     const b2Body* toy = Movers(*scene).front();
@@ -115,7 +115,7 @@ TEST(ShapeEditingScene, TheLoadTipsItAndItRightsItselfWithout)
     EXPECT_NEAR(toy->GetAngle(), 0.0f, 0.1f);
 }
 
-TEST(ShapeEditingScene, ASensorStillWeighs)
+TEST(ShapeEditingScene, KeepsMassWhenShapeBecomesSensor)
 {
     const auto scene = Make("Shape Editing");
     scene->KeyDown('c');
@@ -125,7 +125,7 @@ TEST(ShapeEditingScene, ASensorStillWeighs)
     EXPECT_EQ(Movers(*scene).front()->GetMass(), mass);
 }
 
-TEST(CharacterCollisionScene, NoCharacterStumblesOverASeam)
+TEST(CharacterCollisionScene, MovesCharactersEvenlyOverSeams)
 {
     const auto scene = Make("Character Collision");
     const std::vector<b2Body*> characters = Movers(*scene);

@@ -45,26 +45,26 @@ bool AllSleep(Scene& scene)
     return std::ranges::none_of(Movers(scene), [](const b2Body* body) { return body->IsAwake(); });
 }
 
-class Stands : public testing::TestWithParam<const char*>
+class StableScene : public testing::TestWithParam<const char*>
 {};
 
 // The pieces of some have skins, and get up by 1 or 2 cm each.
-TEST_P(Stands, ForTenSeconds)
+TEST_P(StableScene, StandsForTenSeconds)
 {
     EXPECT_LT(FarthestWay(GetParam(), 10.0f), 0.2f);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Stands,
+INSTANTIATE_TEST_SUITE_P(Scenes, StableScene,
                          testing::Values("Card House", "Circle Stack", "Many Pyramids",
                                          "High Mass Ratio 1", "High Mass Ratio 2",
                                          "High Mass Ratio 3", "Heavy 1"));
 
-TEST(StackingScenes, CardHouseMovesLessThanCardThickness)
+TEST(CardHouseScene, MovesLessThanCardThickness)
 {
     EXPECT_LT(FarthestWay("Card House", 10.0f), 0.04f);
 }
 
-TEST(StackingScenes, TheLargePyramidSleepsAfterTwoSeconds)
+TEST(LargePyramidScene, SleepsAfterTwoSeconds)
 {
     const std::unique_ptr<Scene> scene = Make("Large Pyramid");
     EXPECT_EQ(Movers(*scene).size(), 1275u);
@@ -75,7 +75,7 @@ TEST(StackingScenes, TheLargePyramidSleepsAfterTwoSeconds)
     EXPECT_NEAR(top->GetPosition().y, start, 1.0f);
 }
 
-TEST(StackingScenes, ManyPyramidsComeToRestEachByItself)
+TEST(ManyPyramidsScene, SleepsAndWakesPyramidsSeparately)
 {
     const std::unique_ptr<Scene> scene = Make("Many Pyramids");
     EXPECT_EQ(Movers(*scene).size(), 24u * 36u);
@@ -88,7 +88,7 @@ TEST(StackingScenes, ManyPyramidsComeToRestEachByItself)
     EXPECT_LE(awake, 36);
 }
 
-TEST(StackingScenes, TheArchCarriesItsLoad)
+TEST(ArchScene, CarriesItsLoad)
 {
     const std::unique_ptr<Scene> scene = Make("Arch");
     const std::vector<b2Body*> movers = Movers(*scene);
@@ -101,7 +101,7 @@ TEST(StackingScenes, TheArchCarriesItsLoad)
     EXPECT_LT(std::abs(lastLoad->GetPosition().x), 0.2f);
 }
 
-TEST(StackingScenes, BothRowsOfTheDoubleDominoFallInOrder)
+TEST(DoubleDominoScene, FallsInOrderInBothRows)
 {
     const std::unique_ptr<Scene> scene = Make("Double Domino");
     const std::vector<b2Body*> dominoes = Movers(*scene);
@@ -122,7 +122,7 @@ TEST(StackingScenes, BothRowsOfTheDoubleDominoFallInOrder)
     }
 }
 
-TEST(StackingScenes, TheHeavyBallOfHeavyTwoIsCarriedByTheLightOnes)
+TEST(HeavyTwoScene, CarriesHeavyBallOnLightOnes)
 {
     const std::unique_ptr<Scene> scene = Make("Heavy 2");
     const b2Body* heavy = Movers(*scene).back();
@@ -132,7 +132,7 @@ TEST(StackingScenes, TheHeavyBallOfHeavyTwoIsCarriedByTheLightOnes)
     EXPECT_LT(FastestMover(*scene), 0.1f);
 }
 
-TEST(StackingScenes, HeavyBallDoesNotSinkIntoLightOne)
+TEST(HeavyOneScene, KeepsHeavyBallOnLightOne)
 {
     const std::unique_ptr<Scene> scene = Make("Heavy 1");
     Play(*scene, 5.0f);
@@ -141,7 +141,7 @@ TEST(StackingScenes, HeavyBallDoesNotSinkIntoLightOne)
     EXPECT_GT(balls[1]->GetPosition().y - balls[0]->GetPosition().y, 5.49f);
 }
 
-TEST(StackingScenes, AFarPyramidStandsUntilTheBallComes)
+TEST(FarPyramidScene, StandsUntilTheBallComes)
 {
     const std::unique_ptr<Scene> scene = Make("Far Pyramid");
     const std::vector<b2Body*> movers = Movers(*scene);
@@ -153,7 +153,7 @@ TEST(StackingScenes, AFarPyramidStandsUntilTheBallComes)
     EXPECT_GT(before, 10000.0f - 10.0f) << "the ball rolls on, slow as it is";
 }
 
-TEST(StackingScenes, TheSmashKeepsItsMomentumAndLeavesNoWall)
+TEST(SmashScene, KeepsMomentumAndBreaksTheWall)
 {
     const std::unique_ptr<Scene> scene = Make("Smash");
     const auto momentum = [&] {
@@ -173,7 +173,7 @@ TEST(StackingScenes, TheSmashKeepsItsMomentumAndLeavesNoWall)
     EXPECT_GT(moved, 500);
 }
 
-TEST(StackingScenes, OverlapsAreRecoveredWithoutAJump)
+TEST(OverlapRecoveryScene, RecoversWithoutAJump)
 {
     const std::unique_ptr<Scene> scene = Make("Overlap Recovery");
     float32 fastest = 0.0f;
@@ -188,7 +188,7 @@ TEST(StackingScenes, OverlapsAreRecoveredWithoutAJump)
     EXPECT_LT(highest, 5.7f);
 }
 
-TEST(StackingScenes, TheRainFallsThroughThePegsAndStaysInTheBasin)
+TEST(RainScene, FallsThroughPegsAndStaysInBasin)
 {
     const std::unique_ptr<Scene> scene = Make("Rain");
     EXPECT_TRUE(Movers(*scene).empty());

@@ -62,13 +62,13 @@ std::string Played(const std::string& lines, std::int64_t steps, std::int64_t fr
     return scene.notes;
 }
 
-TEST(ScriptInput, ReachesTheSceneBeforeTheStepThatBeginsThen)
+TEST(ScriptInput, ReachesTheSceneBeforeItsStep)
 {
     EXPECT_EQ(Played("at 0.2s press d\nat step 3 release d\nat 0.1s tap s\n", 5),
               "|+s -s |+d |-d ||");
 }
 
-TEST(ScriptInput, OfOneStepComesInTheOrderOfTheLines)
+TEST(ScriptInput, AppliesOneStepInOrderOfLines)
 {
     EXPECT_EQ(Played("at 0s press d\nat 0s release d\nat 0s press s\n", 1), "+d -d +s |");
 }
@@ -84,7 +84,7 @@ TEST(ScriptInput, MovesAtOnceAndShiftsTheOrigin)
     EXPECT_EQ(Played("at 0s move 3,4\nat 0s shift 5,6\n", 1), "move 3,4 shift 5,6 |");
 }
 
-TEST(ScriptInput, IsTheSameFromTheMiddleOn)
+TEST(ScriptInput, IsTheSameWhenStartedInTheMiddle)
 {
     const std::string lines = "at 0s grab 1,2\nat step 1 to step 5 drag 9,0\nat step 5 drop\n";
     EXPECT_EQ(Played(lines, 6, 3), "move 7,0.5 |move 9,0 |up 9,0 |");
@@ -104,7 +104,7 @@ TEST(ScriptInput, ThrowsBombs)
     EXPECT_EQ(scene.World().GetBodyList()->GetLinearVelocity(), b2Vec2(5.0f, 6.0f));
 }
 
-TEST(ScriptInput, SaysWhichLineCannotBeDone)
+TEST(ScriptInput, NamesLineAndCulpritOfInvalidInput)
 {
     const Listening scene;
     const std::pair<const char*, const char*> cases[] = {

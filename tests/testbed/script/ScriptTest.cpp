@@ -34,13 +34,13 @@ TEST(ScriptWords, AreBetweenBlanksOrInQuotesUpToAComment)
     EXPECT_FALSE(WordsOf("scene \"dominos"));
 }
 
-TEST(ScriptWords, ComeBackFromTheirLine)
+TEST(ScriptWords, AreReadBackFromTheirLine)
 {
     const std::vector<std::string> words{"shot", "a b.png", "", "#3", "plain"};
     EXPECT_EQ(*WordsOf(LineOf(words)), words);
 }
 
-TEST(Script, NamesASceneItsOptionsAndWhatIsDoneWhen)
+TEST(Script, ReadsSceneOptionsAndTimedActions)
 {
     const Script script = Parsed("# drives\n"
                                  "scene car --seed 3\n"
@@ -100,7 +100,7 @@ TEST(Script, MovesTheCameraFromLineToLine)
                 ElementsAre("--camera", "path:0.000000000s=0,5,20;1.500000000s=9,5,10"));
 }
 
-TEST(Script, SaysInWhichLineWhatIsWrongAndWhatHelps)
+TEST(Script, NamesLineAndCulpritOfErrors)
 {
     const std::pair<const char*, const char*> cases[] = {
         {"", "a.play"},
@@ -138,7 +138,7 @@ TEST(Script, SaysInWhichLineWhatIsWrongAndWhatHelps)
     }
 }
 
-TEST(Script, AnyBytesAreReadOrRefused)
+TEST(Script, ReadsOrRefusesAnyBytes)
 {
     std::uint32_t state = 1;
     const std::string letters = "scene at 1s to press,\"#\n\t-.9drag record\\\xff";

@@ -13,7 +13,7 @@ namespace boxreel
 namespace
 {
 
-TEST(Condition, RefusesWhatIsNoCondition)
+TEST(Condition, RefusesInvalidText)
 {
     for (const std::string text :
          {"", "17.y", "17.y = 3", "17.y ! 3", "17.y < low", "17.y <", "17.y < 1 2", "17.y < nan",
@@ -26,7 +26,7 @@ TEST(Condition, RefusesWhatIsNoCondition)
     }
 }
 
-TEST(Condition, SpacesDoNotMatterAndTheTextIsKept)
+TEST(Condition, IgnoresSpacesAndKeepsText)
 {
     for (const char* text : {"time>=2", " time >= 2 ", "time\t>=2"})
     {
@@ -41,10 +41,10 @@ TEST(Condition, SpacesDoNotMatterAndTheTextIsKept)
 }
 
 /// Bodies 0 (static), 1 at (2, -3) and 2 at (5, 7), the latter called "ball".
-class ConditionOf : public testing::Test
+class ConditionInWorld : public testing::Test
 {
 protected:
-    ConditionOf()
+    ConditionInWorld()
     {
         b2BodyDef definition;
         m_world.CreateBody(&definition);
@@ -70,7 +70,7 @@ protected:
     b2Body* m_ball = nullptr;
 };
 
-TEST_F(ConditionOf, EachQuantityOfABodyIsItsOwn)
+TEST_F(ConditionInWorld, ReadsEachQuantityOfABody)
 {
     const std::pair<const char*, double> values[] = {
         {"1.x", 2.0},   {"1.y", -3.0},    {"1.angle", 0.5}, {"1.vx", 3.0},
@@ -87,7 +87,7 @@ TEST_F(ConditionOf, EachQuantityOfABodyIsItsOwn)
     }
 }
 
-TEST_F(ConditionOf, EachQuantityOfTheWorldIsItsOwn)
+TEST_F(ConditionInWorld, ReadsEachQuantityOfTheWorld)
 {
     EXPECT_TRUE(Holds("bodies == 3"));
     EXPECT_TRUE(Holds("contacts == 0"));
@@ -97,7 +97,7 @@ TEST_F(ConditionOf, EachQuantityOfTheWorldIsItsOwn)
     EXPECT_TRUE(Holds("time == 2.5", 2.5));
 }
 
-TEST_F(ConditionOf, ContactsAreThoseThatTouch)
+TEST_F(ConditionInWorld, CountsOnlyTouchingContacts)
 {
     b2CircleShape circle;
     circle.m_radius = 1.0f;
@@ -111,7 +111,7 @@ TEST_F(ConditionOf, ContactsAreThoseThatTouch)
     EXPECT_TRUE(Holds("contacts == 1"));
 }
 
-TEST_F(ConditionOf, AnyAndAllSpeakOfWhatCanMove)
+TEST_F(ConditionInWorld, AppliesAnyAndAllToMovableBodies)
 {
     EXPECT_TRUE(Holds("any.y > 6"));
     EXPECT_FALSE(Holds("all.y > 6"));
@@ -121,14 +121,14 @@ TEST_F(ConditionOf, AnyAndAllSpeakOfWhatCanMove)
     EXPECT_TRUE(Holds("all.x > 1")) << "that is not the static one";
 }
 
-TEST_F(ConditionOf, AllDoesNotHoldWithoutBodies)
+TEST_F(ConditionInWorld, DoesNotHoldForAllWithoutBodies)
 {
     b2World empty(b2Vec2(0.0f, 0.0f));
     const Condition condition = *Condition::Parse("--until", "all.speed < 1");
     EXPECT_FALSE(condition.Holds(empty, {}, 0.0));
 }
 
-TEST_F(ConditionOf, ABodyGoesByItsNumberOrName)
+TEST_F(ConditionInWorld, FindsBodyByNumberOrName)
 {
     EXPECT_TRUE(Holds("ball.y == 7"));
     EXPECT_TRUE(Holds("2.y == 7"));
@@ -136,7 +136,7 @@ TEST_F(ConditionOf, ABodyGoesByItsNumberOrName)
     EXPECT_TRUE(Holds("v 1.5.y == 0")) << "a name may have a dot";
 }
 
-TEST_F(ConditionOf, MissingBodyMeetsNoCondition)
+TEST_F(ConditionInWorld, DoesNotHoldForMissingBody)
 {
     for (const char* text : {"99.y < 3", "99.y >= 3", "99.y != 3", "bell.y != 3"})
     {
@@ -144,7 +144,7 @@ TEST_F(ConditionOf, MissingBodyMeetsNoCondition)
     }
 }
 
-TEST_F(ConditionOf, NanMeetsNoCondition)
+TEST_F(ConditionInWorld, DoesNotHoldForNan)
 {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     for (const char* sign : {"<", "<=", ">", ">=", "==", "!="})

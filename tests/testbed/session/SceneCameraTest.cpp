@@ -64,7 +64,7 @@ struct SceneCameraFixture : testing::Test
 
 using SceneCameraTest = SceneCameraFixture;
 
-TEST_F(SceneCameraTest, FollowsTheBodyOfThatNumber)
+TEST_F(SceneCameraTest, FollowsTheBodyOfGivenNumber)
 {
     Add(-30.0f, 0.0f, 1.0f);
     b2Body* runner = Add(5.0f, 7.0f, 1.0f);
@@ -101,7 +101,7 @@ TEST_F(SceneCameraTest, FollowsAtAHeightThatSuitsTheBodiesByDefault)
     EXPECT_FALSE(Shows(camera.View(), *large, 31.0f));
 }
 
-TEST_F(SceneCameraTest, ATwitchOfTwoCentimetresMovesNoPixel)
+TEST_F(SceneCameraTest, IgnoresTwitchOfTwoCentimetres)
 {
     b2Body* body = Add(3.0f, 4.0f, 0.5f);
     for (const ViewChoice& choice :
@@ -120,7 +120,7 @@ TEST_F(SceneCameraTest, ATwitchOfTwoCentimetresMovesNoPixel)
     }
 }
 
-TEST_F(SceneCameraTest, AFittedBodyStaysInViewHoweverFarItGoes)
+TEST_F(SceneCameraTest, KeepsFittedBodiesInViewHoweverFarTheyGo)
 {
     Add(0.0f, 0.0f, 100.0f, b2_staticBody);
     b2Body* left = Add(-3.0f, 200.0f, 1.0f);
@@ -170,7 +170,7 @@ TEST_F(SceneCameraTest, FitsWhatIsDrawnBesideBodies)
     }
 }
 
-TEST_F(SceneCameraTest, TheWholeWorldIsTheStaticSurroundingsToo)
+TEST_F(SceneCameraTest, ShowsStaticBodiesWhenWholeWorldIsFitted)
 {
     b2Body* ground = Add(0.0f, -300.0f, 250.0f, b2_staticBody);
     b2Body* ball = Add(0.0f, 5.0f, 1.0f);
@@ -180,7 +180,7 @@ TEST_F(SceneCameraTest, TheWholeWorldIsTheStaticSurroundingsToo)
     EXPECT_TRUE(Shows(camera.View(), *ball, 1.0f));
 }
 
-TEST_F(SceneCameraTest, APathIsTakenBySimulatedTime)
+TEST_F(SceneCameraTest, FollowsPathBySimulatedTime)
 {
     const PathView path{{{1.0, 0.0, 0.0, 50.0}, {3.0, 10.0, 0.0, 50.0}}};
     SceneCamera camera = Camera(path);
@@ -201,7 +201,7 @@ TEST_F(SceneCameraTest, RefusesUnknownBody)
     EXPECT_EQ(Refusal(FitBodiesView{{0, 2}}), "--camera 2");
 }
 
-TEST_F(SceneCameraTest, ABodyThatComesLaterIsShownFromThenOn)
+TEST_F(SceneCameraTest, ShowsLaterBodyOnceItExists)
 {
     Add(0.0f, 0.0f, 1.0f);
     const SceneCamera all = Camera(FitView{});
@@ -222,7 +222,7 @@ TEST_F(SceneCameraTest, ABodyThatComesLaterIsShownFromThenOn)
     EXPECT_EQ(camera->View().pixelsPerMeter, 60.0);
 }
 
-TEST_F(SceneCameraTest, ABodyThatIsDestroyedLeavesTheViewToTheOthers)
+TEST_F(SceneCameraTest, ShowsTheOthersWhenABodyIsDestroyed)
 {
     b2Body* gone = Add(0.0f, 0.0f, 1.0f);
     Add(20.0f, 0.0f, 1.0f);

@@ -8,7 +8,7 @@ namespace boxreel
 namespace
 {
 
-TEST(SceneLabels, ANumberStaysWithItsBodyWhenOthersGo)
+TEST(SceneLabels, KeepNumberOfBodyWhenOthersAreDestroyed)
 {
     b2World world(b2Vec2(0.0f, -10.0f));
     const b2BodyDef definition;

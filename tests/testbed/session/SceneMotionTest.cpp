@@ -62,7 +62,7 @@ std::vector<Vec2> PointsOf(const DrawList& list, std::uint32_t owner)
     return points;
 }
 
-TEST(SceneMotion, AddsNothingUnasked)
+TEST(SceneMotion, AddsNothingByDefault)
 {
     SceneSession session = Open("bridge");
     Result<SceneMotion> motion = SceneMotion::Create({}, session, {20});
@@ -74,7 +74,7 @@ TEST(SceneMotion, AddsNothingUnasked)
     EXPECT_EQ(motion->Picture(session, scene), scene);
 }
 
-TEST(SceneMotion, ATrailGoesThroughThePlacesOfItsBody)
+TEST(SceneMotion, DrawsTrailThroughPlacesOfBody)
 {
     MotionLook look;
     look.trail = BodyChoice{false, {1}};
@@ -113,7 +113,7 @@ TEST(SceneMotion, ATrailGoesThroughThePlacesOfItsBody)
     }
 }
 
-TEST(SceneMotion, ATrailOfSomeSecondsBeginsThatLongAgo)
+TEST(SceneMotion, BeginsTrailAtGivenTimeAgo)
 {
     MotionLook look;
     look.trail = BodyChoice{false, {1}};
@@ -126,7 +126,7 @@ TEST(SceneMotion, ATrailOfSomeSecondsBeginsThatLongAgo)
     EXPECT_NEAR(trail.points.front().x, start.x, 1.0 / session.CurrentCamera().pixelsPerMeter);
 }
 
-TEST(SceneMotion, AStroboscopeHasThePoseOfEachMoment)
+TEST(SceneMotion, DrawsPoseOfEachStrobeMoment)
 {
     MotionLook look;
     look.strobe = StrobeChoice{{{}, 10}, {false, {1}}};
@@ -150,7 +150,7 @@ TEST(SceneMotion, AStroboscopeHasThePoseOfEachMoment)
     }
 }
 
-TEST(SceneMotion, AnOnionSkinFadesIntoThePast)
+TEST(SceneMotion, FadesOlderOnionPoses)
 {
     MotionLook look;
     look.onion = OnionChoice{3, {{}, 5}, {false, {1}}};
@@ -167,7 +167,7 @@ TEST(SceneMotion, AnOnionSkinFadesIntoThePast)
     EXPECT_TRUE(Added("newtons-cradle", look, 0).items.empty()) << "nothing was before";
 }
 
-TEST(SceneMotion, WhatStandsStillIsDrawnOnce)
+TEST(SceneMotion, DrawsNoPosesOfBodiesAtRest)
 {
     MotionLook look;
     look.strobe = StrobeChoice{{{}, 10}, {}};
@@ -198,7 +198,7 @@ Vec2 TextAt(const DrawList& list)
     return list.points.at(text->first);
 }
 
-TEST(SceneMotion, TheTextOfADimensionKeepsClearOfLaterDimensions)
+TEST(SceneMotion, PlacesDimensionTextClearOfLaterDimensions)
 {
     SceneSession session = Open("newtons-cradle");
     const float x = float(30.0 / session.CurrentCamera().pixelsPerMeter); // of its line: 0
@@ -237,7 +237,7 @@ TEST(SceneMotion, PlacesDimensionTextClearOfTrailAndPoses)
     EXPECT_FALSE(TextAt(Added("newtons-cradle", look, 45)) == overPose);
 }
 
-TEST(SceneMotion, LabelsKeepClearOfNotes)
+TEST(SceneMotion, PlacesLabelsClearOfNotes)
 {
     Result<SceneSource> source = OpenScene("bridge");
     ASSERT_TRUE(source);
@@ -283,7 +283,7 @@ TEST(SceneMotion, LabelsKeepClearOfNotes)
     }
 }
 
-TEST(SceneMotion, BodiesThatAreNotThereAreRefused)
+TEST(SceneMotion, RefusesMissingBodies)
 {
     MotionLook trail;
     trail.trail = BodyChoice{false, {1, 99}};
@@ -299,7 +299,7 @@ TEST(SceneMotion, BodiesThatAreNotThereAreRefused)
     EXPECT_EQ(Refusal(dimension), "--dimension 7");
 }
 
-TEST(SceneMotion, MorePosesThanAnybodyCanSeeAreRefused)
+TEST(SceneMotion, RefusesTooManyPoses)
 {
     MotionLook look;
     look.strobe = StrobeChoice{{{}, 1}, {}};

@@ -42,7 +42,7 @@ TEST(SceneSearch, FindsEverySceneByItsNameAndByItsSlug)
     }
 }
 
-TEST(SceneSearch, SlugsAreNamesForFiles)
+TEST(SceneSearch, MakesSlugsForFileNames)
 {
     EXPECT_EQ(SceneSlug("Newton's Cradle"), "newtons-cradle");
     EXPECT_EQ(SceneSlug("Vertical Stack"), "vertical-stack");
@@ -51,7 +51,7 @@ TEST(SceneSearch, SlugsAreNamesForFiles)
     EXPECT_EQ(SceneSlug(" Ball & Chain! "), "ball-chain");
 }
 
-TEST(SceneSearch, AnUnknownNameSuggestsTheNearest)
+TEST(SceneSearch, SuggestsNearestForUnknownName)
 {
     const Result<const SceneEntry*> found = FindScene("pyrmid");
     ASSERT_FALSE(found);
@@ -60,7 +60,7 @@ TEST(SceneSearch, AnUnknownNameSuggestsTheNearest)
     EXPECT_THAT(found.GetError().remedy, HasSubstr("pyramid"));
 }
 
-TEST(SceneSearch, ANameLikeNoOtherSuggestsTheListOnly)
+TEST(SceneSearch, SuggestsListForNameLikeNoOther)
 {
     for (const char* name : {"xylophone", "", "--", "\xff\xfe"})
     {
@@ -77,7 +77,7 @@ TEST(SceneSearch, ReportsMissingFile)
     EXPECT_THAT(source, Refuses("no-such-file.json"));
 }
 
-TEST(SceneSearch, AnExistingFileOfAnyNameIsReadAsAScene)
+TEST(SceneSearch, ReadsExistingFileOfAnyNameAsScene)
 {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "foreign.rube";

@@ -69,7 +69,7 @@ TEST(SceneSession, ShowsExactStepAfterInterpolation)
     }
 }
 
-TEST(SceneSession, GoesOnInTheSameWayWhenMomentsBetweenWereShown)
+TEST(SceneSession, ContinuesEquallyAfterInterpolation)
 {
     SceneSession steps = Open("pyramid");
     SceneSession between = Open("pyramid");

@@ -116,7 +116,7 @@ TEST(ScriptedPanels, OpenAnotherSceneByThePickerAndByTheTree)
     EXPECT_EQ(left.SceneStep(), 7);
 }
 
-TEST(ScriptedPanels, SayWhichControlIsNotThere)
+TEST(ScriptedPanels, NameMissingControl)
 {
     const SceneSession session = Played("at step 1 click Solver/Slep\n", 3);
     EXPECT_THAT(session.CheckCompanion(), RefusesWith("a.play:2: 'Solver/Slep'", "'Solver/Sleep'"));
@@ -139,7 +139,7 @@ TEST(ScriptedPanels, OpenSectionsAndScrollToWhatIsOutOfSight)
     EXPECT_FALSE(session->World().GetAllowSleeping());
 }
 
-TEST(ScriptedPanels, HidesPanelsOpenedOnlyForScript)
+TEST(ScriptedPanels, AreHiddenWhenOpenedOnlyForScript)
 {
     SceneSession clicked = Played("at step 3 click Run/Bomb\n", 5, false);
     FrameContent content;
@@ -150,7 +150,7 @@ TEST(ScriptedPanels, HidesPanelsOpenedOnlyForScript)
     EXPECT_EQ(StateHashText(clicked.World()), StateHashText(bombed.World()));
 }
 
-TEST(ScriptedPanels, LookTheSameHoweverManyPicturesThereWere)
+TEST(ScriptedPanels, LookTheSameForAnyNumberOfPictures)
 {
     const std::string lines = "at step 1 click \"Draw/Contact points\"\nat step 2 hit ctrl+o\n"
                               "at step 3 type arc\n";
@@ -199,7 +199,7 @@ TEST(Panels, KeepLayersApartAndInTheColumnAtEachScale)
     }
 }
 
-TEST(Panels, CallEveryControlByANameOfItsOwn)
+TEST(Panels, GiveEachControlItsOwnName)
 {
     Result<Panels> panels = Panels::Create(1280, 4000, 1.0);
     ASSERT_TRUE(panels);
@@ -215,7 +215,7 @@ TEST(Panels, CallEveryControlByANameOfItsOwn)
     EXPECT_THAT(names, Contains("Draw/Theme"));
 }
 
-TEST(ScriptWriter, WritesWhatIsReadAgain)
+TEST(ScriptWriter, WritesScriptThatIsReadBack)
 {
     const std::string text = "scene \"Newton's Cradle\" --size 640x360\n"
                              "at 0.000000000s camera 0,5,20\n"
@@ -242,7 +242,7 @@ TEST(ScriptWriter, WritesWhatIsReadAgain)
     EXPECT_EQ(WriteScript(*script), text);
 }
 
-TEST(Script, NamesWhatIsWrongWithSettingsAndPanels)
+TEST(Script, NamesCulpritOfInvalidSettingsAndPanels)
 {
     for (const auto& [line, culprit, detail] : {std::tuple("set slep off", "'slep'", "'sleep'"),
                                                 {"set sleep maybe", "sleep maybe", "on or off"},
@@ -257,7 +257,7 @@ TEST(Script, NamesWhatIsWrongWithSettingsAndPanels)
     }
 }
 
-TEST(Script, ChangesSettingsThatGoOnFromAStateThatWasKept)
+TEST(Script, KeepsChangedSettingsInSavedState)
 {
     const std::string lines = "at step 2 set velocity-iterations 3\nat step 2 set sleep off\n";
     SceneSession session = Played(lines, 5, false);

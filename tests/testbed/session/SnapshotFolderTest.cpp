@@ -21,7 +21,7 @@ namespace boxreel
 namespace
 {
 
-TEST(SnapshotFolder, HasFewFilesOfALongFilmAndNoneIsFar)
+TEST(SnapshotFolder, HasFewSnapshotsWithoutLargeGaps)
 {
     int count = 0;
     std::int64_t last = 0;
@@ -93,7 +93,7 @@ SceneSession Open(const SceneEntry& entry, const ViewChoice& view)
 class StateOfSession : public testing::TestWithParam<SceneCase>
 {};
 
-TEST_P(StateOfSession, GoesOnToTheSamePicturesWithEveryCamera)
+TEST_P(StateOfSession, ContinuesWithEqualPicturesForEveryCamera)
 {
     for (const ViewChoice& view : kViews)
     {
@@ -145,7 +145,7 @@ TEST(SceneSessionState, RefusesStateOfOtherSceneOrCamera)
     EXPECT_TRUE(session.SaveState() == before);
 }
 
-TEST(SceneSessionState, OriginsDifferWhereStatesWould)
+TEST(SceneSessionState, HasDifferentOriginForEachSceneAndView)
 {
     std::vector<std::string> origins;
     for (const SceneEntry& entry : AllScenes())

@@ -31,13 +31,13 @@ TEST(Fuzzy, FindsNamesByTheBeginningsOfTheirWords)
                 ElementsAre("SphereStack", "Sensor Test"));
 }
 
-TEST(Fuzzy, PutsLettersInARowAndShorterNamesFirst)
+TEST(Fuzzy, PrefersAdjacentLettersAndShorterNames)
 {
     EXPECT_THAT(Found("pyr", {"Apply Force", "Far Pyramid", "Pyramid"}),
                 ElementsAre("Pyramid", "Far Pyramid", "Apply Force"));
 }
 
-TEST(Fuzzy, OverlooksCaseBlanksAndPunctuation)
+TEST(Fuzzy, IgnoresCaseBlanksAndPunctuation)
 {
     EXPECT_THAT(Found("NEWTONS-c", {"Newton's Cradle", "Car"}), ElementsAre("Newton's Cradle"));
 }
@@ -49,12 +49,12 @@ TEST(Fuzzy, FindsNothingWhenALetterIsMissingOrInAnotherPlace)
     EXPECT_FALSE(MatchFuzzily("a", ""));
 }
 
-TEST(Fuzzy, FindsEverythingInItsOrderForNoLetters)
+TEST(Fuzzy, KeepsOrderOfAllNamesWithoutLetters)
 {
     EXPECT_THAT(Found(" -", {"Web", "Arch"}), ElementsAre("Web", "Arch"));
 }
 
-TEST(Fuzzy, SaysWhichLettersWereMeant)
+TEST(Fuzzy, ReportsMatchedLetters)
 {
     EXPECT_THAT(MatchFuzzily("cb", "Conveyor Belt")->letters, ElementsAre(0u, 9u));
     EXPECT_THAT(MatchFuzzily("conbe", "Conveyor Belt")->letters, ElementsAre(0u, 1u, 2u, 9u, 10u));

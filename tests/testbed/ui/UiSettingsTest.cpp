@@ -23,14 +23,14 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(UiSettingsTest, AreThoseOfANewUserWhereThereIsNoFile)
+TEST_F(UiSettingsTest, AreTheDefaultsWithoutFile)
 {
     const Result<UiSettings> settings = ReadUiSettings(File());
     ASSERT_TRUE(settings);
     EXPECT_EQ(*settings, UiSettings());
 }
 
-TEST_F(UiSettingsTest, ComeBackAsTheyWere)
+TEST_F(UiSettingsTest, AreReadAsTheyWereWritten)
 {
     UiSettings settings;
     settings.width = 1600;
@@ -84,7 +84,7 @@ TEST_F(UiSettingsTest, AreRefusedWithoutValidJson)
     EXPECT_FALSE(ReadUiSettings(folder.Path()));
 }
 
-TEST_F(UiSettingsTest, SayWhenTheyCannotBeKept)
+TEST_F(UiSettingsTest, ReportFileThatCannotBeWritten)
 {
     Write("");
     const Result<void> written = WriteUiSettings(File() / "ui.json", UiSettings());

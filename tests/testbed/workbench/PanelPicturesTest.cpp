@@ -44,7 +44,7 @@ PanelFacts FactsAt(std::int64_t step)
     return facts;
 }
 
-TEST(PanelPictures, OfAWindowShowItsFilesItsTimesAndItsKeys)
+TEST(PanelPictures, ShowFilesTimesAndKeysOfAWindow)
 {
     Result<Panels> panels = Panels::Create(kWidth, kHeight, 1.0);
     ASSERT_TRUE(panels) << panels.GetError().Text();

@@ -172,7 +172,7 @@ TEST_F(WorkbenchTest, PullsTheBodyThatLiesUnderTheMouse)
         << "it has not let go";
 }
 
-TEST_F(WorkbenchTest, SteersAScenesKeysAndLetsThemGoWithTheFocus)
+TEST_F(WorkbenchTest, SendsKeysToSceneAndReleasesThemWithFocus)
 {
     Open("car");
     Press(KeyOf('d'));
@@ -216,7 +216,7 @@ TEST_F(WorkbenchTest, ZoomsAboutTheMouse)
     EXPECT_NEAR(Height(), height, 1e-6 * height);
 }
 
-TEST_F(WorkbenchTest, PansByTheWayOfTheMouse)
+TEST_F(WorkbenchTest, PansByDisplacementOfMouse)
 {
     Open("bridge");
     const Vec2 before = PixelOf(b2Vec2(1.0f, 2.0f));
@@ -228,7 +228,7 @@ TEST_F(WorkbenchTest, PansByTheWayOfTheMouse)
     EXPECT_GT(PixelOf(b2Vec2(1.0f, 2.0f)).x, after.x);
 }
 
-TEST_F(WorkbenchTest, ShiftsTheOriginUnderAPictureThatStays)
+TEST_F(WorkbenchTest, ShiftsOriginWithoutMovingThePicture)
 {
     Open("bridge");
     const b2Body* const body = bench->Session().World().GetBodyList();
@@ -348,7 +348,7 @@ TEST_F(WorkbenchTest, RestartsTheSceneAtAnotherRate)
     EXPECT_EQ(bench->Session().StepsPerSecond().ToDouble(), 61.0);
 }
 
-TEST_F(WorkbenchTest, FilmsWhatFollowsAFrameAStep)
+TEST_F(WorkbenchTest, RecordsOneFrameForEachStep)
 {
     Open("bridge");
     Steps(2);
@@ -379,7 +379,7 @@ TEST_F(WorkbenchTest, WritesFiguresUnderNamesThatAreFree)
     EXPECT_THAT(bench->Message(), HasSubstr("bridge-2.svg"));
 }
 
-TEST_F(WorkbenchTest, SaysInOneSentenceWhyNothingCanBeWritten)
+TEST_F(WorkbenchTest, ReportsFolderThatCannotBeWritten)
 {
     WorkbenchSettings settings;
     settings.look.width = kWidth;
@@ -397,7 +397,7 @@ TEST_F(WorkbenchTest, SaysInOneSentenceWhyNothingCanBeWritten)
 }
 
 /// Anything at all, in any order.
-class WildSession : public WorkbenchTest, public testing::WithParamInterface<unsigned>
+class RandomSession : public WorkbenchTest, public testing::WithParamInterface<unsigned>
 {
 protected:
     void DoSomething(std::mt19937& random)
@@ -465,7 +465,7 @@ protected:
     }
 };
 
-TEST_P(WildSession, IsDoneAgainToTheLastBitByTheScriptItWrites)
+TEST_P(RandomSession, IsRepeatedBitForBitByItsScript)
 {
     std::mt19937 random(GetParam());
     Open(GetParam() % 3 == 0 ? "car" : GetParam() % 3 == 1 ? "newtons-cradle" : "bridge");
@@ -485,9 +485,9 @@ TEST_P(WildSession, IsDoneAgainToTheLastBitByTheScriptItWrites)
     EXPECT_EQ(StateAfter(folder / *script, bench->Session().SceneStep()), State());
     EXPECT_THAT(ReadBytes(folder / *script), HasSubstr("expect state " + State()));
 }
-INSTANTIATE_TEST_SUITE_P(Seeds, WildSession, testing::Range(1u, 7u));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomSession, testing::Range(1u, 7u));
 
-TEST(SceneKeys, AreNotThoseThatTheWindowHasForItself)
+TEST(SceneKeys, DoNotUseKeysOfTheWindow)
 {
     for (const SceneEntry& entry : AllScenes())
     {
