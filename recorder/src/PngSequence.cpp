@@ -13,6 +13,7 @@
 #include <deque>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -53,8 +54,8 @@ private:
     Result<void> Flush();
     void Join();
     void Work();
-    Result<std::vector<std::uint8_t>> Encode(const Frame& frame);
-    Result<void> Write(const Job& job);
+    Result<void> Write(const Job& job, PngStream& stream);
+    Result<void> WriteFiles(const Job& job, std::span<const std::uint8_t> bytes);
 
     SequenceName m_name;
     FrameRange m_numbers;
@@ -159,6 +160,7 @@ Result<void> PngSequenceWriter::Flush()
 
 void PngSequenceWriter::Work()
 {
+    PngStream stream;
     std::unique_lock lock(m_mutex);
     while (true)
     {
@@ -171,7 +173,7 @@ void PngSequenceWriter::Work()
         m_jobs.pop_front();
         lock.unlock();
         m_changed.notify_all();
-        const Result<void> done = Write(job);
+        const Result<void> done = Write(job, stream);
         lock.lock();
         m_spare.push_back(std::move(job.frame));
         if (!done && (!m_error || job.first < m_error->first))
@@ -182,17 +184,22 @@ void PngSequenceWriter::Work()
     }
 }
 
-Result<std::vector<std::uint8_t>> PngSequenceWriter::Encode(const Frame& frame)
+Result<void> PngSequenceWriter::Write(const Job& job, PngStream& stream)
 {
-    const StageTimer timer(m_stages, Stage::Encode);
-    std::optional<std::vector<std::uint8_t>> opaque = EncodeOpaquePng(frame);
-    return opaque ? Result<std::vector<std::uint8_t>>(*std::move(opaque))
-                  : EncodePng(frame, kFastest);
+    std::optional<StageTimer> timer(std::in_place, m_stages, Stage::Encode);
+    const std::span<const std::uint8_t> opaque = stream.Encode(job.frame);
+    if (!opaque.empty())
+    {
+        timer.reset();
+        return WriteFiles(job, opaque);
+    }
+    ASSIGN_OR_RETURN(const std::vector<std::uint8_t> bytes, EncodePng(job.frame, kFastest));
+    timer.reset();
+    return WriteFiles(job, bytes);
 }
 
-Result<void> PngSequenceWriter::Write(const Job& job)
+Result<void> PngSequenceWriter::WriteFiles(const Job& job, std::span<const std::uint8_t> bytes)
 {
-    ASSIGN_OR_RETURN(const std::vector<std::uint8_t> bytes, Encode(job.frame));
     const StageTimer timer(m_stages, Stage::Write);
     for (std::int64_t i = 0; i < job.count; ++i)
     {

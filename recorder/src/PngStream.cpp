@@ -9,8 +9,6 @@
 #include <bit>
 #include <cassert>
 #include <cstring>
-#include <memory>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -84,37 +82,7 @@ struct Token
     std::uint16_t distanceOrValue; // the distance - 1, or the byte
 };
 
-// ------------------------------------------------------------------------------------ rows
-
-/// Bytes that are not cleared first.
-struct Rows
-{
-    std::unique_ptr<std::uint8_t[]> bytes;
-    std::size_t size = 0;
-};
-
-/// Returns the rows as RGB, each after a zero for "no filter". Null if a pixel is transparent.
-Rows RowsOf(const Frame& frame)
-{
-    const std::size_t stride = std::size_t(frame.width) * kColors + 1;
-    const std::size_t size = stride * std::size_t(frame.height);
-    Rows rows{std::make_unique_for_overwrite<std::uint8_t[]>(size + 1), size};
-    std::uint8_t opaque = 255;
-    for (int y = 0; y < frame.height; ++y)
-    {
-        const std::uint8_t* from = frame.Pixel(0, y);
-        std::uint8_t* to = rows.bytes.get() + std::size_t(y) * stride;
-        *to++ = 0;
-        for (int x = 0; x < frame.width; ++x, from += 4, to += kColors)
-        {
-            std::memcpy(to, from, 4); // the next pixel overwrites the last byte
-            opaque = std::uint8_t(opaque & from[3]);
-        }
-    }
-    return opaque == 255 ? std::move(rows) : Rows{};
-}
-
-// ------------------------------------------------------------------------------------ matches
+// ------------------------------------------------------------------------------------ words
 
 /// The first byte is the lowest on every processor.
 std::uint64_t Load8(const std::uint8_t* from)
@@ -131,6 +99,52 @@ std::uint64_t Load8(const std::uint8_t* from)
     }
     return word;
 }
+
+void Store8(std::uint64_t word, std::uint8_t* to)
+{
+    if constexpr (std::endian::native == std::endian::little)
+    {
+        std::memcpy(to, &word, sizeof word);
+        return;
+    }
+    for (int i = 0; i < 8; ++i)
+    {
+        to[i] = std::uint8_t(word >> (8 * i));
+    }
+}
+
+// ------------------------------------------------------------------------------------ rows
+
+/// Stores the rows as RGB, each after a zero for "no filter". False if a pixel is transparent.
+bool StoreRows(const Frame& frame, Bytes& rows)
+{
+    constexpr std::size_t overhang = 2; // two pixels have six bytes and are stored as eight
+    constexpr std::uint64_t first = 0x0000000000FFFFFFu, second = 0x0000FFFFFF000000u;
+    const std::size_t width = std::size_t(frame.width), stride = width * kColors + 1;
+    rows.resize(stride * std::size_t(frame.height) + overhang);
+    std::uint64_t opaque = ~std::uint64_t{0};
+    for (int y = 0; y < frame.height; ++y)
+    {
+        const std::uint8_t* from = frame.Pixel(0, y);
+        std::uint8_t* to = rows.data() + std::size_t(y) * stride;
+        *to++ = 0;
+        for (std::size_t x = 0; x + 1 < width; x += 2, from += 8, to += 2 * kColors)
+        {
+            const std::uint64_t pixels = Load8(from);
+            Store8((pixels & first) | (pixels >> 8 & second), to);
+            opaque &= pixels;
+        }
+        if (width % 2 != 0)
+        {
+            std::copy_n(from, kColors, to);
+            opaque &= ~(std::uint64_t(255 - from[3]) << 24);
+        }
+    }
+    rows.resize(rows.size() - overhang);
+    return (opaque & 0xFF000000FF000000u) == 0xFF000000FF000000u;
+}
+
+// ------------------------------------------------------------------------------------ matches
 
 /// Returns how many bytes from `here` to `end` equal those `distance` before them.
 std::size_t MatchLength(const std::uint8_t* here, const std::uint8_t* end, std::size_t distance)
@@ -189,13 +203,12 @@ void TakeLonger(Match& best, std::size_t length, std::size_t distance)
 }
 
 /// Divides the rows into literals and matches. `stride`: bytes of a row.
-std::vector<Token> Divide(const Rows& rows, std::size_t stride)
+void Divide(const Bytes& rows, std::size_t stride, std::vector<Token>& tokens)
 {
-    std::vector<Token> tokens;
-    tokens.reserve(rows.size / 32);
+    tokens.clear();
     Places places;
-    const std::uint8_t* const begin = rows.bytes.get();
-    const std::uint8_t* const end = begin + rows.size;
+    const std::uint8_t* const begin = rows.data();
+    const std::uint8_t* const end = begin + rows.size();
     for (const std::uint8_t* p = begin; p < end;)
     {
         const auto place = std::size_t(p - begin);
@@ -232,7 +245,6 @@ std::vector<Token> Divide(const Rows& rows, std::size_t stride)
             best.length -= part;
         }
     }
-    return tokens;
 }
 
 // ------------------------------------------------------------------------------------ bits
@@ -456,15 +468,26 @@ std::uint32_t Adler32(const std::uint8_t* bytes, std::size_t size)
 
 } // namespace
 
-std::optional<std::vector<std::uint8_t>> EncodeOpaquePng(const Frame& frame)
+struct PngStream::Buffers
+{
+    Bytes rows;
+    std::vector<Token> tokens;
+    Bytes file;
+};
+
+PngStream::PngStream() : m_buffers(std::make_unique<Buffers>()) {}
+
+PngStream::~PngStream() = default;
+
+std::span<const std::uint8_t> PngStream::Encode(const Frame& frame)
 {
     assert(frame.width > 0 && frame.height > 0);
-    const Rows rows = RowsOf(frame);
-    if (rows.bytes == nullptr)
+    auto& [rows, tokens, file] = *m_buffers;
+    if (!StoreRows(frame, rows))
     {
-        return std::nullopt;
+        return {};
     }
-    Bytes file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    file = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     AppendChunk(file, "IHDR", [&] {
         AppendNumber(file, std::uint32_t(frame.width));
         AppendNumber(file, std::uint32_t(frame.height));
@@ -473,8 +496,9 @@ std::optional<std::vector<std::uint8_t>> EncodeOpaquePng(const Frame& frame)
     });
     AppendChunk(file, "IDAT", [&] {
         file.insert(file.end(), {0x78, 0x01}); // zlib (RFC 1950), a window of 32 kB, fastest
-        AppendDeflate(Divide(rows, std::size_t(frame.width) * kColors + 1), file);
-        AppendNumber(file, Adler32(rows.bytes.get(), rows.size));
+        Divide(rows, std::size_t(frame.width) * kColors + 1, tokens);
+        AppendDeflate(tokens, file);
+        AppendNumber(file, Adler32(rows.data(), rows.size()));
     });
     AppendChunk(file, "IEND", [] {});
     return file;
