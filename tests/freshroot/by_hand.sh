@@ -4,8 +4,8 @@
 # by_hand.sh CHECKOUT WORK_DIR SUITE
 #
 # Pastes those blocks of docs/first-steps.md that need a machine of their own into a minimal Debian of that release:
-# the clone, the packages for those who build by hand, the installed libraries, and the Debian packages. The last
-# commit of CHECKOUT stands for the repository, and sudo is root's already.
+# the packages for those who build by hand, the clone, which then finds nothing missing, the installed libraries, and
+# the Debian packages. The last commit of CHECKOUT stands for the repository, and sudo does nothing.
 #
 # Exit codes: 0 all is well, 77 this machine cannot try it, anything else a failure.
 # shellcheck disable=SC2016,SC2034,SC2154 # "$@" is the inner shell's; root.sh has the others
@@ -35,8 +35,9 @@ paste() {
         { tail -n 40 "$work/block.log"; fail "the block that begins with \"$2\""; }
 }
 
+paste /srv 'sudo apt install g++'
 paste /srv 'git clone https://'
-paste /srv/boxreel 'sudo apt install g++'
+! grep 'installing what is missing' "$work/block.log" || fail 'the page leaves out packages that the script needs'
 paste /srv/boxreel 'cmake -S . -B build/package'
 inside 'cd /tmp && ~/.local/bin/boxreel record pyramid -o pyramid.mp4 --seconds 1 && test -s pyramid.mp4' >"$work/film.log" 2>&1 ||
     { cat "$work/film.log"; fail 'the installed program makes no film'; }
