@@ -23,7 +23,7 @@ printf '#!/bin/sh\nexec "$@"\n' >"$root/usr/local/bin/sudo"
 chmod +x "$root/usr/local/bin/sudo"
 echo 'APT::Get::Assume-Yes "true";' >"$root/etc/apt/apt.conf.d/99yes"
 inside 'git config --global url./tmp/boxreel.bundle.insteadOf https://example.org/boxreel.git &&
-    git config --global advice.detachedHead false && ! command -v cmake && ! command -v g++' ||
+    git config --global advice.detachedHead false && ! command -v cmake && ! command -v g++ && apt-get -q update >/dev/null' ||
     fail 'the fresh root is not what it should be'
 
 # paste FOLDER FIRST_LINE: runs the page's block that begins with FIRST_LINE, in FOLDER of the root.
