@@ -4,8 +4,8 @@
 # by_hand.sh CHECKOUT WORK_DIR SUITE
 #
 # Pastes those blocks of docs/first-steps.md that need a machine of their own into a minimal Debian of that release:
-# the packages for those who build by hand, the clone, which then finds nothing missing, the installed libraries, and
-# the Debian packages. The last commit of CHECKOUT stands for the repository, and sudo does nothing.
+# the packages for those who build by hand, the installed libraries, and the Debian packages. The last commit of
+# CHECKOUT stands for the repository, and sudo does nothing.
 #
 # Exit codes: 0 all is well, 77 this machine cannot try it, anything else a failure.
 # shellcheck disable=SC2016,SC2034,SC2154 # "$@" is the inner shell's; root.sh has the others
@@ -36,8 +36,7 @@ paste() {
 }
 
 paste /srv 'sudo apt install g++'
-paste /srv 'git clone https://'
-! grep 'installing what is missing' "$work/block.log" || fail 'the page leaves out packages that the script needs'
+inside "cd /srv && git clone -q $(sed -n 's/^git clone \([^ ]*\).*/\1/p' "$checkout/docs/first-steps.md")" || fail 'the clone'
 paste /srv/boxreel 'cmake -S . -B build/package'
 inside 'cd /tmp && ~/.local/bin/boxreel record pyramid -o pyramid.mp4 --seconds 1 && test -s pyramid.mp4' >"$work/film.log" 2>&1 ||
     { cat "$work/film.log"; fail 'the installed program makes no film'; }
