@@ -22,7 +22,10 @@ tools='ffmpeg ffprobe git'
 git -C "$checkout" rev-parse --verify -q HEAD >/dev/null || skip "$checkout is no git checkout, so there is nothing to clone"
 git -C "$checkout" bundle create -q "$root/tmp/boxreel.bundle" HEAD
 
-inside 'git -c advice.detachedHead=false clone -q /tmp/boxreel.bundle "/srv/box reel" && ! command -v cmake && ! command -v g++' ||
+# The README's address stands for the bundle.
+clone=$(sed -n 's/^\(git clone [^ ]*\).*/\1/p' "$checkout/README.md")
+inside "git config --global url./tmp/boxreel.bundle.insteadOf https://example.org/boxreel.git &&
+    git config --global advice.detachedHead false && $clone '/srv/box reel' && ! command -v cmake && ! command -v g++" ||
     fail 'the fresh root is not what it should be'
 
 # says CODE LINES PATTERN COMMAND: run in the checkout, it ends with that code and that many lines, one of which
