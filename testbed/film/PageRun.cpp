@@ -162,6 +162,7 @@ Result<int> MakePage(const RecordOptions& options, const FilmPlan& plan, Snapsho
 {
     RecordOptions asked = options;
     asked.look.collectEverything = true; // the reader may pan to it
+    asked.look.zoom = kPageZoom;
     Progress progress(options.messages.progress);
     FilmSimulation simulation(asked, snapshots, progress, nullptr);
     RETURN_IF_ERROR(simulation.Open(std::move(source)));

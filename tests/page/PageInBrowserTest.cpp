@@ -34,15 +34,19 @@ constexpr const char* kDrawScript = R"(
 function drawExactly(player, frame, view, hidden) {
   return drawBy(player.exactPainter, frame, view, hidden);
 }
+function drawDense(player, frame) { // on a screen of two pixels per CSS pixel
+  const {x, y, scale} = player.film.viewOf(frame);
+  return drawBy(player.exactPainter, frame, {x, y, scale: 2 * scale}, new Set(), 2);
+}
 function drawPlaying(player, frame) {
   return drawBy(player.painter, frame);
 }
-function drawBy(painter, frame, view = painter.film.viewOf(frame), hidden = new Set()) {
+function drawBy(painter, frame, view = painter.film.viewOf(frame), hidden = new Set(), ratio = 1) {
   const {film} = painter;
   const picture = document.createElement("canvas");
-  picture.width = film.width;
-  picture.height = film.height;
-  painter.draw(picture, frame, {view, ratio: 1, theme: film.themes[0], hidden});
+  picture.width = ratio * film.width;
+  picture.height = ratio * film.height;
+  painter.draw(picture, frame, {view, ratio, theme: film.themes[0], hidden});
   return picture.toDataURL().split(",")[1];
 }
 function leave(text) {
@@ -63,16 +67,25 @@ protected:
         }
     }
 
-    /// Writes a page of the scene, up to a step, and keeps the list of that.
-    std::string PageOf(const std::string& scene, const std::string& layers, int lastFrame,
-                       const Theme& theme = Theme::Classic())
+    /// Opens a scene as `record` does, with what is legible at `zoom`.
+    static Result<SceneSession> Open(const std::string& scene, const std::string& layers,
+                                     double zoom)
     {
         SceneLook look;
         look.collectEverything = true;
+        look.zoom = zoom;
         look.layers = *ParseLayers("--draw", layers);
         Result<SceneSource> source = OpenScene(scene);
-        Result<SceneSession> session = OpenSession(std::move(*source), look);
-        EXPECT_TRUE(session);
+        return OpenSession(std::move(*source), look);
+    }
+
+    /// Writes a page of the scene, up to a step, and keeps the lists that `shot` draws of that.
+    std::string PageOf(const std::string& scene, const std::string& layers, int lastFrame,
+                       const Theme& theme = Theme::Classic())
+    {
+        Result<SceneSession> session = Open(scene, layers, kPageZoom);
+        Result<SceneSession> shot = Open(scene, layers, 1.0);
+        EXPECT_TRUE(session && shot);
         const std::filesystem::path path = folder / (scene + ".html");
         PageSettings settings;
         settings.overwrite = true;
@@ -82,8 +95,8 @@ protected:
         for (int frame = 0; frame <= lastFrame; ++frame)
         {
             session->AdvanceTo(frame);
-            content = {};
-            session->Fill(content);
+            FrameContent filmed;
+            session->Fill(filmed);
             std::vector<PageBody> bodies;
             for (const b2Body* b = session->World().GetBodyList(); b != nullptr; b = b->GetNext())
             {
@@ -95,12 +108,14 @@ protected:
                                   b->GetAngularVelocity()});
             }
             last = bodies;
-            EXPECT_TRUE(writer->Append(content.list, content.camera, bodies));
+            EXPECT_TRUE(writer->Append(filmed.list, filmed.camera, bodies));
+            shot->AdvanceTo(frame);
+            content = {};
+            shot->Fill(content);
         }
-        session->LookAt(
-            {float(content.camera.centerX) + 1.53f, float(content.camera.centerY) + 0.57f},
-            3.0 * content.camera.pixelsPerMeter);
-        session->Fill(zoomed);
+        shot->LookAt({float(content.camera.centerX) + 1.53f, float(content.camera.centerY) + 0.57f},
+                     3.0 * content.camera.pixelsPerMeter);
+        shot->Fill(zoomed);
         EXPECT_TRUE(writer->Close());
         return ReadBytes(path);
     }
@@ -145,13 +160,15 @@ TEST_P(PagePixels, AreThoseOfARenderer)
 (async () => {
   const player = await opened;
   const frame = await player.film.frameLater(150);
-  leave(`${drawExactly(player, frame)}\n${drawPlaying(player, frame)}`);
+  leave(`${drawExactly(player, frame)}\n${drawPlaying(player, frame)}\n${drawDense(player, frame)}`);
 })();
 )");
     const std::size_t second = results.find('\n') + 1;
+    const std::size_t third = results.find('\n', second) + 1;
     const Result<Frame> shown = FrameOf(results, folder);
     const Result<Frame> playing = FrameOf(std::string_view(results).substr(second), folder);
-    ASSERT_TRUE(shown && playing) << results.substr(0, 400);
+    const Result<Frame> dense = FrameOf(std::string_view(results).substr(third), folder);
+    ASSERT_TRUE(shown && playing && dense) << results.substr(0, 400);
     Result<Renderer> renderer = Renderer::Create({.theme = theme});
     ASSERT_TRUE(renderer);
     Frame drawn;
@@ -160,6 +177,15 @@ TEST_P(PagePixels, AreThoseOfARenderer)
     EXPECT_TRUE(comparison.equal) << comparison.Text();
     const Comparison moving = Compare(drawn, *playing, CompareSettings::CrossMachine());
     EXPECT_LE(double(moving.overTolerance), 0.002 * double(moving.compared)) << moving.Text();
+    Camera camera = content.camera;
+    camera.width *= 2;
+    camera.height *= 2;
+    camera.pixelsPerMeter *= 2.0;
+    Result<Renderer> large = Renderer::Create(
+        {.width = camera.width, .height = camera.height, .theme = theme, .scale = 2.0});
+    ASSERT_TRUE(large && large->Draw(content.list, camera, drawn));
+    const Comparison fine = Compare(drawn, *dense, CompareSettings::CrossMachine());
+    EXPECT_TRUE(fine.equal) << fine.Text();
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PagePixels,
@@ -207,41 +233,6 @@ DrawList ListOf(const DrawList& all, DrawLayer layer)
         return item.layer != DrawLayer::Shapes && item.layer != layer;
     });
     return list;
-}
-
-/// Removes arrows that are too short for a film of the scale. A page has those of its film.
-void DropShortArrows(DrawList& list, double filmScale)
-{
-    constexpr double kShortest = 1.5; // [px]
-    std::vector<DrawItem> kept;
-    std::vector<DrawItem> arrow;
-    const auto at = [&](const DrawItem& item, std::size_t i) {
-        return list.points[item.first + i];
-    };
-    for (const DrawItem& item : list.items)
-    {
-        if (item.layer == DrawLayer::Shapes)
-        {
-            kept.push_back(item);
-            continue;
-        }
-        arrow.push_back(item);
-        const bool isClosed = item.kind == DrawKind::SolidPolygon;
-        if (!isClosed && (item.layer != DrawLayer::ContactFriction || arrow.size() < 3))
-        {
-            continue;
-        }
-        const Vec2 tip = isClosed ? at(item, 0) : at(item, 1);
-        const Vec2 tail = arrow.size() > 1 ? at(arrow.front(), 0)
-                                           : Vec2{0.5f * (at(item, 1).x + at(item, 2).x),
-                                                  0.5f * (at(item, 1).y + at(item, 2).y)};
-        if (std::hypot(tip.x - tail.x, tip.y - tail.y) * filmScale >= kShortest)
-        {
-            kept.insert(kept.end(), arrow.begin(), arrow.end());
-        }
-        arrow.clear();
-    }
-    list.items = std::move(kept);
 }
 
 /// Moves labels to where they are when a metre has `zoom` times as many pixels. Those without a
@@ -324,12 +315,6 @@ TEST_P(PageLayers, AreThoseOfARenderer)
         if (isOfFilm)
         {
             KeepLabels(list, content.camera.pixelsPerMeter, zoom);
-        }
-        const DrawLayer arrows[] = {DrawLayer::ContactImpulses, DrawLayer::ContactFriction,
-                                    DrawLayer::Velocities, DrawLayer::JointForces};
-        if (std::find(std::begin(arrows), std::end(arrows), info.layer) != std::end(arrows))
-        {
-            DropShortArrows(list, content.camera.pixelsPerMeter);
         }
         expectNext(std::string(info.option) + ", zoomed", list, near);
     }
@@ -460,10 +445,19 @@ TEST_F(PageInBrowser, ControlsWorkWithoutConsoleErrors)
   check("zoom ends at the full scale", Math.abs(view.of(end).scale - film.fullScale) < 1e-6 * film.fullScale);
   key("0");
   await later();
-  const look = {view: view.of(end), ratio: player.ratio, theme: film.themes[player.theme], hidden: player.hidden};
-  const exact = Object.assign(document.createElement("canvas"), {width: canvas.width, height: canvas.height});
-  player.exactPainter.draw(exact, end, look);
-  check("a picture that rests is exact", canvas.toDataURL() === exact.toDataURL());
+  const isExact = () => {
+    const look = {view: view.of(end), ratio: player.ratio, theme: film.themes[player.theme], hidden: player.hidden};
+    const exact = Object.assign(document.createElement("canvas"), {width: canvas.width, height: canvas.height});
+    player.exactPainter.draw(exact, end, look);
+    return canvas.toDataURL() === exact.toDataURL();
+  };
+  check("a picture that rests is exact", isExact());
+  Object.defineProperty(player, "ratio", {value: 2, configurable: true});
+  player.resize();
+  await later();
+  check("also on a screen with small pixels", isExact());
+  delete player.ratio;
+  player.resize();
   document.querySelector("main").style.width = "500px";
   player.resize(); // as the observer calls it
   check("a resize draws at once", canvas.width === Math.round(500 * player.ratio) && new Set(new Uint32Array(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size > 2);
