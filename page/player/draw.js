@@ -69,11 +69,25 @@ class Painter {
   // What films draw in pixels keeps its size at every zoom: labels, arrow heads, normals, marks.
   drawSized(item, points, track, layer) {
     if (kHeads[layer]) return this.arrowPart(item, points, track, kHeads[layer] * this.look.ratio, layer === kFriction);
+    if (layer === kGlyphs) return this.glyphPart(item, points, track);
     if (layer === kLabels) this.placeLabel(item, points);
     if (layer === kNormals) scaleAbout(points, points[0], points[1], this.labelScale);
     if (layer === kCenterMarks) {
       scaleAbout(points, points[0], points[1], this.labelScale);
       if (item.kind === kCircle) item = {...item, size: item.size * this.labelScale};
+    }
+    this.drawItem(item, points, track);
+  }
+  // A part of a joint's sign: its points, and behind them their anchors, from which they are some
+  // pixels away.
+  glyphPart(item, points, track) {
+    if (item.kind === kCircle) item = {...item, size: item.size * this.labelScale};
+    else if (item.kind !== kPoint) {
+      const count = points.length / 2;
+      for (let i = 0; i < count && this.labelScale !== 1; ++i) {
+        points[i] = points[count + i] + this.labelScale * (points[i] - points[count + i]);
+      }
+      points = points.subarray(0, count);
     }
     this.drawItem(item, points, track);
   }

@@ -220,6 +220,32 @@ TEST_F(PageWriterTest, ShowsTextsAsTexts)
     EXPECT_THAT(page, Not(HasSubstr("://"))) << "a page needs no network";
 }
 
+TEST_F(PageWriterTest, KeepsAnchorsOfJointSigns)
+{
+    DrawList list = ListAt(0);
+    list.layer = DrawLayer::JointGlyphs;
+    list.owner = kNoOwner;
+    list.AddCircle({1, 1}, 0.3f, ColorRole::Joint);
+    list.AddSegment({1, 1}, {3, 1.5f}, ColorRole::Joint);
+    const std::vector<Vec2> anchors = {{1, 1}, {1, 1}, {2.9f, 1.5f}};
+    PageWriter writer = Open(Settings());
+    ASSERT_TRUE(writer.Append(list, kCamera, {}, anchors));
+    ASSERT_TRUE(writer.Append(list, kCamera)); // without them, signs grow
+    ASSERT_TRUE(writer.Close());
+    const test::ReadPage page = test::ReadPageFile(Path());
+    const std::vector<double> wanted[] = {{1, 1, 2.9, 1.5}, {1, 1, 3, 1.5}};
+    for (std::size_t frame = 0; frame < 2; ++frame)
+    {
+        test::ExpectSameItems(page.frames.at(frame), list, page.fullScale);
+        const test::PageItem& line = page.frames[frame].items.back();
+        ASSERT_EQ(line.anchors.size(), 4u);
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+            EXPECT_NEAR(line.anchors[i], wanted[frame][i], 1e-5) << i;
+        }
+    }
+}
+
 /// The pixel at which a renderer begins a text.
 std::array<double, 2> TextPixel(double x, double y, const Camera& camera)
 {
