@@ -171,13 +171,16 @@ class Film:
             return f"<p>{self!r}: not closed yet</p>"
         with open(self.path, "rb") as file:
             data = _base64.b64encode(file.read()).decode()
+        if kind == "html":
+            return f'<iframe width="{self.size[0]}" height="{self.size[1] + 96}" src="data:text/html;base64,{data}"></iframe>'
         if kind in ("gif", "apng", "webp"):
             return f'<img src="data:image/{kind};base64,{data}">'
         return f'<video controls loop width="{self.size[0]}" src="data:video/{kind};base64,{data}"></video>'
 
 
 def film(path, size=None, fps=60, *, quality="standard", codec="", theme="classic", scale=1.0, overwrite=True):
-    """Opens a film. The extension chooses the format: .mp4, .mkv, .webm, .gif, .apng, .webp, or frames-####.png.
+    """Opens a film. The extension chooses the format: .mp4, .mkv, .webm, .gif, .apng, .webp, frames-####.png, or
+    .html: a page that plays a world in a browser, with all layers.
 
     size: width and height [px], by default 1280 x 720, or that of the first array.
     fps: frames per second, a number or a fraction such as "30000/1001".

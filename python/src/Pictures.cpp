@@ -70,21 +70,6 @@ const char* KindName(ErrorKind kind)
     return "failed";
 }
 
-/// Returns the names of bodies that have an attribute `name`, as those of boxreel.scene do.
-BodyNames NamesOf(WorldObject& world)
-{
-    BodyNames names;
-    for (const py::handle object : world.BodyObjects())
-    {
-        const py::object name = py::getattr(object, "name", py::none());
-        if (!name.is_none()) // reading it may have destroyed the body
-        {
-            names[std::uint32_t(object.cast<BodyHandle&>().Get().GetNumber())] = py::str(name);
-        }
-    }
-    return names;
-}
-
 JointNames NamesOfJoints(WorldObject& world)
 {
     JointNames names;
@@ -346,6 +331,20 @@ Look LookFrom(py::handle layers, py::handle trails)
         }
     }
     return look;
+}
+
+BodyNames NamesOf(WorldObject& world)
+{
+    BodyNames names;
+    for (const py::handle object : world.BodyObjects())
+    {
+        const py::object name = py::getattr(object, "name", py::none());
+        if (!name.is_none()) // reading it may have destroyed the body
+        {
+            names[std::uint32_t(object.cast<BodyHandle&>().Get().GetNumber())] = py::str(name);
+        }
+    }
+    return names;
 }
 
 DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look)

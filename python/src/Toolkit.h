@@ -7,6 +7,7 @@
 #include <debugdraw/Camera.h>
 #include <debugdraw/DrawLayer.h>
 #include <debugdraw/DrawList.h>
+#include <debugdraw/WorldBodies.h>
 #include <debugdraw/Theme.h>
 #include <render/Frame.h>
 
@@ -77,12 +78,15 @@ Rect GroundBelow(const b2World& world);
 /// Reads layers (names) and trails (sequences of points).
 Look LookFrom(py::handle layers, py::handle trails);
 
-/// Returns the draw list of a world in the view of a camera.
 /// Throws b2Error in a forked process that would wait for ever: the threads that its parent's
 /// drawing or encoding began do not exist there. Call before the first picture or a film.
 void RequireThreadsOfPictures();
 void RequireThreadsOfFilms();
 
+/// Returns the names of bodies that have an attribute `name`, as those of boxreel.scene do.
+BodyNames NamesOf(WorldObject& world);
+
+/// Returns the draw list of a world in the view of a camera.
 DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look);
 
 /// Returns the camera, or for None the view of a world that a film starts with.

@@ -2,6 +2,7 @@
 """Films, pictures, snapshots, scenes and comparisons of the package boxreel."""
 
 import copy
+import json
 import os
 import pickle
 import re
@@ -169,6 +170,31 @@ class Films(InFolder):
                 film.add(pixels)
         self.assertEqual(self.frames_of(film.path), [160, 5])
         self.assertEqual(film.size, (160, 90))
+
+    def test_page_has_the_added_frames_and_all_layers(self):
+        world = drop()
+        world.bodies[-1].name = "the ball"
+        with boxreel.film(self.path("a.html"), size=(320, 180), fps=50) as page:
+            for _ in range(30):
+                page.add(world)
+                step(world, 1)
+        with open(page.path, encoding="utf-8") as file:
+            text = file.read()
+        head = json.loads(re.search(r'<script type="application/json" id="head">(.*?)</script>', text, re.DOTALL)[1])
+        self.assertEqual([head[name] for name in ("width", "height", "frames", "framesPerSecond")], [320, 180, 30, 50])
+        self.assertIn("the ball", text)
+        self.assertEqual(page.frames, 30)
+        self.assertIn("<iframe", page._repr_html_())
+
+    def test_pages_show_worlds_and_have_no_codec(self):
+        for options in ({"codec": "av1"}, {"quality": "high"}, {"scale": 2}):
+            with self.assertRaises(b2Error):
+                boxreel.film(self.path("a.html"), **options)
+        with self.assertRaises(b2Error):
+            with boxreel.film(self.path("a.html"), size=(32, 18)) as page:
+                page.add(drop())
+                page.add(numpy.zeros((18, 32, 3), dtype=numpy.uint8))
+        self.assertEqual(os.listdir(self.folder), [])
 
     def test_an_exception_leaves_no_film(self):
         with self.assertRaises(KeyError):
