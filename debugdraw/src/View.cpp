@@ -52,13 +52,15 @@ View ViewOf(const Camera& camera, double marginPixels)
 {
     const double right = (0.5 * camera.width + marginPixels) / camera.pixelsPerMeter;
     const double up = (0.5 * camera.height + marginPixels) / camera.pixelsPerMeter;
-    return {camera, Rect{{Below(camera.centerX - right), Below(camera.centerY - up)},
-                         {Above(camera.centerX + right), Above(camera.centerY + up)}}};
+    return {camera,
+            Rect{{Below(camera.centerX - right), Below(camera.centerY - up)},
+                 {Above(camera.centerX + right), Above(camera.centerY + up)}},
+            1.0};
 }
 
 View ViewOfEverything(const Camera& camera)
 {
-    return {camera, std::nullopt};
+    return {camera, std::nullopt, 1.0};
 }
 
 } // namespace boxreel

@@ -22,7 +22,7 @@ void AddSeenArrow(const View& view, const b2Vec2& from, const b2Vec2& way, doubl
     const Vec2 tip{float(from.x + way.x * scale), float(from.y + way.y * scale)};
     const double dx = double(tip.x) - tail.x;
     const double dy = double(tip.y) - tail.y;
-    const double shortest = kShortest / view.camera.pixelsPerMeter;
+    const double shortest = kShortest / (view.camera.pixelsPerMeter * view.zoom);
     if (dx * dx + dy * dy >= shortest * shortest && view.Shows(tail, tip, kHeadReach))
     {
         AddArrow(list, view.camera, tail, tip, role);

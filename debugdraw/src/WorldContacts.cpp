@@ -66,7 +66,7 @@ void AddArrows(const std::vector<Spot>& spots, const View& view, double metersPe
         const float32 length =
             float32(double(alongNormal ? spot.push : spot.friction) * metersPerImpulse);
         const b2Vec2 tip = spot.point + length * direction;
-        if (b2Abs(length) * view.camera.pixelsPerMeter >= kShortest)
+        if (b2Abs(length) * view.camera.pixelsPerMeter * view.zoom >= kShortest)
         {
             AddArrow(list, view.camera, {spot.point.x, spot.point.y}, {tip.x, tip.y},
                      alongNormal ? ColorRole::ContactImpulse : ColorRole::ContactFriction,

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,9 +62,14 @@ std::string Meters(double length)
 class GlyphWriter
 {
 public:
-    GlyphWriter(const View& view, DrawList& list) : m_view(view), m_list(list) {}
+    /// `dashes`: number of dashes of a joint's dashed line; none: as many as its length asks for.
+    GlyphWriter(const View& view, DrawList& list, std::optional<std::size_t> dashes = std::nullopt)
+        : m_view(view), m_list(list), m_dashes(dashes)
+    {}
 
     void Add(const b2Joint& joint);
+    /// Returns the number of dashes in the last dashed line.
+    std::optional<std::size_t> LastDashes() const { return m_lastDashes; }
 
 private:
     GlyphPen PenAt(const b2Vec2& origin, const b2Vec2& xAxis)
@@ -94,6 +100,8 @@ private:
 
     const View& m_view;
     DrawList& m_list;
+    std::optional<std::size_t> m_dashes;
+    std::optional<std::size_t> m_lastDashes;
 };
 
 void GlyphWriter::AddMotor(GlyphPen& pen, bool enabled, float32 speed)
@@ -260,7 +268,7 @@ void GlyphWriter::Add(const b2GearJoint& joint)
     const double rim = kGear + kTooth;
     if (length > 2.0 * rim)
     {
-        pen.Dashes({rim, 0.0}, {length - rim, 0.0});
+        m_lastDashes = pen.Dashes({rim, 0.0}, {length - rim, 0.0}, m_dashes);
     }
 }
 
@@ -372,7 +380,7 @@ void GlyphWriter::Add(const b2MouseJoint& joint)
         const Point out = GlyphPen::Direction(step);
         pen.Line({3.0 * out.x, 3.0 * out.y}, {11.0 * out.x, 11.0 * out.y});
     }
-    pen.Dashes({}, pen.Of(From(held)));
+    m_lastDashes = pen.Dashes({}, pen.Of(From(held)), m_dashes);
     PenAt(held, b2Vec2(1.0f, 0.0f)).Dot({}, kPin);
 }
 
@@ -387,7 +395,7 @@ void GlyphWriter::Add(const b2MotorJoint& joint)
     GlyphPen pen = PenAt(b, b2Vec2(1.0f, 0.0f));
     pen.Dot({}, kPin);
     pen.ArcArrow(kArrowRadius, -4, 12, false);
-    PenAt(a, b - a).Dashes({}, {PenAt(a, b - a).Of(From(b)).x, 0.0});
+    m_lastDashes = PenAt(a, b - a).Dashes({}, {PenAt(a, b - a).Of(From(b)).x, 0.0}, m_dashes);
     PenAt(a, b2Vec2(1.0f, 0.0f)).Circle({}, kPin);
 }
 
@@ -422,22 +430,79 @@ void GlyphWriter::Add(const b2Joint& joint)
     }
 }
 
+/// Oldest first.
+std::vector<const b2Joint*> JointsOf(const b2World& world)
+{
+    std::vector<const b2Joint*> joints;
+    for (const b2Joint* joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext())
+    {
+        joints.push_back(joint);
+    }
+    std::reverse(joints.begin(), joints.end());
+    return joints;
+}
+
+bool HasSameItems(const DrawList& a, const DrawList& b)
+{
+    return std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(),
+                      [](const DrawItem& x, const DrawItem& y) {
+                          return x.kind == y.kind && x.count == y.count;
+                      });
+}
+
+/// Adds the anchors of a joint's points. A point at W + d, where d is in pixels, is at W + d / zoom
+/// when the scale is `zoom` times as large. The glyph is drawn at both scales to find W. Where it
+/// has other items there (more dashes), a slightly larger scale does, though rounding counts more.
+void AddAnchors(const b2Joint& joint, const View& view, double zoom, std::vector<Vec2>& anchors)
+{
+    constexpr double kSlightly = 1.0 + 1.0 / 64.0;
+    DrawList glyph;
+    GlyphWriter writer(view, glyph);
+    writer.Add(joint);
+    for (const double factor : {zoom, kSlightly})
+    {
+        View near = ViewOfEverything(view.camera);
+        near.camera.pixelsPerMeter *= factor;
+        DrawList enlarged;
+        GlyphWriter(near, enlarged, writer.LastDashes()).Add(joint);
+        if (!HasSameItems(glyph, enlarged))
+        {
+            continue;
+        }
+        const double share = factor / (factor - 1.0);
+        for (std::size_t i = 0; i < glyph.points.size(); ++i)
+        {
+            const Vec2 p = glyph.points[i];
+            const Vec2 q = enlarged.points[i];
+            anchors.push_back({float(p.x - share * (double(p.x) - q.x)),
+                               float(p.y - share * (double(p.y) - q.y))});
+        }
+        return;
+    }
+    anchors.insert(anchors.end(), glyph.points.begin(), glyph.points.end());
+}
+
 } // namespace
 
 void AddJointGlyphs(const b2World& world, const View& view, DrawList& list)
 {
     list.layer = DrawLayer::JointGlyphs;
     list.owner = kNoOwner;
-    std::vector<const b2Joint*> joints; // newest first
-    for (const b2Joint* joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext())
-    {
-        joints.push_back(joint);
-    }
     GlyphWriter writer(view, list);
-    for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint)
+    for (const b2Joint* const joint : JointsOf(world))
     {
-        writer.Add(**joint);
+        writer.Add(*joint);
     }
+}
+
+std::vector<Vec2> JointGlyphAnchors(const b2World& world, const View& view, double zoom)
+{
+    std::vector<Vec2> anchors;
+    for (const b2Joint* const joint : JointsOf(world))
+    {
+        AddAnchors(*joint, view, zoom, anchors);
+    }
+    return anchors;
 }
 
 } // namespace boxreel

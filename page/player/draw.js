@@ -9,6 +9,7 @@ const kSquareEnd = Math.PI / 4;  // of a line, in half widths
 const kTextLine = 15, kTextSize = 15 * 2048 / 2384, kTextAscent = 12; // [px]
 const kFontFamily = '"DejaVu Sans", sans-serif';
 
+const kShortest = 1.5; // shorter arrows are not drawn, as in films [px]
 // Lengths of arrow heads, by layer [px].
 const kHeads = {[kImpulses]: 7, [kFriction]: 7, [kVelocities]: 9, [kForces]: 9};
 
@@ -68,6 +69,7 @@ class Painter {
   // What films draw in pixels keeps its size at every zoom: labels, arrow heads, normals, marks.
   drawSized(item, points, track, layer) {
     if (kHeads[layer]) return this.arrowPart(item, points, track, kHeads[layer] * this.look.ratio, layer === kFriction);
+    if (layer === kGlyphs) return this.glyphPart(item, points, track);
     if (layer === kLabels) this.placeLabel(item, points);
     if (layer === kNormals) scaleAbout(points, points[0], points[1], this.labelScale);
     if (layer === kCenterMarks) {
@@ -76,10 +78,23 @@ class Painter {
     }
     this.drawItem(item, points, track);
   }
+  // A part of a joint's sign: its points, and behind them their anchors, from which they are some
+  // pixels away.
+  glyphPart(item, points, track) {
+    if (item.kind === kCircle) item = {...item, size: item.size * this.labelScale};
+    else if (item.kind !== kPoint) {
+      const count = points.length / 2;
+      for (let i = 0; i < count && this.labelScale !== 1; ++i) {
+        points[i] = points[count + i] + this.labelScale * (points[i] - points[count + i]);
+      }
+      points = points.subarray(0, count);
+    }
+    this.drawItem(item, points, track);
+  }
   // A shaft, and behind it its head: a triangle, or two lines from its tip where it is open. An arrow
   // that is short has a smaller head, and one as long as its head no shaft.
   arrowPart(item, points, track, wanted, isOpen) {
-    const {shaft} = this;
+    const {shaft} = this, shortest = kShortest * this.look.ratio;
     if (item.kind === kSegment) {
       const isHead = isOpen && shaft && Math.hypot(points[2] - shaft[2], points[3] - shaft[3]) < 0.01;
       if (isHead) {
@@ -87,7 +102,7 @@ class Painter {
         scaleAbout(points, shaft[2], shaft[3], Math.min(wanted, lengthOf(shaft)) / along);
       }
       this.shaft = isHead ? shaft : points.slice();
-      if (isOpen) this.drawItem(item, points, track);
+      if (isOpen && lengthOf(this.shaft) >= shortest) this.drawItem(item, points, track);
       return;
     }
     const [tipX, tipY] = points, baseX = 0.5 * (points[2] + points[4]), baseY = 0.5 * (points[3] + points[5]);
@@ -97,6 +112,7 @@ class Painter {
     line[3] = tipY;
     const along = Math.hypot(tipX - baseX, tipY - baseY), length = lengthOf(line), head = Math.min(wanted, length);
     this.shaft = null;
+    if (length < shortest) return;
     if (head < length * (1 - 1e-6)) {
       line[2] = tipX - head / length * (tipX - line[0]);
       line[3] = tipY - head / length * (tipY - line[1]);

@@ -2,7 +2,7 @@
 // those before it in steps of 1/255. Canvases place edges less exactly. Too slow to play.
 
 const kSag = 0.005;      // between a circle and its polygon [px]
-const kLetterScale = 32; // browsers draw letters of that size from their outlines, without hints
+const kLetterScale = 32; // browsers draw letters of that size from their outlines, without hints [film px]
 
 class ExactPainter extends Painter {
   begin(canvas) {
@@ -130,7 +130,8 @@ class ExactPainter extends Painter {
   coverOf({sign}) {
     const {ratio} = this.look, side = Math.ceil(3 * kTextLine * ratio);
     let last = null;
-    for (let scale = kLetterScale; scale >= 1; scale /= 2) {
+    const finest = kLetterScale / 2 ** Math.max(Math.floor(Math.log2(ratio)), 0);
+    for (let scale = finest; scale >= 1; scale /= 2) {
       const canvas = Object.assign(document.createElement("canvas"), {width: scale * side, height: scale * side});
       const pen = canvas.getContext("2d");
       if (last) {

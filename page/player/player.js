@@ -5,6 +5,7 @@ const kZoomStep = 1.25;
 const kPanStep = 0.1;   // of the height
 const kLinkDelay = 200; // [ms]
 const kRest = 120;      // until a picture is drawn exactly [ms]
+const kExactPixels = 6e6; // larger pictures would block the page for more than 200 ms
 const kContactReach = 24, kBodyReach = 4, kClickReach = 3; // [CSS px]
 
 const kIsFramed = parent !== window;
@@ -117,7 +118,7 @@ class Player {
     this.painted = picture;
     clearTimeout(this.exactTimer);
     this.painter.draw(this.canvas, frame, look);
-    if (this.isPlaying || this.ratio >= 2) return; // smaller pixels hide it
+    if (this.isPlaying || this.canvas.width * this.canvas.height > kExactPixels) return;
     this.exactTimer = setTimeout(() => this.exactPainter.draw(this.canvas, frame, look), kRest);
   }
   showFollowed() {

@@ -35,6 +35,15 @@ constexpr double kAngleUnit = 0.0001; // of a place of its own [rad]
 // what JavaScript has.
 constexpr double kMaxQuanta = 1e14;
 
+/// Returns the pixel at which renderers and draw.js begin a text. The operations and their order
+/// are theirs, because results within rounding of half a pixel depend on them.
+PagePoint TextPixel(PagePoint world, const Camera& camera)
+{
+    return {
+        std::floor(0.5 * camera.width + (world.x - camera.centerX) * camera.pixelsPerMeter + 0.5),
+        std::floor(0.5 * camera.height - (world.y - camera.centerY) * camera.pixelsPerMeter + 0.5)};
+}
+
 } // namespace
 
 PageEncoder::PageEncoder(const Camera& first, double rate)
@@ -90,12 +99,33 @@ void PageEncoder::Put(ColumnOf column, Predictor& predictor, std::int64_t number
     m_neighbour[column] = number;
 }
 
-void PageEncoder::PutView(const Camera& camera)
+/// Returns the view as it is stored: x, y and height.
+std::array<std::int64_t, 3> PageEncoder::ViewNumbers(const Camera& camera) const
 {
     const double unit = m_quantum / kViewSteps;
-    Put(View, m_view[0], std::llround(camera.centerX / unit));
-    Put(View, m_view[1], std::llround(camera.centerY / unit));
-    Put(View, m_view[2], std::llround(camera.height / camera.pixelsPerMeter / unit));
+    return {std::llround(camera.centerX / unit), std::llround(camera.centerY / unit),
+            std::llround(camera.height / camera.pixelsPerMeter / unit)};
+}
+
+/// Returns the view as the page will read it.
+Camera PageEncoder::StoredView(const Camera& camera) const
+{
+    const double unit = m_quantum / kViewSteps;
+    const auto [x, y, height] = ViewNumbers(camera);
+    Camera stored = camera;
+    stored.centerX = double(x) * unit;
+    stored.centerY = double(y) * unit;
+    stored.pixelsPerMeter = camera.height / (double(height) * unit);
+    return stored;
+}
+
+void PageEncoder::PutView(const Camera& camera)
+{
+    const std::array<std::int64_t, 3> numbers = ViewNumbers(camera);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+    {
+        Put(View, m_view[k], numbers[k]);
+    }
 }
 
 Track PageEncoder::BeginLoose(const Run& run)
@@ -151,7 +181,39 @@ bool PageEncoder::Place(Track& track)
     return true;
 }
 
-void PageEncoder::Follow(const DrawList& list, std::span<const PageBody> bodies)
+/// Moves a text by a quantum where its stored place, or the stored view, begins it at another pixel
+/// than renderers do: within about a quantum of half a pixel. Expects the points of the run in
+/// m_points and their numbers in the track.
+void PageEncoder::PlaceTexts(const DrawList& list, const Camera& camera, Track& track) const
+{
+    if (track.isRigid)
+    {
+        return;
+    }
+    const auto move = [this](std::int64_t& number, double pixels, double place) {
+        const std::int64_t moved = number + (pixels > 0.0 ? 1 : pixels < 0.0 ? -1 : 0);
+        number = std::abs(double(moved) * m_quantum - place) <= m_tolerance ? moved : number;
+    };
+    const ItemRun& items = track.run.items;
+    std::size_t at = 0; // of the item's first point
+    for (const DrawItem& item : std::span(list.items).subspan(items.first, items.count))
+    {
+        if (item.kind == DrawKind::Text)
+        {
+            std::int64_t* const numbers = &track.numbers[2 * at];
+            const PagePoint place = m_points[at];
+            const PagePoint stored{double(numbers[0]) * m_quantum, double(numbers[1]) * m_quantum};
+            const PagePoint wanted = TextPixel(place, camera);
+            const PagePoint shown = TextPixel(stored, StoredView(camera));
+            move(numbers[0], wanted.x - shown.x, place.x);
+            move(numbers[1], shown.y - wanted.y, place.y); // pixels have y down
+        }
+        at += item.count;
+    }
+}
+
+void PageEncoder::Follow(const DrawList& list, const Camera& camera,
+                         std::span<const PageBody> bodies)
 {
     std::unordered_map<std::uint32_t, const PageBody*> known; // for lookups only
     for (const PageBody& body : bodies)
@@ -181,6 +243,7 @@ void PageEncoder::Follow(const DrawList& list, std::span<const PageBody> bodies)
             Place(tracks.back());
             m_from[i] = -1;
         }
+        PlaceTexts(list, camera, tracks.back());
     }
     m_tracks = std::move(tracks);
 }
@@ -357,7 +420,7 @@ void PageEncoder::Add(const DrawList& list, const Camera& camera, std::span<cons
     }
     const std::size_t before = styles.size() + m_bodies.size();
     const std::size_t tracksBefore = styles.size();
-    Follow(list, bodies);
+    Follow(list, camera, bodies);
     FollowBodies(bodies, tracksBefore);
     if (m_frames == 0) // a group can be read without those before it
     {

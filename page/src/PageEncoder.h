@@ -73,7 +73,7 @@ private:
         std::uint32_t owner = kNoOwner;
     };
 
-    void Follow(const DrawList& list, std::span<const PageBody> bodies);
+    void Follow(const DrawList& list, const Camera& camera, std::span<const PageBody> bodies);
     void FollowBodies(std::span<const PageBody> bodies, std::size_t tracksBefore);
     std::optional<BodyPlace> PlaceOfShape(const Track* shape, const PageBody& body) const;
     void PlaceBody(BodyTrack& track, const PageBody& body, const std::optional<BodyPlace>& place,
@@ -83,8 +83,11 @@ private:
     Track Begin(const Run& run, const PageBody* body);
     Track BeginLoose(const Run& run);
     bool Place(Track& track);
+    void PlaceTexts(const DrawList& list, const Camera& camera, Track& track) const;
     void PutSequence(std::size_t before);
     void PutStyles(std::span<const std::uint32_t> before);
+    std::array<std::int64_t, 3> ViewNumbers(const Camera& camera) const;
+    Camera StoredView(const Camera& camera) const;
     void PutView(const Camera& camera);
     void Put(ColumnOf column, Predictor& predictor, std::int64_t number);
 

@@ -6,6 +6,7 @@
 #include <base/ErrorMacros.h>
 #include <base/Words.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -43,6 +44,46 @@ Result<void> Check(const PageSettings& settings)
                      "set speed and firstTime"};
     }
     return {};
+}
+
+bool IsGlyph(const DrawItem& item)
+{
+    return item.layer == DrawLayer::JointGlyphs;
+}
+
+/// Returns a list whose glyphs have the anchors of their points behind these. Circles and points do
+/// not need them, because they are about their own centre.
+DrawList WithAnchors(const DrawList& list, std::span<const Vec2> anchors)
+{
+    std::size_t count = 0;
+    for (const DrawItem& item : list.items)
+    {
+        count += IsGlyph(item) ? item.count : 0;
+    }
+    const bool isUsable = anchors.size() == count;
+    DrawList anchored = list;
+    std::size_t at = 0; // in anchors
+    for (DrawItem& item : anchored.items)
+    {
+        if (!IsGlyph(item))
+        {
+            continue;
+        }
+        const std::size_t first = item.first;
+        const std::size_t points = item.count;
+        if (item.kind != DrawKind::Circle && item.kind != DrawKind::Point)
+        {
+            item.first = std::uint32_t(anchored.points.size());
+            item.count = std::uint16_t(2 * points);
+            const auto own = list.points.begin() + std::ptrdiff_t(first);
+            anchored.points.insert(anchored.points.end(), own, own + std::ptrdiff_t(points));
+            const auto from = isUsable ? anchors.subspan(at, points)
+                                       : std::span(list.points).subspan(first, points);
+            anchored.points.insert(anchored.points.end(), from.begin(), from.end());
+        }
+        at += points;
+    }
+    return anchored;
 }
 
 } // namespace
@@ -110,7 +151,8 @@ Result<PageWriter> PageWriter::Open(const std::filesystem::path& path, const Pag
 }
 
 Result<void> PageWriter::Append(const DrawList& list, const Camera& camera,
-                                std::span<const PageBody> bodies)
+                                std::span<const PageBody> bodies,
+                                std::span<const Vec2> glyphAnchors)
 {
     assert(m_impl && "nothing can be appended after Close");
     const PageSettings& settings = m_impl->settings;
@@ -138,7 +180,8 @@ Result<void> PageWriter::Append(const DrawList& list, const Camera& camera,
                          " times the scale of the first frame, which is the largest zoom of a page",
                      "begin nearer or zoom in less"};
     }
-    encoder.Add(list, camera, bodies);
+    const bool hasGlyphs = std::any_of(list.items.begin(), list.items.end(), IsGlyph);
+    encoder.Add(hasGlyphs ? WithAnchors(list, glyphAnchors) : list, camera, bodies);
     ++m_impl->facts.frames;
     for (const PageBody& body : bodies)
     {

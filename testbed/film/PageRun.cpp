@@ -7,6 +7,7 @@
 #include <base/Counting.h>
 #include <base/ErrorMacros.h>
 #include <base/Words.h>
+#include <debugdraw/WorldGlyphs.h>
 #include <page/PageWriter.h>
 
 #include <Box2D/Dynamics/b2Body.h>
@@ -54,6 +55,19 @@ std::vector<PageBody> BodiesOf(SceneSession& session)
     return bodies;
 }
 
+/// Returns the anchors of the signs of joints in a frame, if it shows these.
+std::vector<Vec2> AnchorsOf(SceneSession& session, const SceneLook& look, const Camera& camera)
+{
+    std::vector<Vec2> anchors;
+    if (look.layers[DrawLayer::JointGlyphs])
+    {
+        session.AtShownPoses([&] {
+            anchors = JointGlyphAnchors(session.World(), ViewOfEverything(camera), kPageZoom);
+        });
+    }
+    return anchors;
+}
+
 FilmReport ReportOf(const RecordOptions& options, std::int64_t frames, double seconds)
 {
     FilmReport report;
@@ -77,8 +91,9 @@ struct WrittenFrames
 };
 
 /// Appends all frames, unless a signal asks for a stop.
-Result<WrittenFrames> WriteFrames(std::int64_t count, FilmSimulation& simulation,
-                                  PageWriter& writer, Progress& progress)
+Result<WrittenFrames> WriteFrames(std::int64_t count, const SceneLook& look,
+                                  FilmSimulation& simulation, PageWriter& writer,
+                                  Progress& progress)
 {
     for (std::int64_t frame = 0; frame < count; ++frame)
     {
@@ -88,8 +103,8 @@ Result<WrittenFrames> WriteFrames(std::int64_t count, FilmSimulation& simulation
         }
         FrameContent content;
         simulation.Fill(content);
-        RETURN_IF_ERROR(
-            writer.Append(content.list, content.camera, BodiesOf(simulation.Session())));
+        RETURN_IF_ERROR(writer.Append(content.list, content.camera, BodiesOf(simulation.Session()),
+                                      AnchorsOf(simulation.Session(), look, content.camera)));
         progress.Update({.framesDone = frame + 1, .framesTotal = count});
         if (simulation.IsAtEnd())
         {
@@ -162,6 +177,7 @@ Result<int> MakePage(const RecordOptions& options, const FilmPlan& plan, Snapsho
 {
     RecordOptions asked = options;
     asked.look.collectEverything = true; // the reader may pan to it
+    asked.look.zoom = kPageZoom;
     Progress progress(options.messages.progress);
     FilmSimulation simulation(asked, snapshots, progress, nullptr);
     RETURN_IF_ERROR(simulation.Open(std::move(source)));
@@ -171,7 +187,7 @@ Result<int> MakePage(const RecordOptions& options, const FilmPlan& plan, Snapsho
     simulation.TellMissingBodies();
     simulation.Begin(0);
     const Result<WrittenFrames> written =
-        WriteFrames(plan.frameCount, simulation, writer, progress);
+        WriteFrames(plan.frameCount, asked.look, simulation, writer, progress);
     if (!written)
     {
         progress.Clear();

@@ -368,7 +368,9 @@ View SceneSession::CollectedView(double farthest) const
     const Camera camera = CurrentCamera();
     if (m_look.collectEverything)
     {
-        return ViewOfEverything(camera);
+        View everything = ViewOfEverything(camera);
+        everything.zoom = m_look.zoom;
+        return everything;
     }
     View view = PictureView(camera, m_look.theme, m_look.scale);
     if (view.area && farthest > 0.0)

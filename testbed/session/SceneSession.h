@@ -58,6 +58,7 @@ struct SceneLook
     ArrowScales arrows;
     /// Also collects items outside of the picture, for lists that are stored and compared.
     bool collectEverything = false;
+    double zoom = 1.0;   ///< of View: by how much a viewer may enlarge what is collected
     bool labels = false; ///< the number of each body at its centre of mass
     PanelLook panels;
 };

@@ -53,6 +53,19 @@ TEST_F(WorldArrows, AreNotDrawnForBodiesAtRest)
     EXPECT_TRUE(list.items.empty());
 }
 
+TEST_F(WorldArrows, AreKeptIfLegibleOnceEnlarged)
+{
+    scene.Box(5.0f, 2.0f)->SetLinearVelocity(b2Vec2(0.1f, 0.0f)); // one pixel
+    View view = Everything();
+    view.zoom = 2.0;
+    AddVelocities(scene.world, view, 1.0, list);
+    EXPECT_EQ(list.items.size(), 1u) << "all head";
+    list.Clear();
+    view.zoom = 1.4;
+    AddVelocities(scene.world, view, 1.0, list);
+    EXPECT_TRUE(list.items.empty());
+}
+
 TEST_F(WorldArrows, AreDrawnWhenTheirTipIsVisible)
 {
     scene.Box(15.0f, 0.0f)->SetLinearVelocity(b2Vec2(-100.0f, 0.0f));

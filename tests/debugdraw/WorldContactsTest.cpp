@@ -116,6 +116,19 @@ TEST_F(RestingContacts, HaveImpulsesThatCarryTheWeight)
     EXPECT_NEAR(sum, 0.1 * 4.0 * 10.0, 0.05) << "4 kg at 10 m/s^2";
 }
 
+TEST_F(RestingContacts, KeepsArrowsThatAreLegibleOnceEnlarged)
+{
+    Step(60);
+    look.impulses = true;
+    look.metersPerNewton = 0.002; // 20 N at each corner: less than a pixel
+    EXPECT_TRUE(Collected().items.empty());
+    View view = ViewOfEverything(camera);
+    view.zoom = 4.0;
+    DrawList list;
+    contacts.Collect(scene.world, view, look, list);
+    EXPECT_EQ(list.items.size(), 2u) << "all head";
+}
+
 TEST_F(RestingContacts, HaveArrowsIndependentOfStepLength)
 {
     look.impulses = true;

@@ -227,6 +227,37 @@ TEST_F(WorldGlyphs, DrawADifferentSignForEachKind)
     }
 }
 
+TEST_F(WorldGlyphs, HaveAnchorsThatKeepTheirSizeWhenEnlarged)
+{
+    b2RevoluteJointDef hinge;
+    hinge.Initialize(a, b, b2Vec2(1.0f, 2.0f));
+    hinge.enableMotor = true;
+    Join(hinge);
+    b2DistanceJointDef spring;
+    spring.Initialize(a, b, b2Vec2(0.0f, 0.0f), b2Vec2(3.0f, 0.0f));
+    spring.frequencyHz = 2.0f;
+    Join(spring);
+    Join(b2WeldJointDef());
+    Join(b2MotorJointDef()); // with dashes, of which there are more when it is enlarged
+    const DrawList film = Glyphs();
+    const std::vector<Vec2> anchors =
+        JointGlyphAnchors(scene.world, ViewOfEverything(camera), 64.0);
+    ASSERT_EQ(anchors.size(), film.points.size());
+    const double zoom = 3.0;
+    camera.pixelsPerMeter *= zoom;
+    const DrawList enlarged = Glyphs();
+    std::size_t compared = 0;
+    // Up to the dashes.
+    for (; compared < 80 && compared < film.points.size(); ++compared)
+    {
+        const Vec2 p = film.points[compared];
+        const Vec2 w = anchors[compared];
+        EXPECT_NEAR(w.x + (p.x - w.x) / zoom, enlarged.points[compared].x, 1e-5) << compared;
+        EXPECT_NEAR(w.y + (p.y - w.y) / zoom, enlarged.points[compared].y, 1e-5) << compared;
+    }
+    EXPECT_EQ(compared, 80u);
+}
+
 TEST_F(WorldGlyphs, AreOmittedOutsideThePicture)
 {
     b2RevoluteJointDef hinge;

@@ -284,6 +284,14 @@ void Reader::Place(const Track& track, const std::vector<std::int64_t>& numbers,
                                                            double(numbers[at + 1]) * m_quantum);
             item.points.insert(item.points.end(), {px, py});
         }
+        const bool hasAnchors = item.layer == int(DrawLayer::JointGlyphs) &&
+                                item.kind != DrawKind::Circle && item.kind != DrawKind::Point;
+        if (hasAnchors)
+        {
+            const auto half = item.points.begin() + std::ptrdiff_t(item.points.size() / 2);
+            item.anchors.assign(half, item.points.end());
+            item.points.erase(half, item.points.end());
+        }
         frame.items.push_back(std::move(item));
     }
 }

@@ -21,8 +21,9 @@ struct PageItem
     std::uint32_t owner = kNoOwner;
     float size = 0.0f;
     std::string text{};
-    std::string stroke{};         ///< colour of the first theme, as CSS
-    std::vector<double> points{}; ///< x and y by turns [m]
+    std::string stroke{};          ///< colour of the first theme, as CSS
+    std::vector<double> points{};  ///< x and y by turns [m]
+    std::vector<double> anchors{}; ///< of the points of joints' signs, x and y by turns [m]
 };
 
 /// A body's origin, where the page has it.

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -217,6 +218,71 @@ TEST_F(PageWriterTest, EscapesMarkupInTexts)
     EXPECT_THAT(page, HasSubstr("<title>&lt;b&gt;&quot;{{frames}}</title>"));
     EXPECT_THAT(page, HasSubstr("\\u003c/script> \\u0022"));
     EXPECT_THAT(page, Not(HasSubstr("://"))) << "a page needs no network";
+}
+
+TEST_F(PageWriterTest, KeepsAnchorsOfJointSigns)
+{
+    DrawList list = ListAt(0);
+    list.layer = DrawLayer::JointGlyphs;
+    list.owner = kNoOwner;
+    list.AddCircle({1, 1}, 0.3f, ColorRole::Joint);
+    list.AddSegment({1, 1}, {3, 1.5f}, ColorRole::Joint);
+    const std::vector<Vec2> anchors = {{1, 1}, {1, 1}, {2.9f, 1.5f}};
+    PageWriter writer = Open(Settings());
+    ASSERT_TRUE(writer.Append(list, kCamera, {}, anchors));
+    ASSERT_TRUE(writer.Append(list, kCamera)); // without them, signs grow
+    ASSERT_TRUE(writer.Close());
+    const test::ReadPage page = test::ReadPageFile(Path());
+    const std::vector<double> wanted[] = {{1, 1, 2.9, 1.5}, {1, 1, 3, 1.5}};
+    for (std::size_t frame = 0; frame < 2; ++frame)
+    {
+        test::ExpectSameItems(page.frames.at(frame), list, page.fullScale);
+        const test::PageItem& line = page.frames[frame].items.back();
+        ASSERT_EQ(line.anchors.size(), 4u);
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+            EXPECT_NEAR(line.anchors[i], wanted[frame][i], 1e-5) << i;
+        }
+    }
+}
+
+/// The pixel at which a renderer begins a text.
+std::array<double, 2> TextPixel(double x, double y, const Camera& camera)
+{
+    return {std::floor(0.5 * camera.width + (x - camera.centerX) * camera.pixelsPerMeter + 0.5),
+            std::floor(0.5 * camera.height - (y - camera.centerY) * camera.pixelsPerMeter + 0.5)};
+}
+
+TEST_F(PageWriterTest, BeginsTextsAtHalvesAtTheSamePixel)
+{
+    Camera camera = kCamera;
+    camera.centerX = 0.7; // neither it nor the scale is a whole number of quanta
+    camera.pixelsPerMeter = 23.7;
+    DrawList list;
+    list.layer = DrawLayer::Labels;
+    for (int i = 0; i < 300; ++i)
+    {
+        list.AddText({float(camera.centerX + (i - 149.5) / camera.pixelsPerMeter),
+                      float(camera.centerY + (0.5 * i - 74.5) / camera.pixelsPerMeter)},
+                     "1", ColorRole::Ink);
+    }
+    PageWriter writer = Open(Settings());
+    ASSERT_TRUE(writer.Append(list, camera));
+    ASSERT_TRUE(writer.Close());
+    const test::ReadPage page = test::ReadPageFile(Path());
+    const test::PageFrame& frame = page.frames.at(0);
+    test::ExpectSameItems(frame, list, page.fullScale);
+    Camera stored = camera;
+    stored.centerX = frame.viewX;
+    stored.centerY = frame.viewY;
+    stored.pixelsPerMeter = camera.height / frame.viewHeight;
+    for (std::size_t i = 0; i < list.points.size(); ++i)
+    {
+        const std::vector<double>& points = frame.items.at(i).points;
+        EXPECT_EQ(TextPixel(points[0], points[1], stored),
+                  TextPixel(list.points[i].x, list.points[i].y, camera))
+            << i;
+    }
 }
 
 TEST_F(PageWriterTest, RefusesSettingsOutOfRange)

@@ -5,6 +5,7 @@
 #include <debugdraw/DrawList.h>
 
 #include <initializer_list>
+#include <optional>
 
 /// @file
 /// Draws glyphs at a position and in a direction of the world. Their size is in pixels, so that
@@ -39,8 +40,9 @@ public:
     void Line(Point from, Point to);
     /// Adds lines between consecutive points.
     void Lines(std::initializer_list<Point> points);
-    /// Adds a dashed line with dashes of about 5 px.
-    void Dashes(Point from, Point to);
+    /// Adds a dashed line with dashes of about 5 px, or with `dashes` of them. Returns their
+    /// number.
+    std::size_t Dashes(Point from, Point to, std::optional<std::size_t> dashes = std::nullopt);
     /// Adds an outline; radius [px].
     void Circle(Point center, double radius);
     /// Adds a filled disc; diameter [px].

@@ -16,6 +16,9 @@ struct View
 {
     Camera camera;            ///< defines the pixels of arrows, glyphs and text
     std::optional<Rect> area; ///< visible area with a margin [m]; none: everything
+    /// A viewer may enlarge the items by this factor, at least 1. Arrows that are legible at that
+    /// size are collected.
+    double zoom = 1.0;
 
     /// True if something inside the box [m], or up to `reachPixels` beside it, may be visible.
     bool Shows(const Rect& box, double reachPixels = 0.0) const;

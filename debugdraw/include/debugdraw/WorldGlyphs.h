@@ -5,6 +5,8 @@
 #include <debugdraw/DrawList.h>
 #include <debugdraw/View.h>
 
+#include <vector>
+
 /// @file
 /// Joints of a world as the glyphs of mechanism diagrams: type, position and degrees of freedom.
 /// Their size is in pixels, so that they are legible at any zoom. Lengths in the world (springs,
@@ -30,5 +32,11 @@ namespace boxreel
 ///
 /// Oldest joint first.
 void AddJointGlyphs(const b2World& world, const View& view, DrawList& list);
+
+/// Returns the anchor of each point that AddJointGlyphs adds for this view: where the point is when
+/// pixels are infinitely small [m]. What lies between is in pixels, so that a viewer can enlarge
+/// the picture by up to `zoom`, above 1, and keep the size of glyphs. Tangents of pulleys are exact
+/// at both ends only.
+std::vector<Vec2> JointGlyphAnchors(const b2World& world, const View& view, double zoom);
 
 } // namespace boxreel

@@ -76,9 +76,13 @@ public:
 
     /// Appends a frame. The camera's size must be that of the settings; its view is shown until the
     /// reader chooses another. `bodies`: state and name of bodies, in any order; may be empty.
+    /// `glyphAnchors`: of each point of the layer JointGlyphs in the list's order, the place in the
+    /// world from which it keeps its distance in pixels when the reader zooms [m]. Otherwise these
+    /// items grow, as they do if the number of anchors is another.
     /// An Error (Unusable) for a camera that cannot be drawn; (Failed) when the disk is full.
     Result<void> Append(const DrawList& list, const Camera& camera,
-                        std::span<const PageBody> bodies = {});
+                        std::span<const PageBody> bodies = {},
+                        std::span<const Vec2> glyphAnchors = {});
 
     /// Writes the rest and renames the file to its name. The object cannot be used afterwards. An
     /// Error (Unusable) if no frame was appended; (Failed) when the disk is full.

@@ -295,6 +295,16 @@ TEST_F(Command, RefusesUnwritableOutputsBeforeSimulation)
     EXPECT_EQ(ReadBytes(folder / "there.png"), "a picture");
 }
 
+TEST_F(Command, RecordsArrowsThatAreLegibleOncePageIsZoomed)
+{
+    // After a step, velocities are shorter than films draw them.
+    ASSERT_EQ(
+        Run({"record", "pyramid", "-o", "film.html", "--frames", "2", "--draw", "velocities"}).code,
+        0);
+    EXPECT_THAT(ReadBytes(folder / "film.html"),
+                HasSubstr("\"label\":\"Velocities\",\"isThere\":true"));
+}
+
 TEST_F(Command, ListsEveryExtensionOfRecord)
 {
     const std::string help = Run({"record", "--help"}).output;
