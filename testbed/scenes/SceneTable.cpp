@@ -9,7 +9,7 @@ std::span<const SceneEntry> AllScenes()
     static const SceneEntry kScenes[] = {
         {"Pyramid", "Stacking", "A pyramid of 210 boxes settles and stands.", MakePyramid},
         {"Vertical Stack", "Stacking",
-         "Columns of boxes, true and untrue, stand until a heavy ball runs into them.",
+         "Columns of boxes, aligned and offset, stand until a heavy ball runs into them.",
          MakeVerticalStack},
         {"Bridge", "Joints", "A bridge of hinged planks carries what falls on it.", MakeBridge},
         {"Chain", "Joints", "A chain let go from the horizontal swings and curls.", MakeChain},

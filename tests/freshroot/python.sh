@@ -25,7 +25,9 @@ inside 'git -c advice.detachedHead=false clone -q /tmp/boxreel.bundle /srv/boxre
 inside 'cd /srv/boxreel && ./boxreel python python/examples/hello.py' >"$work/script.log" 2>&1 ||
     { tail -n 40 "$work/script.log"; fail './boxreel python does not run the first example'; }
 [ -s "$root/srv/boxreel/hello.mp4" ] || fail 'the first example made no film'
-inside 'apt-get install -y --no-install-recommends python3-venv python3-pip python3-setuptools python3-wheel ffmpeg' >"$work/apt.log" 2>&1 ||
+paste /srv/boxreel docs/first-steps.md 'sudo apt install python3-venv'
+# What the page's pip fetches from elsewhere.
+inside 'apt-get install -y --no-install-recommends python3-pip python3-setuptools python3-wheel ffmpeg' >"$work/apt.log" 2>&1 ||
     { tail -n 40 "$work/apt.log"; fail 'the packages of pip cannot be installed'; }
 inside 'cd /srv/boxreel && tests/python/pip.sh . /usr/bin/python3' >"$work/pip.log" 2>&1 ||
     { tail -n 40 "$work/pip.log"; fail 'pip'; }

@@ -70,6 +70,18 @@ inside() {
         ${cache:+CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime} \
         chroot "$root" sh -c "$1" </dev/null
 }
+# paste FOLDER PAGE FIRST_LINE: runs the block of a page of the checkout that begins with FIRST_LINE, in FOLDER of the
+# root. sudo does nothing there, and apt does not ask.
+paste() {
+    printf '#!/bin/sh\nexec "$@"\n' >"$root/usr/local/bin/sudo"
+    chmod +x "$root/usr/local/bin/sudo"
+    echo 'APT::Get::Assume-Yes "true";' >"$root/etc/apt/apt.conf.d/99yes"
+    awk -v first="$3" '/^```/ { on = 0 } before ~ /^```/ && index($0, first) == 1 { on = 1 } on { print } { before = $0 }' \
+        "$checkout/$2" >"$root/tmp/block.sh"
+    [ -s "$root/tmp/block.sh" ] || fail "$2 has no block that begins with \"$3\""
+    inside "export DEBIAN_FRONTEND=noninteractive PATH=/usr/local/bin:\$PATH && cd $1 && sh -e /tmp/block.sh" >"$work/block.log" 2>&1 ||
+        { tail -n 40 "$work/block.log"; fail "the block of $2 that begins with \"$3\""; }
+}
 seconds() {
     date +%s.%N
 }
