@@ -3,6 +3,7 @@
 #include "Toolkit.h"
 
 #include <debugdraw/WorldBounds.h>
+#include <debugdraw/WorldGlyphs.h>
 #include <page/PageWriter.h>
 #include <recorder/Recording.h>
 
@@ -256,16 +257,14 @@ private:
         }
     }
 
-    /// All layers are on the page; those of `look` are on at first.
     void AddToPage(WorldObject& world, const Camera& view, const Look& look)
     {
-        Look all = look;
-        for (const LayerInfo& info : kOptionalLayers)
-        {
-            all.layers[info.layer] = true;
-        }
-        const DrawList list = ListOf(world, view, all);
+        const DrawList list = ListOf(world, view, look, kPageZoom);
         const std::vector<PageBody> bodies = BodiesOf(world);
+        const std::vector<Vec2> anchors =
+            look.layers[DrawLayer::JointGlyphs]
+                ? JointGlyphAnchors(world.world, ViewOfEverything(view), kPageZoom)
+                : std::vector<Vec2>();
         if (!m_page)
         {
             const PageSettings settings{.width = m_video.width,
@@ -277,7 +276,7 @@ private:
                                         .overwrite = m_video.overwrite};
             m_page.emplace(Need(PageWriter::Open(m_path, settings)));
         }
-        Need(Unlocked([&] { return m_page->Append(list, view, bodies); }));
+        Need(Unlocked([&] { return m_page->Append(list, view, bodies, anchors); }));
         ++m_frames;
     }
 

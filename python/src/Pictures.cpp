@@ -210,6 +210,17 @@ void WriteFigure(py::handle world, const std::string& path, const Camera& camera
     Need(result);
 }
 
+template <class Names>
+py::tuple TupleOf(const Names& names)
+{
+    py::list words;
+    for (const auto& name : names)
+    {
+        words.append(py::str(std::string(name)));
+    }
+    return words;
+}
+
 } // namespace
 
 void RequireThreadsOfPictures()
@@ -347,7 +358,7 @@ BodyNames NamesOf(WorldObject& world)
     return names;
 }
 
-DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look)
+DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look, double zoom)
 {
     world.RequireUnlocked("drawing");
     DrawList list;
@@ -361,7 +372,9 @@ DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look)
     const BodyNames names = look.layers[DrawLayer::Labels] ? NamesOf(world) : BodyNames();
     const JointNames jointNames =
         look.layers[DrawLayer::Labels] ? NamesOfJoints(world) : JointNames();
-    collector.Collect(world.world, ViewOfEverything(camera), names, jointNames, list);
+    View view = ViewOfEverything(camera);
+    view.zoom = zoom;
+    collector.Collect(world.world, view, names, jointNames, list);
     return list;
 }
 
@@ -424,6 +437,8 @@ Frame FrameFrom(py::handle array)
 
 void BindPictures(py::module_& module)
 {
+    module.attr("_layers") = TupleOf(LayerNames());
+    module.attr("_themes") = TupleOf(ThemeNames());
     py::dict members;
     for (const char* const name : {"kind", "culprit", "problem", "remedy"})
     {

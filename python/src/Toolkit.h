@@ -7,8 +7,8 @@
 #include <debugdraw/Camera.h>
 #include <debugdraw/DrawLayer.h>
 #include <debugdraw/DrawList.h>
-#include <debugdraw/WorldBodies.h>
 #include <debugdraw/Theme.h>
+#include <debugdraw/WorldBodies.h>
 #include <render/Frame.h>
 
 #include <pybind11/numpy.h>
@@ -86,8 +86,8 @@ void RequireThreadsOfFilms();
 /// Returns the names of bodies that have an attribute `name`, as those of boxreel.scene do.
 BodyNames NamesOf(WorldObject& world);
 
-/// Returns the draw list of a world in the view of a camera.
-DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look);
+/// Returns the draw list of a world in the view of a camera, which may be enlarged by up to `zoom`.
+DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look, double zoom = 1.0);
 
 /// Returns the camera, or for None the view of a world that a film starts with.
 Camera CameraFrom(py::handle camera, WorldObject& world, int width, int height);
