@@ -22,6 +22,9 @@ from Box2D._calls import check_calls as _check_calls
 
 __version__ = "0.1.0"
 
+LAYERS = _boxreel._layers  #: names for layers=, as of `boxreel record --draw`
+THEMES = _boxreel._themes  #: names for theme=
+
 _local = _threading.local()
 
 
@@ -79,10 +82,9 @@ def render(world, size=(1280, 720), *, camera=None, theme="classic", scale=1.0, 
     """Returns a picture of the world as an array (height, width, 4) of uint8: red, green, blue, opacity.
 
     camera: a Camera, by default fit(world); its size is that of the picture.
-    theme: classic, okabe-ito, print or dark.
+    theme: one of boxreel.THEMES.
     scale: factor of the widths of lines.
-    layers: some of shapes, joints, aabbs, pairs, contacts, normals, impulses, friction, centers, masses, velocities,
-        forces, glyphs, names (default: shapes, joints), as of `boxreel record --draw`.
+    layers: some of boxreel.LAYERS (default: shapes, joints).
     trails: paths to draw, each a sequence of points [m], oldest first.
     """
     _require_world(world)
@@ -171,13 +173,16 @@ class Film:
             return f"<p>{self!r}: not closed yet</p>"
         with open(self.path, "rb") as file:
             data = _base64.b64encode(file.read()).decode()
+        if kind == "html":
+            return f'<iframe width="{self.size[0]}" height="{self.size[1] + 96}" src="data:text/html;base64,{data}"></iframe>'
         if kind in ("gif", "apng", "webp"):
             return f'<img src="data:image/{kind};base64,{data}">'
         return f'<video controls loop width="{self.size[0]}" src="data:video/{kind};base64,{data}"></video>'
 
 
 def film(path, size=None, fps=60, *, quality="standard", codec="", theme="classic", scale=1.0, overwrite=True):
-    """Opens a film. The extension chooses the format: .mp4, .mkv, .webm, .gif, .apng, .webp, or frames-####.png.
+    """Opens a film. The extension chooses the format: .mp4, .mkv, .webm, .gif, .apng, .webp, frames-####.png, or
+    .html: a page that plays a world in a browser.
 
     size: width and height [px], by default 1280 x 720, or that of the first array.
     fps: frames per second, a number or a fraction such as "30000/1001".

@@ -76,6 +76,8 @@ class Error(Exception):
     culprit: str
     problem: str
     remedy: str
+LAYERS: tuple
+THEMES: tuple
 def compare(expected: Any, actual: Any, preset: Any = ...) -> Any:
     """Compares two pictures: arrays, PNG files or worlds. `preset` has the limits: exact, same-machine or cross-machine. The result has equal, text, differentPixels, overTolerance, largestDistance, difference."""
     ...
@@ -83,7 +85,7 @@ def dump(world: Any, path: Any) -> Any:
     """Writes the world as a R.U.B.E. scene file. Returns what the format cannot say."""
     ...
 def film(path: Any, size: Any = ..., fps: Any = ..., *, quality: Any = ..., codec: Any = ..., theme: Any = ..., scale: Any = ..., overwrite: Any = ...) -> Any:
-    """Opens a film. The extension chooses the format: .mp4, .mkv, .webm, .gif, .apng, .webp, or frames-####.png.  size: width and height [px], by default 1280 x 720, or that of the first array. fps: frames per second, a number or a fraction such as "30000/1001". quality: draft, standard, high or lossless.  Use it in a `with` block: an exception there leaves no film."""
+    """Opens a film. The extension chooses the format: .mp4, .mkv, .webm, .gif, .apng, .webp, frames-####.png, or .html: a page that plays a world in a browser.  size: width and height [px], by default 1280 x 720, or that of the first array. fps: frames per second, a number or a fraction such as "30000/1001". quality: draft, standard, high or lossless.  Use it in a `with` block: an exception there leaves no film."""
     ...
 def fit(world: Any, size: Any = ..., margin: Any = ...) -> Any:
     """Returns the camera that shows all moving bodies and what is near them. `margin` is a fraction of the smaller side of the picture."""
@@ -92,7 +94,7 @@ def load(path: Any) -> Any:
     """Returns the world of a R.U.B.E. scene file; as of scene. `world.left_out` tells what could not be built."""
     ...
 def render(world: Any, size: Any = ..., *, camera: Any = ..., theme: Any = ..., scale: Any = ..., layers: Any = ..., trails: Any = ...) -> Any:
-    """Returns a picture of the world as an array (height, width, 4) of uint8: red, green, blue, opacity.  camera: a Camera, by default fit(world); its size is that of the picture. theme: classic, okabe-ito, print or dark. scale: factor of the widths of lines. layers: some of shapes, joints, aabbs, pairs, contacts, normals, impulses, friction, centers, masses, velocities,     forces, glyphs, names (default: shapes, joints), as of `boxreel record --draw`. trails: paths to draw, each a sequence of points [m], oldest first."""
+    """Returns a picture of the world as an array (height, width, 4) of uint8: red, green, blue, opacity.  camera: a Camera, by default fit(world); its size is that of the picture. theme: one of boxreel.THEMES. scale: factor of the widths of lines. layers: some of boxreel.LAYERS (default: shapes, joints). trails: paths to draw, each a sequence of points [m], oldest first."""
     ...
 def restore(world: Any, snapshot: Any) -> Any:
     """Puts a world back to a snapshot. Bodies, fixtures and joints that were there keep their Python objects and their attributes as they are; those created later are destroyed."""

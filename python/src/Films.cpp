@@ -3,6 +3,8 @@
 #include "Toolkit.h"
 
 #include <debugdraw/WorldBounds.h>
+#include <debugdraw/WorldGlyphs.h>
+#include <page/PageWriter.h>
 #include <recorder/Recording.h>
 
 #include <unistd.h>
@@ -34,6 +36,30 @@ void RequireFolder(const std::filesystem::path& path)
     }
 }
 
+bool IsPage(const std::string& path)
+{
+    return path.ends_with(".html");
+}
+
+/// Returns what a page says of the bodies that are pointed at.
+std::vector<PageBody> BodiesOf(WorldObject& world)
+{
+    const BodyNames names = NamesOf(world);
+    std::vector<PageBody> bodies;
+    for (const b2Body* b = world.world.GetBodyList(); b != nullptr; b = b->GetNext())
+    {
+        const auto number = std::uint32_t(b->GetNumber());
+        const auto name = names.find(number);
+        bodies.push_back({.number = number,
+                          .position = {b->GetPosition().x, b->GetPosition().y},
+                          .angle = b->GetAngle(),
+                          .name = name != names.end() ? name->second : "",
+                          .velocity = {b->GetLinearVelocity().x, b->GetLinearVelocity().y},
+                          .spin = b->GetAngularVelocity()});
+    }
+    return bodies;
+}
+
 /// Calls a function without Python's lock.
 template <class Function>
 auto Unlocked(Function function)
@@ -55,7 +81,8 @@ private:
     bool& m_isBusy;
 };
 
-/// A film. Its first frame decides whether it shows worlds, which are drawn here, or arrays.
+/// A film. Its first frame decides whether it shows worlds, which are drawn here, or arrays. A page
+/// shows worlds, which the browser draws.
 class Film
 {
 public:
@@ -69,7 +96,15 @@ public:
         m_video.overwrite = From<bool>(options["overwrite"], "overwrite");
         m_drawing.theme = ThemeFrom(py::str(options["theme"]));
         m_drawing.scale = From<double>(options["scale"], "scale");
-        Need(CheckVideoPath(m_path, m_video)); // before anything is simulated
+        // Before anything is simulated.
+        if (IsPage(m_path))
+        {
+            RequireNoneOfFilms();
+        }
+        else
+        {
+            Need(CheckVideoPath(m_path, m_video));
+        }
         RequireFolder(m_path);
     }
 
@@ -82,6 +117,10 @@ public:
             ThrowMisuse("this film is of arrays; use another for a world");
         }
         const Camera view = ViewOf(world, camera);
+        if (IsPage(m_path))
+        {
+            return AddToPage(world, view, look);
+        }
         const DrawList list = ListOf(world, view, look);
         if (!m_recording)
         {
@@ -103,9 +142,10 @@ public:
     {
         RequireOpen();
         const Busy busy(m_isBusy);
-        if (m_recording)
+        if (m_recording || IsPage(m_path))
         {
-            ThrowMisuse("this film is of a world; use another for arrays");
+            ThrowMisuse(IsPage(m_path) ? "a page shows worlds; use a film for arrays"
+                                       : "this film is of a world; use another for arrays");
         }
         const Frame frame = FrameFrom(array);
         if (!m_writer)
@@ -134,12 +174,15 @@ public:
         }
         RequireIdle();
         m_isDone = true;
-        if (!m_recording && !m_writer)
+        if (!m_recording && !m_writer && !m_page)
         {
             ThrowMisuse("a film needs at least one frame; call add before close");
         }
-        Result<void> result =
-            Unlocked([&] { return m_recording ? m_recording->Close() : m_writer->Close(); });
+        Result<void> result = Unlocked([&] {
+            return m_recording ? m_recording->Close()
+                   : m_page    ? m_page->Close()
+                               : m_writer->Close();
+        });
         Discard();
         Need(result);
     }
@@ -162,13 +205,16 @@ public:
             // A forked process would wait for the threads of its parent, and remove its file.
             new std::optional<Recording>(std::move(m_recording));
             new std::optional<VideoWriter>(std::move(m_writer));
+            new std::optional<PageWriter>(std::move(m_page));
             m_recording.reset();
             m_writer.reset();
+            m_page.reset();
             return;
         }
         Unlocked([&] {
             m_recording.reset();
             m_writer.reset();
+            m_page.reset();
             return 0;
         });
     }
@@ -198,6 +244,40 @@ private:
         {
             ThrowMisuse("another thread adds to this film; wait until it is done");
         }
+    }
+
+    /// Fails if an option is given that a page does not have.
+    void RequireNoneOfFilms() const
+    {
+        const bool isUsual = m_video.codec.empty() && m_video.quality == VideoSettings().quality &&
+                             m_drawing.scale == RendererSettings().scale;
+        if (!isUsual)
+        {
+            ThrowMisuse("a page has no quality, codec or scale; leave them out");
+        }
+    }
+
+    void AddToPage(WorldObject& world, const Camera& view, const Look& look)
+    {
+        const DrawList list = ListOf(world, view, look, kPageZoom);
+        const std::vector<PageBody> bodies = BodiesOf(world);
+        const std::vector<Vec2> anchors =
+            look.layers[DrawLayer::JointGlyphs]
+                ? JointGlyphAnchors(world.world, ViewOfEverything(view), kPageZoom)
+                : std::vector<Vec2>();
+        if (!m_page)
+        {
+            const PageSettings settings{.width = m_video.width,
+                                        .height = m_video.height,
+                                        .framesPerSecond = m_video.framesPerSecond.ToDouble(),
+                                        .title = std::filesystem::path(m_path).stem().string(),
+                                        .theme = m_drawing.theme,
+                                        .shown = look.layers,
+                                        .overwrite = m_video.overwrite};
+            m_page.emplace(Need(PageWriter::Open(m_path, settings)));
+        }
+        Need(Unlocked([&] { return m_page->Append(list, view, bodies, anchors); }));
+        ++m_frames;
     }
 
     void RequireSize(const Frame& frame) const
@@ -237,6 +317,7 @@ private:
     RendererSettings m_drawing;
     std::optional<Recording> m_recording;
     std::optional<VideoWriter> m_writer;
+    std::optional<PageWriter> m_page;
     std::optional<FitCamera> m_follower;
     std::int64_t m_frames = 0;
     bool m_isDone = false;

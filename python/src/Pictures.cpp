@@ -70,21 +70,6 @@ const char* KindName(ErrorKind kind)
     return "failed";
 }
 
-/// Returns the names of bodies that have an attribute `name`, as those of boxreel.scene do.
-BodyNames NamesOf(WorldObject& world)
-{
-    BodyNames names;
-    for (const py::handle object : world.BodyObjects())
-    {
-        const py::object name = py::getattr(object, "name", py::none());
-        if (!name.is_none()) // reading it may have destroyed the body
-        {
-            names[std::uint32_t(object.cast<BodyHandle&>().Get().GetNumber())] = py::str(name);
-        }
-    }
-    return names;
-}
-
 JointNames NamesOfJoints(WorldObject& world)
 {
     JointNames names;
@@ -225,6 +210,17 @@ void WriteFigure(py::handle world, const std::string& path, const Camera& camera
     Need(result);
 }
 
+template <class Names>
+py::tuple TupleOf(const Names& names)
+{
+    py::list words;
+    for (const auto& name : names)
+    {
+        words.append(py::str(std::string(name)));
+    }
+    return words;
+}
+
 } // namespace
 
 void RequireThreadsOfPictures()
@@ -348,7 +344,21 @@ Look LookFrom(py::handle layers, py::handle trails)
     return look;
 }
 
-DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look)
+BodyNames NamesOf(WorldObject& world)
+{
+    BodyNames names;
+    for (const py::handle object : world.BodyObjects())
+    {
+        const py::object name = py::getattr(object, "name", py::none());
+        if (!name.is_none()) // reading it may have destroyed the body
+        {
+            names[std::uint32_t(object.cast<BodyHandle&>().Get().GetNumber())] = py::str(name);
+        }
+    }
+    return names;
+}
+
+DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look, double zoom)
 {
     world.RequireUnlocked("drawing");
     DrawList list;
@@ -362,7 +372,9 @@ DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look)
     const BodyNames names = look.layers[DrawLayer::Labels] ? NamesOf(world) : BodyNames();
     const JointNames jointNames =
         look.layers[DrawLayer::Labels] ? NamesOfJoints(world) : JointNames();
-    collector.Collect(world.world, ViewOfEverything(camera), names, jointNames, list);
+    View view = ViewOfEverything(camera);
+    view.zoom = zoom;
+    collector.Collect(world.world, view, names, jointNames, list);
     return list;
 }
 
@@ -425,6 +437,8 @@ Frame FrameFrom(py::handle array)
 
 void BindPictures(py::module_& module)
 {
+    module.attr("_layers") = TupleOf(LayerNames());
+    module.attr("_themes") = TupleOf(ThemeNames());
     py::dict members;
     for (const char* const name : {"kind", "culprit", "problem", "remedy"})
     {

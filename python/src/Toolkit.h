@@ -8,6 +8,7 @@
 #include <debugdraw/DrawLayer.h>
 #include <debugdraw/DrawList.h>
 #include <debugdraw/Theme.h>
+#include <debugdraw/WorldBodies.h>
 #include <render/Frame.h>
 
 #include <pybind11/numpy.h>
@@ -77,13 +78,16 @@ Rect GroundBelow(const b2World& world);
 /// Reads layers (names) and trails (sequences of points).
 Look LookFrom(py::handle layers, py::handle trails);
 
-/// Returns the draw list of a world in the view of a camera.
 /// Throws b2Error in a forked process that would wait for ever: the threads that its parent's
 /// drawing or encoding began do not exist there. Call before the first picture or a film.
 void RequireThreadsOfPictures();
 void RequireThreadsOfFilms();
 
-DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look);
+/// Returns the names of bodies that have an attribute `name`, as those of boxreel.scene do.
+BodyNames NamesOf(WorldObject& world);
+
+/// Returns the draw list of a world in the view of a camera, which may be enlarged by up to `zoom`.
+DrawList ListOf(WorldObject& world, const Camera& camera, const Look& look, double zoom = 1.0);
 
 /// Returns the camera, or for None the view of a world that a film starts with.
 Camera CameraFrom(py::handle camera, WorldObject& world, int width, int height);
