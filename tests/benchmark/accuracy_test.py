@@ -8,7 +8,7 @@ import unittest
 
 from support import BuildCase
 
-from runner import accuracy, charts
+from runner import accuracy, charts, common
 
 OPTIONS = argparse.Namespace(rounds=3, against=None)
 ACCURACY = accuracy.Accuracy()
@@ -75,14 +75,20 @@ class Verdicts(unittest.TestCase):
     """Of single runs, and the summary."""
 
     def test_judge_error_ending_and_remarks(self) -> None:
-        for run, case, verdict in ((one(error=1e-4), "A-projectile", "goal met"), (one(error=2e-4), "A-projectile", ""),
+        for run, case, verdict in ((one(error=1e-4), "A-projectile", "met"), (one(error=2e-4), "A-projectile", "missed"),
                                    (one(error=None), "A-projectile", "not finite"), (one(held=False), "A-projectile", "not finite"),
                                    (one(ending="falls"), "A-projectile", "falls"),
-                                   (one(remarks={"gap_mm": 0.05}), "B-pendulum", "goal met"),
-                                   (one(remarks={"gap_mm": 0.3}), "B-pendulum", "gap_mm 0.3 (<= 0.1)"),
-                                   (one(error=0.0, remarks={}), "X-walls-100", "energy_kept_percent None (>= 98)"),
-                                   (one(error=9.0), "not-a-case", "goal met")):
+                                   (one(remarks={"gap_mm": 0.05}), "B-pendulum", "met"),
+                                   (one(remarks={"gap_mm": 0.3}), "B-pendulum", "missed"),
+                                   (one(error=0.0, remarks={}), "X-walls-100", "missed"),
+                                   (one(error=9.0), "not-a-case", "met")):
             self.assertEqual(judged(run, case=case)["runs"][0]["verdict"], verdict, run)
+
+    def test_name_the_goals_that_are_missed(self) -> None:
+        for run, case, missed in ((one(error=2e-4), "A-projectile", [("error", 2e-4, ["<=", 1e-4])]),
+                                  (one(remarks={"gap_mm": 0.3}), "B-pendulum", [("gap_mm", 0.3, ["<=", 0.1])]),
+                                  (one(error=0.0), "X-walls-100", [("energy_kept_percent", None, [">=", 98])])):
+            self.assertEqual(common.missed_goals(run, judged(run, case=case)), missed)
 
     def test_compare_settings_by_the_time_of_a_frame(self) -> None:
         self.assertAlmostEqual(judged(one(hz=480))["runs"][0]["cpuOfFrame"], 8e-6)

@@ -37,10 +37,10 @@ class Judge(unittest.TestCase):
         self.assertAlmostEqual(peer["cpuTimes"], 4.0)
 
     def test_names_differences_from_the_peers(self) -> None:
-        for figures, verdict in (({"bodies": 51}, "other bodies"), ({"found": 8}, "other hits"), ({"foundSum": 3.6}, "other hits"),
+        for figures, verdict in (({"bodies": 51}, "other bodies"), ({"found": 8}, "other found"), ({"foundSum": 3.6}, "other found"),
                                  ({"contacts": 130}, "other contacts"), ({"meanHeight": 10.4}, "other heights"),
                                  ({"overlap": 0.0126}, "deep overlaps"), ({"finite": False}, "not finite"),
-                                 ({"escaped": 3}, "3 escaped"), ({"awake": 2}, "2 awake"), ({"bits": "vary"}, "other bits")):
+                                 ({"escaped": 3}, "escaped"), ({"awake": 2}, "awake"), ({"bits": "vary"}, "other bits")):
             first, peer = judged(method(**figures))["methods"]
             self.assertEqual(first["verdict"], verdict, figures)
             self.assertNotIn("cpuTimes", peer, figures)
@@ -57,7 +57,7 @@ class Judge(unittest.TestCase):
     def test_compares_nothing_with_an_invalid_run(self) -> None:
         burst = method("Chipmunk 7", False, escaped=5, contacts=None)
         result = judged(method(), method("Box2D 2.4.1", False), burst)
-        self.assertEqual(burst["verdict"], "5 escaped")
+        self.assertEqual(burst["verdict"], "escaped")
         self.assertNotIn("cpuTimes", result["methods"][2])
         self.assertIn("cpuTimes", result["methods"][1])
 
@@ -66,6 +66,17 @@ class Judge(unittest.TestCase):
         result = judged(ours, other, method("Box2D 2.4.1", False))
         self.assertEqual([one["verdict"] for one in result["methods"]], ["sound", "other bits", "sound"])
         self.assertAlmostEqual(other["speedUp"], 2.0)
+
+
+class Words(unittest.TestCase):
+    """For every verdict, with the numbers and names of the run."""
+
+    def test_exist_for_each_verdict_and_hold_its_figures(self) -> None:
+        kinds = [wrong for figures in ("resting", "moving") for *_, wrong in common.GOALS["likeness"][figures].values()]
+        self.assertLessEqual({*kinds, "deep overlaps", "other bits"}, common.TEXTS["verdicts"].keys())
+        for figures, name in (({"escaped": 3}, "3"), ({"awake": 2}, "2"), ({"found": 8}, "hits")):
+            result = judged(method(**figures))
+            self.assertIn(name, common.verdict_text(result["methods"][0], result).split())
 
 
 class Goals(unittest.TestCase):
