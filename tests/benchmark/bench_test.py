@@ -36,12 +36,15 @@ class Command(BuildCase):
 
     def test_refuses_unknown_arguments(self) -> None:
         for culprit, words in (("'large'", ["large"]), ("--curves", ["engine", "--curves"]), ("'rian'", ["engine", "rian"]),
-                               ("'rain'", ["engine", "rain", "rain"]), ("--rounds", ["engine", "--rounds", "0"]),
+                               ("'rain'", ["engine", "rain", "rain"]), ("--rounds", ["engine", "--rounds", "0"]), ("'pink'", ["engine", "--theme", "pink"]),
                                ("1,1", ["engine", "--threads", "1,1"]), ("640x361", ["record", "--size", "640x361"]),
                                ("chart.pdf", ["engine", "--chart", "chart.pdf"]), ("--rounds", ["show", "a", "--rounds", "2"]),
-                               ("--against", ["show", "a", "--against", "b"]), ("FILE", ["show"]), ("NAME", [])):
+                               ("--against", ["show", "a", "--against", "b"]), ("FILE", ["show"]), ("NAME", []),
+                               ("--rounds", ["engine", "--rounds"]), ("--list", ["engine", "--list=3"]), ("NAME", ["--nope"])):
             with self.subTest(words=words):
                 self.assert_refused(1, culprit, *words)
+                self.assertIn(";", self.bench(*words).stderr, "no remedy")
+                self.assertNotRegex(self.bench(*words).stderr, "argument [A-Z-]|choose from|unrecognized", "argparse's words")
 
     def test_suggests_the_nearest_case(self) -> None:
         self.assertIn("did you mean 'rain'?", self.bench("engine", "rian").stderr)
