@@ -41,7 +41,7 @@ class Command(BuildCase):
                 self.assertNotRegex(self.bench(*words).stderr, "argument [A-Z-]|choose from|unrecognized", "argparse's words")
 
     def test_suggests_the_nearest_case(self) -> None:
-        self.assertIn("did you mean 'rain'?", self.bench("engine", "rian").stderr)
+        self.assertIn("'rain'", self.bench("engine", "rian").stderr)
 
     def test_names_a_missing_program(self) -> None:
         self.assert_refused(3, "boxreel_render_bench", "render")
