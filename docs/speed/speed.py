@@ -26,7 +26,7 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(CHECKOUT / "tests" / "benchmark"))
 from runner import accuracy, charts, engine, toolkit  # noqa: E402
-from runner.common import time_text, times_text, wrong_text  # noqa: E402
+from runner.common import TEXTS, time_text, times_text, verdict_text  # noqa: E402
 
 PAGES = ["README.md", "docs/speed.md", "docs/accuracy.md", "docs/notes/picture-distance.md"]
 # What is measured, a file each. Rounds are so few that all but accuracy takes eight to ten minutes on two quiet cores,
@@ -61,11 +61,13 @@ def rows_text(heads, rows):
 
 def engine_cell(result, name):
     """What a peer takes, with the ratio where it is compared."""
-    peer = next((one for one in result["methods"] if one["method"] == name), {"verdict": "–"})
-    if engine.judge_alone({"finite": False, "escaped": 0, "awake": 0, **peer}) in ("not finite", peer.get("failure")):
-        return peer["verdict"]
+    peer = next((one for one in result["methods"] if one["method"] == name), None)
+    if not peer:
+        return "–"
+    if peer["verdict"] in ("failed", "not finite"):
+        return verdict_text(peer, result)
     ratio, sound = peer.get("cpuTimes"), result["methods"][0]["verdict"] == "sound"
-    verdict = peer["verdict"] if peer["verdict"] != "sound" else "not compared"
+    verdict = verdict_text(peer, result) if peer["verdict"] != "sound" else "not compared"
     return f"{time_text(peer['cpu'])} ({times_text(ratio) if ratio and sound else verdict})"
 
 
@@ -79,11 +81,11 @@ def engine_table(figures):
     names, rows, notes = methods_of(figures["engine"]), [], []
     for result in figures["engine"]:
         ours = result["methods"][0]
-        rows.append([result["what"], time_text(ours["cpu"]) if "cpu" in ours else ours["verdict"],
+        rows.append([result["what"], time_text(ours["cpu"]) if "cpu" in ours else verdict_text(ours, result),
                      *(engine_cell(result, name) for name in names[1:])])
         if ours["verdict"] != "sound":
             name = result["what"][:1].upper() + result["what"][1:]
-            notes.append(f"{name}: {wrong_text(ours['verdict'])}, so the times are not compared.")
+            notes.append(f"{name}: {verdict_text(ours, result, as_reason=True)}, so the times are not compared.")
     return rows_text(["scene", *names], rows) + "".join("\n" + note + "\n" for note in notes)
 
 
@@ -168,7 +170,7 @@ def toolkit_table(figures):
     """Pictures, films and comparisons beside their peers."""
     rows = [[task, time_text(ours), f"{peer}: {time_text(theirs)}", times_text(theirs / ours)]
             for _, task, ours, peer, theirs in toolkit_rows(figures)]
-    absent = "".join(f"\n{sentence}.\n" for sentence in figures["comparing"][0]["absent"])
+    absent = "".join(f"\n{TEXTS['golden']['absent'][name]}.\n" for name in figures["comparing"][0]["absent"])
     return rows_text(["task", methods_of(figures["engine"])[0], "peer", "times faster"], rows) + absent
 
 
@@ -189,10 +191,11 @@ def short_table(figures):
     return rows_text(["task", "boxreel", "peer", "times faster"], rows) + "\n" + machine_text(figures, "engine")
 
 
-def error_text(one, unit):
+def error_text(one, result):
     """How far off a run is, or how it ended."""
+    unit = result["unit"]
     if accuracy.ending(one):
-        return accuracy.ending(one)
+        return verdict_text(one, result)
     if unit in ("bodies", "pairs", "rods"):
         return f"{one['error']:.0f} {unit}"
     return "0" if one["error"] == 0.0 else f"{float(format(one['error'], '.2g')):g} {unit}"
@@ -209,7 +212,7 @@ def accuracy_runs(figures):
 def errors_table(figures):
     """The errors of the cases that a reader needs to choose; docs/speed/accuracy.txt has all."""
     names, cases = accuracy_runs(figures)
-    rows = [[f"`{result['case']}`", result["what"], *(error_text(one, result["unit"]) for one in runs)]
+    rows = [[f"`{result['case']}`", result["what"], *(error_text(one, result) for one in runs)]
             for result, runs in cases if result["case"] in SHORT_ERRORS]
     return rows_text(["case", "error of", *names], rows)
 

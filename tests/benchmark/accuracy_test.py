@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Error against time: sweeps, verdicts, the summary, and what charts show."""
+"""Error against time: sweeps, and verdicts."""
 from __future__ import annotations
 
 import argparse
-import json
 import unittest
 
 from support import BuildCase
 
-from runner import accuracy, charts
+from runner import accuracy, common
 
 OPTIONS = argparse.Namespace(rounds=3, against=None)
 ACCURACY = accuracy.Accuracy()
@@ -72,63 +71,26 @@ class Sweep(BuildCase):
 
 
 class Verdicts(unittest.TestCase):
-    """Of single runs, and the summary."""
+    """Of single runs."""
 
     def test_judge_error_ending_and_remarks(self) -> None:
-        for run, case, verdict in ((one(error=1e-4), "A-projectile", "goal met"), (one(error=2e-4), "A-projectile", ""),
+        for run, case, verdict in ((one(error=1e-4), "A-projectile", "met"), (one(error=2e-4), "A-projectile", "missed"),
                                    (one(error=None), "A-projectile", "not finite"), (one(held=False), "A-projectile", "not finite"),
                                    (one(ending="falls"), "A-projectile", "falls"),
-                                   (one(remarks={"gap_mm": 0.05}), "B-pendulum", "goal met"),
-                                   (one(remarks={"gap_mm": 0.3}), "B-pendulum", "gap_mm 0.3 (<= 0.1)"),
-                                   (one(error=0.0, remarks={}), "X-walls-100", "energy_kept_percent None (>= 98)"),
-                                   (one(error=9.0), "not-a-case", "goal met")):
+                                   (one(remarks={"gap_mm": 0.05}), "B-pendulum", "met"),
+                                   (one(remarks={"gap_mm": 0.3}), "B-pendulum", "missed"),
+                                   (one(error=0.0, remarks={}), "X-walls-100", "missed"),
+                                   (one(error=9.0), "not-a-case", "met")):
             self.assertEqual(judged(run, case=case)["runs"][0]["verdict"], verdict, run)
+
+    def test_name_the_goals_that_are_missed(self) -> None:
+        for run, case, missed in ((one(error=2e-4), "A-projectile", [("error", 2e-4, ["<=", 1e-4])]),
+                                  (one(remarks={"gap_mm": 0.3}), "B-pendulum", [("gap_mm", 0.3, ["<=", 0.1])]),
+                                  (one(error=0.0), "X-walls-100", [("energy_kept_percent", None, [">=", 98])])):
+            self.assertEqual(common.missed_goals(run, judged(run, case=case)), missed)
 
     def test_compare_settings_by_the_time_of_a_frame(self) -> None:
         self.assertAlmostEqual(judged(one(hz=480))["runs"][0]["cpuOfFrame"], 8e-6)
-
-    def test_are_summed_up_beside_box2d(self) -> None:
-        runs = [one(steps=1), one(steps=2), one(steps=4, cpu=3e-6), one("Box2D 2.4.1", error=0.5, cpu=2e-6)]
-        two, four = ([line for line in accuracy.summary([judged(*runs)], steps).splitlines()][1] for steps in (2, 4))
-        self.assertTrue(two.endswith("2.00×  goal met"), two)
-        self.assertTrue(four.endswith("0.67×  goal met, slower"), four)
-
-    def test_report_missed_goals_in_the_summary(self) -> None:
-        line = accuracy.summary([judged(one(error=1.0), one(steps=2, error=1.0))], 2).splitlines()[1]
-        self.assertTrue(line.endswith("goal not met"), line)
-
-
-class Charts(unittest.TestCase):
-    """What charts show."""
-
-    def drawn(self, *runs: dict) -> charts.Lines:
-        """The chart of a case."""
-        return ACCURACY.drawn([judged(*runs)])["A-projectile"]
-
-    def test_have_a_curve_for_each_setting_that_varies(self) -> None:
-        runs = [one(steps=steps) for steps in (1, 2, 4)] + [one(steps=4, hz=120), one(steps=2, hz=240)]
-        curves = self.drawn(*runs, one("Box2D 2.4.1"), one("Box2D 2.4.1", hz=120)).curves
-        self.assertEqual([(curve.name, curve.stroke, len(curve.points)) for curve in curves],
-                         [("boxreel", "-", 3), ("boxreel", "--", 2), ("boxreel", "", 1), ("Box2D 2.4.1", "--", 2)])
-        self.assertEqual([point.label for point in curves[0].points], ["1", "2", "4 sub-steps"])
-        self.assertEqual([point.mark for point in curves[0].points], [".", ".", "o"])
-
-    def test_always_name_the_usual_settings_and_the_end(self) -> None:
-        curve = self.drawn(*(one(steps=steps) for steps in (1, 2, 4, 8))).curves[0]
-        self.assertEqual([point.label for point in curve.points], ["1", "2", "4", "8 sub-steps"])
-        self.assertEqual([point.optional for point in curve.points], [True, True, False, False])
-
-    def test_mark_failed_runs_with_a_cross(self) -> None:
-        curve = self.drawn(one(steps=1, ending="falls"), one(steps=2, error=None, held=False), one(steps=4)).curves[0]
-        self.assertEqual([(point.mark, point.y) for point in curve.points], [("x", 1e-4 / 10), ("x", None), ("o", 1e-5)])
-
-    def test_draw_errors_of_zero_at_the_minimum(self) -> None:
-        chart = self.drawn(one(error=0.0), one(steps=4, error=0.0))
-        self.assertEqual({point.y for point in chart.curves[0].points}, {chart.floor[0]})
-        self.assertEqual(chart.floor, (1e-8, "≤ 1e-08"))
-
-    def test_are_omitted_when_all_runs_failed(self) -> None:
-        self.assertEqual(ACCURACY.drawn([judged(one(ending="falls"))]), {})
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 """Runs benchmark programs for `./boxreel bench`: prints tables, writes figures as JSON and draws charts."""
 import argparse
 import difflib
+import functools
 import importlib.util
 import json
 import os
@@ -15,8 +16,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 from runner import accuracy, against, charts, engine, toolkit  # noqa: E402
 from runner.common import (  # noqa: E402
-    ABSENT, FAILED, TEXTS, UNUSABLE, Benchmark, Problem, Result, note, read_results, table,
-    write_whole)
+    ABSENT, FAILED, TEXTS, UNUSABLE, Benchmark, Problem, Result, note, read_results, table, write_whole)
 
 BENCHMARKS: dict[str, Benchmark] = {one.name: one for one in (
     engine.Engine(), engine.Curve(), accuracy.Accuracy(), toolkit.Drawing(), toolkit.Recording(), toolkit.Comparing())}
@@ -24,38 +24,43 @@ KINDS = BENCHMARKS | {"against": against.Against()}  # what a file of figures ma
 
 
 class Parser(argparse.ArgumentParser):
-    """Reports a wrong command line in one sentence, with exit code 1."""
+    """Raises an ArgumentError for what it refuses; its sentence is not shown."""
 
     def error(self, message: str) -> None:
-        raise Problem(f"{message}; `{self.prog} --help` shows what there is")
+        raise argparse.ArgumentError(None, message)
 
 
-def numbers(pattern: str, example: str, most: int):
-    """A reader of whole numbers, which are different ones in a list with commas."""
-    def read(text: str) -> int | list[int]:
-        found = [int(word) for word in re.findall(r"\d+", text)]
-        repeated = "," in text and len(set(found)) < len(found)
-        if repeated or not re.fullmatch(pattern, text) or not all(1 <= number <= most for number in found):
-            raise argparse.ArgumentTypeError(f"'{text}' is not like {example}, with numbers from 1 to {most}")
-        return found if re.search("[,x]", example) else found[0]
-    return read
+def checked(flag: str, how: dict, text: str) -> str | int | list[int]:
+    """The value of an option: a word, or whole numbers, which are different ones in a list with commas."""
+    found = [int(word) for word in re.findall(r"\d+", text) if how["is"] != "word"]
+    repeated = "," in text and len(set(found)) < len(found)
+    if repeated or not re.fullmatch(how["pattern"], text) or not all(1 <= number <= how["max"] for number in found):
+        raise Problem(f"{flag} cannot be '{text}'; use {how['use']}")
+    return text if how["is"] == "word" else found if how["is"] == "list" else found[0]
 
 
 def parse(words: list[str]) -> argparse.Namespace:
     """The options of texts.json, of which none contradicts another."""
     parser = Parser(prog="./boxreel bench", description="Run benchmarks beside other engines, renderers and encoders.",
-                    epilog="\n".join(TEXTS["examples"]), formatter_class=argparse.RawDescriptionHelpFormatter)
-    commands = parser.add_subparsers(dest="benchmark", metavar="NAME", required=True)
+                    epilog="\n".join(TEXTS["examples"]), formatter_class=argparse.RawDescriptionHelpFormatter, exit_on_error=False)
+    commands, flags = parser.add_subparsers(dest="benchmark", metavar="NAME", required=True), {}
     for name in (*BENCHMARKS, "show"):
-        what = TEXTS[name]["what"]
-        command = commands.add_parser(name, help=what, description=f"{what[0].upper()}{what[1:]}.", allow_abbrev=False)
-        own = TEXTS[name].get("options", {})
-        for flag, how in (own | TEXTS["options"] | (TEXTS["measuring"] if name in BENCHMARKS else {})).items():
-            command.add_argument(flag, **how | ({"type": numbers(*how["type"])} if "type" in how else {}))
-    options = parser.parse_args(words)
-    for chart in options.chart:
-        if Path(chart).suffix not in (".png", ".svg"):
-            raise Problem(f"unsupported extension of '{chart}'; use .png or .svg")
+        what, own, more = TEXTS[name]["what"], TEXTS[name].get("options", {}), TEXTS["measuring"] if name in BENCHMARKS else {}
+        command = commands.add_parser(name, help=what, description=f"{what[0].upper()}{what[1:]}.", allow_abbrev=False,
+                                      exit_on_error=False)
+        flags[name] = own | TEXTS["options"] | more
+        for flag, how in flags[name].items():
+            command.add_argument(flag, **how | ({"type": functools.partial(checked, flag, how["type"])} if "type" in how else {}))
+    known = flags.get(name := "".join(words[:1]), {})
+    remedy = f"; `./boxreel bench {f'{name} ' * bool(known)}--help` shows what there is"
+    try:
+        options, unknown = parser.parse_known_args(words)
+    except argparse.ArgumentError as error:
+        takes = "needs a" if "metavar" in known.get(error.argument_name, {}) else "takes no"
+        wrong = {None: f"{'FILE' if known else 'NAME'} is missing", "NAME": f"unknown benchmark '{name}'"}
+        raise Problem(wrong.get(error.argument_name, f"{error.argument_name} {takes} value") + remedy) from error
+    if unknown:
+        raise Problem(f"unknown argument '{unknown[0]}'{remedy}")
     return options
 
 
@@ -86,10 +91,8 @@ def measured(benchmark: Benchmark, build: Path, cases: list[Result], options: ar
     try:
         for case in cases:
             note(f"{case['case']}: {case['what']}")
-            if options.against:
-                results += against.compared(benchmark, case, options.rounds, (build, Path(options.against)), measure)
-            else:
-                results.append(measure(case, build, options.rounds))
+            results += against.compared(benchmark, case, options.rounds, (build, Path(options.against)), measure
+                                        ) if options.against else [measure(case, build, options.rounds)]
     except KeyboardInterrupt:
         if not results:
             raise

@@ -14,7 +14,7 @@ from unittest import mock
 
 from support import ENGINE, HERE, BuildCase, engine_line
 
-from runner import charts, common, engine
+from runner import common
 
 PEER = ENGINE.replace("boxreel 1", "Box2D 2.4.1").replace('"cpu": 0.002', '"cpu": 0.008')
 HAS_MATPLOTLIB = importlib.util.find_spec("matplotlib") is not None
@@ -28,23 +28,20 @@ class Command(BuildCase):
         self.program("boxreel_bench", ENGINE)
         self.program("boxreel_bench_box2d", PEER)
 
-    def test_prints_a_table(self) -> None:
-        done = self.bench("engine")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("4.00×", done.stdout)
-        self.assertNotIn("snow", done.stdout)
-
     def test_refuses_unknown_arguments(self) -> None:
         for culprit, words in (("'large'", ["large"]), ("--curves", ["engine", "--curves"]), ("'rian'", ["engine", "rian"]),
-                               ("'rain'", ["engine", "rain", "rain"]), ("--rounds", ["engine", "--rounds", "0"]),
+                               ("'rain'", ["engine", "rain", "rain"]), ("--rounds", ["engine", "--rounds", "0"]), ("'pink'", ["engine", "--theme", "pink"]),
                                ("1,1", ["engine", "--threads", "1,1"]), ("640x361", ["record", "--size", "640x361"]),
                                ("chart.pdf", ["engine", "--chart", "chart.pdf"]), ("--rounds", ["show", "a", "--rounds", "2"]),
-                               ("--against", ["show", "a", "--against", "b"]), ("FILE", ["show"]), ("NAME", [])):
+                               ("--against", ["show", "a", "--against", "b"]), ("FILE", ["show"]), ("NAME", []),
+                               ("--rounds", ["engine", "--rounds"]), ("--list", ["engine", "--list=3"]), ("NAME", ["--nope"])):
             with self.subTest(words=words):
                 self.assert_refused(1, culprit, *words)
+                self.assertIn(";", self.bench(*words).stderr, "no remedy")
+                self.assertNotRegex(self.bench(*words).stderr, "argument [A-Z-]|choose from|unrecognized", "argparse's words")
 
     def test_suggests_the_nearest_case(self) -> None:
-        self.assertIn("did you mean 'rain'?", self.bench("engine", "rian").stderr)
+        self.assertIn("'rain'", self.bench("engine", "rian").stderr)
 
     def test_names_a_missing_program(self) -> None:
         self.assert_refused(3, "boxreel_render_bench", "render")
@@ -57,7 +54,7 @@ class Command(BuildCase):
         done = self.bench("engine", "--sub-steps", "4", "--rounds", "1", "--json", "a.json")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(self.calls()[0].split()[-4:], ["run", "rain", "1", "4"])
-        result = json.loads((self.folder / "a.json").read_text(encoding="utf-8"))["results"][0]
+        [result] = json.loads((self.folder / "a.json").read_text(encoding="utf-8"))["results"]  # snow is only named
         self.assertEqual((result["subSteps"], result["reached"]), (4, {}))
 
     def test_reads_what_it_wrote(self) -> None:
@@ -143,12 +140,11 @@ class Against(BuildCase):
         self.assertEqual(self.bench("engine", "--against", "other", "--rounds", "3").returncode, 0)
         self.assertEqual([call.split()[0] for call in self.calls()], ["this", "other", "other", "this", "this", "other"])
 
-    def test_prints_the_ratio_and_its_spread(self) -> None:
+    def test_writes_the_ratio_and_its_spread(self) -> None:
         done = self.bench("engine", "--against", "other", "--rounds", "3", "--json", "a.json")
-        row = next(line for line in done.stdout.splitlines() if " CPU " in line)
-        self.assertEqual(row.split()[-4:], ["1.50×", "1.50×", "1.50×", "same"])
         figures = {one["figure"]: one for one in json.loads((self.folder / "a.json").read_text(encoding="utf-8"))["results"]}
-        self.assertAlmostEqual(figures["CPU"]["ratio"], 1.5)
+        for key in ("ratio", "lowest", "highest"):
+            self.assertAlmostEqual(figures["CPU"][key], 1.5)
         self.assertEqual(figures["CPU"]["seconds"], [[0.002, 0.003]] * 3)
         self.assertAlmostEqual(figures["mean"]["ratio"], 1.0)
         self.assertEqual(self.bench("show", "a.json").stdout, done.stdout)
@@ -164,7 +160,8 @@ class Against(BuildCase):
 
     def test_marks_different_results(self) -> None:
         self.program("boxreel_bench", ENGINE.replace('"bits": "ab"', '"bits": "cd"'), build="other")
-        self.assertIn("DIFFERENT", self.bench("engine", "--against", "other").stdout)
+        done = self.bench("engine", "--against", "other", "--json", "-")
+        self.assertEqual({one["sameResults"] for one in json.loads(done.stdout)["results"]}, {False})
 
     def test_refuses_a_folder_that_is_no_build(self) -> None:
         self.assert_refused(3, "nowhere", "engine", "--against", "nowhere")
@@ -202,7 +199,7 @@ class Programs(BuildCase):
 
 @unittest.skipUnless(HAS_MATPLOTLIB, "matplotlib is not installed (Debian: python3-matplotlib)")
 class Charts(BuildCase):
-    """Charts as files, and the numbers that they show."""
+    """Charts as files."""
 
     def test_are_drawn_in_both_themes_and_formats(self) -> None:
         self.program("boxreel_bench", ENGINE)
@@ -212,26 +209,6 @@ class Charts(BuildCase):
         for name, start in (("a-light.png", b"\x89PNG"), ("a-dark.png", b"\x89PNG"), ("a-light.svg", b"<?xml"), ("a-dark.svg", b"<?xml")):
             self.assertEqual((self.folder / name).read_bytes()[:len(start)], start)
         self.assertNotEqual((self.folder / "a-dark.svg").read_bytes(), (self.folder / "a-light.svg").read_bytes())
-
-    def test_have_bars_on_both_sides_of_equal(self) -> None:
-        methods = [{"method": name, "ours": name == "boxreel", "cpu": cpu, "verdict": "sound"}
-                   for name, cpu in (("boxreel", 1.0), ("slow", 2.0), ("fast", 0.5))]
-        chart = charts.ratio_bars(common.TEXTS["engine"], [{"case": "c", "what": "w", "methods": methods}], "cpu")
-        self.assertEqual([bar[0] for bar in chart.groups[0][3]], [2.0, 0.5])
-        self.assertTrue(charts.draw(chart, "light", "png"))
-
-    def test_have_labels_that_cover_nothing(self) -> None:
-        from matplotlib.figure import Figure
-        points = [charts.Point(1.0 + 0.02 * i, 1.0 + 0.02 * (i % 3), f"label {i}", ".", i > 0) for i in range(30)]
-        axes = Figure(figsize=(6.0, 4.0)).add_subplot()
-        charts.draw_lines(axes, charts.Lines({"x": "x", "y": "y"}, [charts.Curve("a", 0, "-", points)]), "black", "gray")
-        labels = axes.figure.texts
-        self.assertIn("label 0", [label.get_text() for label in labels])
-        self.assertTrue(2 < len(labels) < 30, "some have no room")
-        boxes = [label.get_window_extent() for label in labels]
-        marks = axes.transData.transform([point[:2] for point in points])
-        for number, box in enumerate(boxes[1:], 1):  # the first must be there
-            self.assertEqual((box.count_overlaps(boxes[:number]), box.count_contains(marks)), (0, 0), labels[number])
 
 
 if __name__ == "__main__":

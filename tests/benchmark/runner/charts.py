@@ -8,7 +8,7 @@ from collections import namedtuple
 from pathlib import Path
 from typing import Iterable
 
-from .common import ABSENT, Problem, Result, time_text, times_text, wrong_text
+from .common import ABSENT, Problem, Result, time_text, times_text, verdict_text
 
 THEMES = ("light", "dark")  # a file of matplotlib's settings each, and chart.mplstyle for both
 MARKS = {".": ("o", 5.0), "o": ("o", 9.0), "x": ("X", 6.5), "speck": ("o", 3.0)}  # of points, and their sizes
@@ -36,9 +36,9 @@ def ratio_bars(texts: dict, results: list[Result], figure: str) -> Bars:
         ours, bars = result["methods"][0], []
         for name in peers:
             peer = next((one for one in result["methods"] if one["method"] == name), {"verdict": "not run"})
-            wrong = wrong_text(ours["verdict"]) if ours["verdict"] != "sound" else peer["verdict"]
-            ratio = peer[figure] / ours[figure] if wrong == "sound" else None
-            bars.append((ratio, times_text(ratio) if ratio else f"not compared: {wrong}"))
+            wrong = next((one for one in (ours, peer) if one["verdict"] != "sound"), None)
+            bars.append((None, f"not compared: {verdict_text(wrong, result, wrong is ours)}") if wrong else
+                        (peer[figure] / ours[figure], times_text(peer[figure] / ours[figure])))
         groups.append((result["case"], result["what"], time_text(ours.get(figure)), bars))
     return Bars({"axis": "times faster than the peer", **texts}, groups, [f"than {name}" for name in peers])
 

@@ -37,8 +37,8 @@ class Problem(Exception):
 
 class Benchmark:
     """A kind of measurement. Subclasses have `measure(build, case, options, work)`, which returns a Result;
-    `judge(result)`, which adds verdicts and, in `reached`, what goals are for, None where a run is broken; and
-    `drawn(results)`, their charts by what is added to the names of their files."""
+    `judge(result)`, which adds verdicts (keys of texts.json) and, in `reached`, what goals are for, None where a run is
+    broken; and `drawn(results)`, their charts by what is added to the names of their files."""
     name = program = ""
     list_words = ["list"]
     peers: dict[str, str] = {}  # programs, and the packages that they were built with
@@ -122,11 +122,6 @@ def program(build: Path, name: str) -> Path:
     return path
 
 
-def wrong_text(verdict: str) -> str:
-    """The sentence that a verdict on our run beside its peers stands for, without a full stop."""
-    return TEXTS["verdicts"].get(verdict, f"boxreel's run has the verdict '{verdict}'")
-
-
 def is_number(value: Any) -> bool:
     """True if it is a finite number."""
     return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
@@ -142,8 +137,23 @@ def median_of(values: list) -> Any:
 
 def is_met(goal: list, value: float | None) -> bool:
     """Whether a figure meets a goal such as ["<=", 5]; what is None or not a number meets none."""
-    way, bound = goal
-    return is_number(value) and (value >= bound if way == ">=" else value <= bound)
+    return is_number(value) and (value >= goal[1] if goal[0] == ">=" else value <= goal[1])
+
+
+def missed_goals(one: Result, result: Result) -> list[tuple[str, float | None, list]]:
+    """What a run of accuracy reached where it misses a goal; without a goal every error is small enough."""
+    reached = {**one.get("remarks", {}), "error": one.get("error")}
+    return [(figure, reached.get(figure), goal) for figure, goal in GOALS["accuracy"].get(result.get("case"), {}).items()
+            if not is_met(goal, reached.get(figure))]
+
+
+def verdict_text(one: Result, result: Result, as_reason: bool = False) -> str:
+    """The words for the verdict of a run, or the clause by which it is a reason not to compare ours with the peers."""
+    remarks = ", ".join(f"{figure} {value} ({goal_text(goal)})" for figure, value, goal in missed_goals(one, result)
+                        if figure != "error")
+    words, clause = (*TEXTS["verdicts"][one["verdict"]], "boxreel's run has the verdict '{}'")[:2]
+    words = words.format(one=one, result=result, remarks=remarks)
+    return clause.format(words) if as_reason else words
 
 
 def read_results(path: str, kinds: dict[str, Benchmark]) -> tuple[Benchmark, list[Result]]:
@@ -221,14 +231,13 @@ def table(align: str, rows: list[list[str]]) -> str:
 
 
 def columns_table(columns: list[list[str]], results: list[Result], key: str = "methods") -> str:
-    """A row for each method of each case, or for each result without any, by columns of (head, path, kind).
-
-    The name of a case stands where it begins; a method that failed has its name and verdict alone.
-    """
+    """A row for each method of each case, or for each result without any, by columns of (head, path, kind). The name of a
+    case stands where it begins; a method that failed has its name and verdict alone."""
     rows = [[head for head, _, _ in columns]]
     for result in results:
         for number, one in enumerate(result.get(key, [result])):
-            one = {**one, "case": result.get("case") if number == 0 else ""}
+            words = verdict_text(one, result) if "verdict" in one else ""
+            one = {**one, "verdict": words, "case": result.get("case") if number == 0 else ""}
             rows.append([cell(one, path, kind) for _, path, kind in columns if "failure" not in one or kind in TO_THE_LEFT])
     return table("".join("<" if kind in TO_THE_LEFT else ">" for _, _, kind in columns), rows)
 

@@ -11,19 +11,19 @@ GOAL_PEER, GOAL_PROGRAM = "Box2D 2.4", "boxreel_bench_box2d"  # whose times goal
 
 
 def judge_alone(figures: Result) -> str:
-    """What is wrong with a run by itself, or "sound"."""
+    """The verdict on a run by itself."""
     if "failure" in figures or not figures["finite"]:
-        return figures.get("failure", "not finite")
-    return next((f"{figures[what]:.0f} {what}" for what in ("escaped", "awake") if figures[what] > 0), "sound")
+        return "failed" if "failure" in figures else "not finite"
+    return next((what for what in ("escaped", "awake") if figures[what] > 0), "sound")
 
 
 def judge_beside(result: Result, ours: Result, peers: list[Result]) -> str:
-    """What is wrong with our run beside the sound ones of peers, or "sound"; docs/notes/engine-speed.md has reasons."""
+    """The verdict on our run beside the sound ones of peers; docs/notes/engine-speed.md has reasons."""
     moving = result["comparesSpeeds"]
     for figure, (share, least, wrong) in GOALS["likeness"]["moving" if moving else "resting"].items():
         low, high = (choose(peer[figure] for peer in peers) for choose in (min, max))
         if not low - max(least, share * abs(low)) <= ours[figure] <= high + max(least, share * abs(high)):
-            return wrong.format(**result)
+            return wrong
     share, least = GOALS["likeness"]["overlap"]
     deepest = min((peer["overlap"] + max(least, share * peer["overlap"])
                    for peer in peers if peer["program"] == GOAL_PROGRAM), default=float("inf"))

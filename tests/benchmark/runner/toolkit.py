@@ -8,9 +8,8 @@ import shutil
 from pathlib import Path
 
 from . import charts
-from .common import (
-    FAILED, TEXTS, Benchmark, Ended, Problem, Result, columns_table, digits, median_of, note, objects,
-    program, run, table, value_at, version_of)
+from .common import (FAILED, TEXTS, Benchmark, Ended, Problem, Result, columns_table, digits, median_of, note, objects, program,
+                     run, table, value_at, version_of)
 
 
 class Drawing(Benchmark):
@@ -72,9 +71,8 @@ def make(film: Result, work: Path, *more: str) -> Ended:
     shutil.rmtree(work / film["role"], ignore_errors=True)
     (work / film["role"]).mkdir()
     ended = run([*film["words"], *more])
-    if film["role"] != "immediate":
-        return ended
-    return ended._replace(memory=1024.0 * objects(ended.output)[-1]["kilobytes"])  # of two processes
+    of_two = film["role"] == "immediate"  # processes
+    return ended._replace(memory=1024.0 * objects(ended.output)[-1]["kilobytes"]) if of_two else ended
 
 
 class Recording(Benchmark):
@@ -125,7 +123,7 @@ class Recording(Benchmark):
         """Goals are for films of the case's own size, and only sound films are compared."""
         films = {one["role"]: one for one in result["methods"] if "failure" not in one}
         for one in result["methods"]:
-            one["verdict"] = one.get("failure") or one["seen"]
+            one["verdict"] = "not made" if "failure" in one else "sound" if one["seen"] == "sound" else "unlike"
             if "failure" not in one:
                 one |= {"rate": one["frames"] / one["wall"], "megabytes": one["memory"] / 1e6}
 
@@ -235,8 +233,7 @@ class Comparing(Benchmark):
                     raise
                 one["failure"] = str(problem)
         found = [method["of"] for method in programs]
-        absent = [sentence for name, sentence in TEXTS["golden"]["absent"].items()
-                  if name not in found and not options.against]
+        absent = [name for name in TEXTS["golden"]["absent"] if name not in found and not options.against]
         return {**case, "changes": objects(run([helper, "list"]).output), "absent": absent, "methods": methods}
 
     def judge(self, result: Result) -> None:
@@ -259,7 +256,7 @@ class Comparing(Benchmark):
                   for one in results[0]["changes"]]
         return (columns_table([name, *([one["change"]] * 2 + ["calls"] for one in changes), *clocks, said], rows)
                 + TEXTS["golden"]["legend"] + ", ".join(result["case"] for result in results) + ".\n\n"
-                + table("<<<", legend) + "".join(f"\n{sentence}" for sentence in (*results[0]["absent"], "")))
+                + table("<<<", legend) + "".join(f"\n{TEXTS['golden']['absent'][name]}" for name in results[0]["absent"]) + "\n")
 
     def drawn(self, results: list[Result]) -> dict:
         return {"": charts.ratio_bars(TEXTS["golden"], results, "process")}
