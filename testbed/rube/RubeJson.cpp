@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "RubeJson.h"
 
+#include <base/Counting.h>
+#include <base/Unusable.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -102,11 +104,6 @@ private:
     std::size_t m_errorPosition = 0;
     bool m_isNumberTooLarge = false;
 };
-
-Error Unusable(std::string culprit, std::string problem, std::string remedy)
-{
-    return {ErrorKind::Unusable, std::move(culprit), std::move(problem), std::move(remedy)};
-}
 
 // "3:5", line and column of the last byte that was read; `position` counts them.
 std::string Place(std::string_view text, std::size_t position)
@@ -217,8 +214,7 @@ Result<JsonDocument> JsonDocument::Parse(std::string_view text, std::string sour
 {
     if (text.size() > kMaxBytes)
     {
-        return Unusable(source, "is larger than " + std::to_string(kMaxBytes >> 20) + " MB",
-                        kSplit);
+        return Unusable(source, "is larger than " + SizeText(kMaxBytes), kSplit);
     }
     // The library takes a zero byte for the end of the text and would ignore what follows.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
