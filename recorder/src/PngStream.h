@@ -13,8 +13,8 @@
 namespace boxreel
 {
 
-/// Keeps its buffers from frame to frame: to get megabytes anew for each would cost a third of the
-/// time. For one thread.
+/// Keeps its buffers from frame to frame: allocating megabytes for each is slow
+/// (docs/notes/png.md). For one thread.
 class PngStream
 {
 public:

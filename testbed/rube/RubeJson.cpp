@@ -133,14 +133,14 @@ Error SyntaxError(std::string_view text, std::size_t position, const std::string
 // Limits length and removes control characters.
 std::string Shortened(std::string_view text)
 {
-    constexpr std::size_t kMost = 40;
-    std::string result(text.substr(0, kMost));
+    constexpr std::size_t kMaxLength = 40;
+    std::string result(text.substr(0, kMaxLength));
     for (char& c : result)
     {
         const unsigned char byte = static_cast<unsigned char>(c);
         c = byte < 0x20 || byte >= 0x7F ? '?' : c;
     }
-    return text.size() > kMost ? result + "..." : result;
+    return text.size() > kMaxLength ? result + "..." : result;
 }
 
 // Appends the path from `from` to `target`, such as ".body[3].angle", and returns true if there is
