@@ -7,9 +7,10 @@
 #include <memory>
 #include <span>
 
-/// PNG files of opaque frames, for sequences: three times as fast as zlib's fastest level and about
-/// as small. Deflate (RFC 1951) looks for repetitions in general; a drawing repeats the pixel to
-/// the left, the row above, or an edge like one before. Only these three places are compared.
+/// PNG files of opaque frames, for sequences: faster than zlib's fastest level and not larger
+/// (docs/notes/png.md). Deflate (RFC 1951) looks for repetitions in general; a drawing repeats the
+/// pixel to the left, the row above, or an edge like one before. Only these three places are
+/// compared.
 namespace boxreel
 {
 
