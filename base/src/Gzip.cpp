@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <base/Counting.h>
 #include <base/Gzip.h>
 
 #include <zlib.h>
@@ -105,8 +106,7 @@ Result<std::string> Gunzip(const std::string& name, std::string_view bytes, std:
         out.append(block.data(), block.size() - stream.avail_out);
         if (out.size() > limit)
         {
-            return Error{ErrorKind::Unusable, name,
-                         "unpacks to more than " + std::to_string(limit >> 20) + " MB"};
+            return Error{ErrorKind::Unusable, name, "unpacks to more than " + SizeText(limit)};
         }
     }
     if (status != Z_STREAM_END || stream.avail_in != 0)

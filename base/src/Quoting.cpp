@@ -73,6 +73,15 @@ std::string MarkupEscaped(std::string_view text)
     return escaped;
 }
 
+std::string JsonForScript(std::string json)
+{
+    for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at))
+    {
+        json.replace(at, 1, "\\u003c");
+    }
+    return json;
+}
+
 std::string Base64(std::string_view bytes)
 {
     constexpr std::string_view kLetters =

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <base/Counting.h>
 #include <base/ReadWhole.h>
 
 #include <fstream>
 
 namespace boxreel
 {
-namespace
-{
-
-/// Whole megabytes are printed as such, in the unit in which the limit was chosen.
-std::string SizeText(std::uintmax_t bytes)
-{
-    return bytes >> 20 > 0 ? std::to_string(bytes >> 20) + " MB" : std::to_string(bytes) + " bytes";
-}
-
-} // namespace
 
 Error FileNotFound(const std::filesystem::path& path)
 {

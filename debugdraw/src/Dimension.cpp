@@ -90,9 +90,9 @@ int CountUnder(const LabelObstacles& obstacles, const Camera& view, PixelPoint c
     return count;
 }
 
-/// Returns the position where the text covers least: first in the middle of a line through `middle`
-/// on its own side, then along it, then between the line and the measured points, at distance
-/// `offset`.
+/// Returns the position where the text covers least. Tried first is the middle of a line through
+/// `middle` on its own side, then other places along it. The last ones are between the line and the
+/// measured points, at distance `offset`.
 PixelPoint ClearPlace(const LabelObstacles& obstacles, const Camera& view, const Measured& measured,
                       PixelPoint middle, PixelPoint side, double offset, double width)
 {

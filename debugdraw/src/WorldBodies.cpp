@@ -61,8 +61,8 @@ std::string InOneLine(std::string_view name)
 std::string Shortened(const std::string& given, double room)
 {
     const std::string name = InOneLine(given);
-    constexpr std::size_t kMost = 60;
-    std::string shown = name.substr(0, kMost);
+    constexpr std::size_t kMaxBytes = 60;
+    std::string shown = name.substr(0, kMaxBytes);
     while (!shown.empty() && (shown.size() < name.size() && !BeginsLetter(name[shown.size()])))
     {
         shown.pop_back();

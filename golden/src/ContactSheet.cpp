@@ -95,8 +95,8 @@ std::string WhyNotUsable(const ContactSheetSettings& settings)
     return settings.columns < 1 || settings.width < 1 ? "columns and width must be at least 1" : "";
 }
 
-Error Unusable(const std::filesystem::path& film, const std::string& why,
-               const std::string& remedy = "")
+Error NoContactSheet(const std::filesystem::path& film, const std::string& why,
+                     const std::string& remedy = "")
 {
     return Error{ErrorKind::Unusable, film.string(), "cannot become a contact sheet: " + why,
                  remedy};
@@ -119,7 +119,7 @@ Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
         {
             if (pictures.size() == kMaxSheetPictures)
             {
-                return Unusable(
+                return NoContactSheet(
                     film,
                     "it has more than " + std::to_string(kMaxSheetPictures) +
                         " pictures, one every " + std::to_string(settings.every) + " steps",
@@ -135,7 +135,7 @@ Result<std::vector<Frame>> Sample(const std::filesystem::path& film,
     }
     if (shown.rgba.empty())
     {
-        return Unusable(film, "it has no frame");
+        return NoContactSheet(film, "it has no frame");
     }
     // The last frame lasts one period, in which another sample may fall.
     const double period = 1.0 / reader.Info().framesPerSecond.ToDouble();
@@ -172,7 +172,7 @@ Result<ContactSheet> ContactSheetOf(const std::filesystem::path& film,
 {
     if (const std::string why = WhyNotUsable(settings); !why.empty())
     {
-        return Unusable(film, why);
+        return NoContactSheet(film, why);
     }
     ASSIGN_OR_RETURN(const std::vector<Frame> pictures, Sample(film, settings));
     const Frame& first = pictures.front();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "DifferencePicture.h"
 
+#include "PixelWord.h"
+
 #include <golden/Compare.h>
 
 #include <algorithm>
@@ -45,13 +47,6 @@ std::uint32_t Faded(std::uint32_t pixel)
     return gray << Shift(0) | gray << Shift(1) | gray << Shift(2) | 255u << Shift(3);
 }
 
-std::uint32_t Load(const std::uint8_t* pixel)
-{
-    std::uint32_t word;
-    std::memcpy(&word, pixel, 4);
-    return word;
-}
-
 void Store(std::uint8_t* pixel, std::uint32_t word)
 {
     std::memcpy(pixel, &word, 4);
@@ -61,7 +56,7 @@ void FadeRow(const std::uint8_t* from, std::uint8_t* to, int width)
 {
     for (std::size_t i = 0; i < std::size_t(width) * 4; i += 4)
     {
-        Store(to + i, Faded(Load(from + i)));
+        Store(to + i, Faded(PixelWord(from + i)));
     }
 }
 

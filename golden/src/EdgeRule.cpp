@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "EdgeRule.h"
 
+#include "PixelWord.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -67,23 +69,16 @@ struct Neighbourhood
     bool isFlat = true; // all equal
 };
 
-std::uint32_t Word(const std::uint8_t* pixel)
-{
-    std::uint32_t word;
-    std::memcpy(&word, pixel, 4);
-    return word;
-}
-
 Neighbourhood Around(const Frame& frame, int x, int y)
 {
     Neighbourhood around;
-    const std::uint32_t middle = Word(frame.Pixel(x, y));
+    const std::uint32_t middle = PixelWord(frame.Pixel(x, y));
     around.pixels[around.count++] = middle;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, frame.height - 1); ++v)
     {
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, frame.width - 1); ++u)
         {
-            const std::uint32_t pixel = Word(frame.Pixel(u, v));
+            const std::uint32_t pixel = PixelWord(frame.Pixel(u, v));
             if (pixel != middle)
             {
                 around.pixels[around.count++] = pixel;

@@ -3,6 +3,7 @@
 
 #include "EdgeRule.h"
 #include "PairTable.h"
+#include "PixelWord.h"
 
 #include <algorithm>
 #include <array>
@@ -15,13 +16,6 @@ namespace boxreel
 
 namespace
 {
-
-std::uint32_t Word(const std::uint8_t* pixel)
-{
-    std::uint32_t word;
-    std::memcpy(&word, pixel, 4);
-    return word;
-}
 
 class Marker
 {
@@ -58,11 +52,11 @@ public:
             const std::uint8_t* q = m_actual.Pixel(0, y);
             m_first = 0;
             m_last = common - 1;
-            while (m_last >= 0 && Word(p + 4 * m_last) == Word(q + 4 * m_last))
+            while (m_last >= 0 && PixelWord(p + 4 * m_last) == PixelWord(q + 4 * m_last))
             {
                 --m_last;
             }
-            while (m_first < m_last && Word(p + 4 * m_first) == Word(q + 4 * m_first))
+            while (m_first < m_last && PixelWord(p + 4 * m_first) == PixelWord(q + 4 * m_first))
             {
                 ++m_first;
             }
@@ -125,12 +119,12 @@ private:
     bool MarkUniform(const std::uint8_t* p, const std::uint8_t* q, int x, int count)
     {
         const std::size_t allButOne = std::size_t(count - 1) * 4;
-        if (Word(q) != Word(q + 4) || m_hasIgnored || std::memcmp(q, q + 4, allButOne) != 0 ||
-            std::memcmp(p, p + 4, allButOne) != 0)
+        if (PixelWord(q) != PixelWord(q + 4) || m_hasIgnored ||
+            std::memcmp(q, q + 4, allButOne) != 0 || std::memcmp(p, p + 4, allButOne) != 0)
         {
             return false;
         }
-        const bool isOver = m_pairs.IsOver(Word(p), Word(q));
+        const bool isOver = m_pairs.IsOver(PixelWord(p), PixelWord(q));
         std::fill(m_row + x, m_row + x + count, isOver ? Mark::Over : Mark::Within);
         m_inRow += count;
         m_overInRow += isOver ? count : 0;
@@ -147,7 +141,7 @@ private:
         int different = 0, over = 0;
         for (; x < end; ++x)
         {
-            const std::uint32_t a = Word(p + 4 * x), b = Word(q + 4 * x);
+            const std::uint32_t a = PixelWord(p + 4 * x), b = PixelWord(q + 4 * x);
             if (a == b || (hasIgnored && row[x] == Mark::Ignored))
             {
                 continue;
@@ -180,8 +174,8 @@ private:
         Words a{}, b{};
         for (int i = 0; i < m_newCount; ++i)
         {
-            a[i] = Word(p + 4 * m_new[std::size_t(i)]);
-            b[i] = Word(q + 4 * m_new[std::size_t(i)]);
+            a[i] = PixelWord(p + 4 * m_new[std::size_t(i)]);
+            b[i] = PixelWord(q + 4 * m_new[std::size_t(i)]);
         }
         const std::array<bool, kLanes> areOver = m_pairs.AreOver(a, b, m_newCount);
         for (int i = 0; i < m_newCount; ++i)

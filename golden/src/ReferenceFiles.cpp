@@ -5,6 +5,7 @@
 #include <base/ErrorMacros.h>
 #include <base/Gzip.h>
 #include <base/ReadWhole.h>
+#include <base/Unusable.h>
 
 #include <algorithm>
 #include <system_error>
@@ -30,11 +31,6 @@ bool IsNameCharacter(char c)
 bool IsInside(const fs::path& root, const fs::path& path)
 {
     return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
-}
-
-Error Unusable(const fs::path& path, const std::string& problem, const std::string& remedy)
-{
-    return Error{ErrorKind::Unusable, path.string(), problem, remedy};
 }
 
 fs::path Packed(fs::path pathTxt)
@@ -86,7 +82,8 @@ Result<fs::path> PathInside(const fs::path& root, const fs::path& relative)
         const fs::path target = code ? fs::path() : fs::canonical(here, code);
         if (code || !IsInside(realRoot, target))
         {
-            return Unusable(here, "is a link to a place outside " + root.string(), "remove it");
+            return Unusable(here.string(), "is a link to a place outside " + root.string(),
+                            "remove it");
         }
     }
     return here;
@@ -102,11 +99,11 @@ Result<bool> IsFile(const fs::path& path)
     }
     if (code)
     {
-        return Unusable(path, "cannot be read: " + code.message(), "make it readable");
+        return Unusable(path.string(), "cannot be read: " + code.message(), "make it readable");
     }
     if (!fs::is_regular_file(status))
     {
-        return Unusable(path, "is not a regular file", "move it");
+        return Unusable(path.string(), "is not a regular file", "move it");
     }
     return true;
 }
@@ -127,7 +124,8 @@ Result<std::optional<std::string>> ReadStoredText(const fs::path& root, const fs
     }
     if (*hasPlain && *hasPacked)
     {
-        return Unusable(*plain, packed->filename().string() + " also exists", "remove one of them");
+        return Unusable(plain->string(), packed->filename().string() + " also exists",
+                        "remove one of them");
     }
     if (!*hasPlain && !*hasPacked)
     {
@@ -168,8 +166,8 @@ Result<void> WriteAll(const std::vector<FileToWrite>& files)
         fs::create_directories(file.path.parent_path(), code);
         if (code)
         {
-            return Unusable(file.path.parent_path(), "cannot be created: " + code.message(),
-                            "choose another folder");
+            return Unusable(file.path.parent_path().string(),
+                            "cannot be created: " + code.message(), "choose another folder");
         }
         ASSIGN_OR_RETURN(AtomicFile opened, AtomicFile::Create(file.path, true));
         const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.bytes.data());

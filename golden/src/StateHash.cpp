@@ -35,17 +35,6 @@ void Mix(std::uint64_t& hash, const b2Body& body)
     Mix(hash, body.GetAngularVelocity());
 }
 
-std::vector<const b2Body*> OldestFirst(const b2World& world)
-{
-    std::vector<const b2Body*> bodies;
-    for (const b2Body* body = world.GetBodyList(); body; body = body->GetNext())
-    {
-        bodies.push_back(body); // the world lists its newest body first
-    }
-    std::reverse(bodies.begin(), bodies.end());
-    return bodies;
-}
-
 // FNV's low bits depend only on the low bits of the input; its middle bits on all of them.
 char Digit(std::uint64_t hash)
 {
@@ -98,6 +87,17 @@ std::string DigitsOfRowsAndColumns(const std::vector<const b2Body*>& bodies, int
 }
 
 } // namespace
+
+std::vector<const b2Body*> OldestFirst(const b2World& world)
+{
+    std::vector<const b2Body*> bodies;
+    for (const b2Body* body = world.GetBodyList(); body; body = body->GetNext())
+    {
+        bodies.push_back(body); // the world lists its newest body first
+    }
+    std::reverse(bodies.begin(), bodies.end());
+    return bodies;
+}
 
 std::uint64_t StateHash(const b2World& world)
 {

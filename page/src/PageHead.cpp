@@ -34,7 +34,7 @@ std::string StringText(std::string_view text)
     for (const char c : text)
     {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20 || c == '"' || c == '\\' || c == '<')
+        if (byte < 0x20 || c == '"' || c == '\\')
         {
             json += "\\u00" + HexByte(byte);
         }
@@ -43,7 +43,7 @@ std::string StringText(std::string_view text)
             json += c;
         }
     }
-    return json + "\"";
+    return JsonForScript(json + "\"");
 }
 
 template <class Range, class Function>

@@ -110,8 +110,8 @@ void BindConstants(py::module_& module)
 PYBIND11_MODULE(_boxreel, module)
 {
     using namespace boxreel::python;
-    // NumPy is loaded here, where no other thread can be inside: pybind11 would do it at the first
-    // array, in a function that other threads then wait for with the interpreter's lock.
+    // NumPy is loaded here, where no other thread can be inside. pybind11 would load it at the
+    // first array. Other threads would then wait for it while holding the interpreter's lock.
     try
     {
         (void)py::detail::npy_api::get();

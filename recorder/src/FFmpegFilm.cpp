@@ -236,9 +236,9 @@ Result<void> FFmpegFilm::Repeat()
     return {};
 }
 
-/// True if an equal frame must be given to the encoder although it can be repeated: it begins a
-/// group, a decoder should be able to start there, or the picture has been still for long. x264
-/// improves a still picture with each frame that it encodes.
+/// True if an equal frame must be given to the encoder although it can be repeated. Reasons: it
+/// begins a group, a decoder should be able to start there, or the picture has long been still.
+/// x264 improves a still picture with each frame that it encodes.
 bool FFmpegFilm::MustEncode(std::int64_t index) const
 {
     constexpr std::int64_t kFirstImproved = 8; // then 16, 32, …; smaller costs slow motion time

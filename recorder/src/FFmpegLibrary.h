@@ -15,8 +15,8 @@ extern "C" {
 #include <libswscale/swscale.h>
 }
 
-/// libav, loaded on first use: linking it would cost every command 30 ms. A table of the functions
-/// in use, and owners of their objects. Only the files named FFmpeg* include this.
+/// libav, loaded on first use: linking it would delay the start of every command. A table of the
+/// functions in use, and owners of their objects. Only the files named FFmpeg* include this.
 namespace boxreel
 {
 

@@ -15,7 +15,7 @@ namespace boxreel
 namespace
 {
 
-constexpr std::int64_t kMost = 1'000'000'000'000;
+constexpr std::int64_t kMaxFrame = 1'000'000'000'000;
 
 /// `why` describes the word at fault.
 Error Refused(std::string_view text, std::string_view word, std::string_view why)
@@ -30,7 +30,7 @@ std::optional<std::int64_t> Whole(std::string_view text)
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool isWhole = error == std::errc() && end == text.data() + text.size();
-    return isWhole && value >= 0 && value < kMost ? std::optional(value) : std::nullopt;
+    return isWhole && value >= 0 && value < kMaxFrame ? std::optional(value) : std::nullopt;
 }
 
 /// Parses "7", "7-20" or "7-20:2".

@@ -22,9 +22,9 @@ constexpr std::int64_t kOrderStep = 2; // order counts of two frames, each of wh
 
 constexpr std::uint32_t kImplicitWeights = 2;
 
-/// Returns the bits of order counts in the film: whole bytes more than the encoder's, so that what
-/// follows in a slice keeps its place within a byte, which arithmetic code needs. At least 12: 1000
-/// pictures between two references.
+/// Returns the bits of order counts in the film. They are whole bytes more than the encoder's, so
+/// the rest of a slice keeps its position within a byte. Arithmetic code needs that. At least 12:
+/// 1000 pictures between two references.
 int WiderOrder(int bits)
 {
     return bits == 0 ? 16 : bits <= 8 ? bits + 8 : bits;

@@ -10,7 +10,7 @@
 /// Such a picture is a slice in which every macroblock is skipped: a dozen bytes. It is not a
 /// reference, so it does not affect the encoder's pictures. Only their picture order counts are
 /// written again, with more bits, because the encoder counts its own pictures alone. Plain bytes,
-/// without libav; used by RepeatPackets.
+/// without libav; used by FFmpegRepeat.
 namespace boxreel
 {
 

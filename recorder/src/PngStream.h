@@ -7,14 +7,15 @@
 #include <memory>
 #include <span>
 
-/// PNG files of opaque frames, for sequences: three times as fast as zlib's fastest level and about
-/// as small. Deflate (RFC 1951) looks for repetitions in general; a drawing repeats the pixel to
-/// the left, the row above, or an edge like one before. Only these three places are compared.
+/// PNG files of opaque frames, for sequences: faster than zlib's fastest level and not larger
+/// (docs/notes/png.md). Deflate (RFC 1951) looks for repetitions in general; a drawing repeats the
+/// pixel to the left, the row above, or an edge like one before. Only these three places are
+/// compared.
 namespace boxreel
 {
 
-/// Keeps its buffers from frame to frame: to get megabytes anew for each would cost a third of the
-/// time. For one thread.
+/// Keeps its buffers from frame to frame: allocating megabytes for each is slow
+/// (docs/notes/png.md). For one thread.
 class PngStream
 {
 public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ChildProcess.h"
 
+#include <base/Counting.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -66,7 +68,7 @@ Words ReadAll(int file, const ChildBounds& bounds, Clock::time_point start)
         }
         if (text.size() > bounds.output)
         {
-            words.excess = "it wrote more than " + std::to_string(bounds.output >> 20) + " MB";
+            words.excess = "it wrote more than " + SizeText(bounds.output);
             return words;
         }
         const ssize_t count = read(file, buffer, sizeof buffer);

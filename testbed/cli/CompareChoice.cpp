@@ -53,7 +53,7 @@ namespace
 {
 
 // Far more pixels than any picture has, and a side that no picture exceeds.
-constexpr std::int64_t kMostPixels = 1'000'000'000;
+constexpr std::int64_t kMaxPixels = 1'000'000'000;
 constexpr int kLargestSide = 65535;
 
 /// "0.1%" or "0.001", as a number from 0 to 1.
@@ -97,11 +97,11 @@ Result<PixelBounds> ParseRectangle(const std::string& option, const std::string&
 /// "3,17": numbers of bodies.
 Result<std::vector<int>> ParseBodies(const std::string& option, const std::string& text)
 {
-    constexpr int kMostBodies = 1'000'000;
+    constexpr int kMaxBodies = 1'000'000;
     std::vector<int> bodies;
     for (const std::string& part : SplitAt(',', text))
     {
-        const Result<std::int64_t> body = ParseWhole(option, part, 0, kMostBodies);
+        const Result<std::int64_t> body = ParseWhole(option, part, 0, kMaxBodies);
         if (!body)
         {
             return BadValue(option, text, "must be numbers of bodies, such as 3,17",
@@ -141,12 +141,12 @@ void AddCompare(Command& command, CompareChoice& choice, const std::string& usua
     AddValue(command, "--edge-shift", "PX", choice.edgeShift,
              NumberBetween(0.0, 0.45, "must be a number of pixels from 0 to 0.45, such as 0.2"),
              "Allow edges to shift this far (the preset's)");
-    AddValue(command, "--max-pixels", "N", choice.maxPixels, WholeBetween(0, kMostPixels),
+    AddValue(command, "--max-pixels", "N", choice.maxPixels, WholeBetween(0, kMaxPixels),
              "Allow this many pixels over tolerance (the preset's)");
     AddValue(command, "--max-ratio", "SHARE", choice.maxRatio, ParseShare,
              "Allow this share of all pixels over tolerance, such as 0.1%\n"
              "(the preset's)");
-    AddValue(command, "--max-in-window", "N", choice.maxInWindow, WholeBetween(0, kMostPixels),
+    AddValue(command, "--max-in-window", "N", choice.maxInWindow, WholeBetween(0, kMaxPixels),
              "Allow this many pixels over tolerance in a square window\n"
              "(the preset's)");
     AddValue(command, "--window", "PX", choice.window, WholeBetween(1, kLargestSide),

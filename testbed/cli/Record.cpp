@@ -132,7 +132,7 @@ Result<int> Run(const RecordOptions& options)
 namespace
 {
 
-constexpr std::int64_t kMostFrames = 10'000'000; // 46 hours at 60 frames a second
+constexpr std::int64_t kMaxFrames = 10'000'000; // 46 hours at 60 frames a second
 
 using NameAndValue = std::pair<std::string, std::string>;
 
@@ -222,7 +222,7 @@ void AddTime(Command& command, RecordOptions& record)
     AddValue(command, "--seconds", "TIME", record.length.seconds, ParseDuration,
              "Set the length of the film (10)")
         .Group("Time");
-    AddValue(command, "--frames", "N", record.length.frames, WholeBetween(1, kMostFrames),
+    AddValue(command, "--frames", "N", record.length.frames, WholeBetween(1, kMaxFrames),
              "Set the length in frames instead")
         .Group("Time");
     AddValue(command, "--from", "TIME", record.length.from, ParseDuration,

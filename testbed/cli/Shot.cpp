@@ -108,16 +108,16 @@ Result<void> CheckSheet(const ShotOptions& options, PictureFormat format)
     return {};
 }
 
-/// Lists at most kMost of them.
+/// Lists at most kMaxListed of them.
 std::string Listed(const std::vector<std::string>& letters)
 {
-    constexpr std::size_t kMost = 20;
+    constexpr std::size_t kMaxListed = 20;
     std::string named;
-    for (std::size_t i = 0; i < std::min(letters.size(), kMost); ++i)
+    for (std::size_t i = 0; i < std::min(letters.size(), kMaxListed); ++i)
     {
         named += letters[i];
     }
-    return named + (letters.size() > kMost ? "..." : "");
+    return named + (letters.size() > kMaxListed ? "..." : "");
 }
 
 Result<void> TellMissingLetters(const Figure& figure, PictureFormat format)

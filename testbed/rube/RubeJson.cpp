@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "RubeJson.h"
 
+#include <base/Counting.h>
+#include <base/Unusable.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -103,11 +105,6 @@ private:
     bool m_isNumberTooLarge = false;
 };
 
-Error Unusable(std::string culprit, std::string problem, std::string remedy)
-{
-    return {ErrorKind::Unusable, std::move(culprit), std::move(problem), std::move(remedy)};
-}
-
 // "3:5", line and column of the last byte that was read; `position` counts them.
 std::string Place(std::string_view text, std::size_t position)
 {
@@ -136,14 +133,14 @@ Error SyntaxError(std::string_view text, std::size_t position, const std::string
 // Limits length and removes control characters.
 std::string Shortened(std::string_view text)
 {
-    constexpr std::size_t kMost = 40;
-    std::string result(text.substr(0, kMost));
+    constexpr std::size_t kMaxLength = 40;
+    std::string result(text.substr(0, kMaxLength));
     for (char& c : result)
     {
         const unsigned char byte = static_cast<unsigned char>(c);
         c = byte < 0x20 || byte >= 0x7F ? '?' : c;
     }
-    return text.size() > kMost ? result + "..." : result;
+    return text.size() > kMaxLength ? result + "..." : result;
 }
 
 // Appends the path from `from` to `target`, such as ".body[3].angle", and returns true if there is
@@ -217,8 +214,7 @@ Result<JsonDocument> JsonDocument::Parse(std::string_view text, std::string sour
 {
     if (text.size() > kMaxBytes)
     {
-        return Unusable(source, "is larger than " + std::to_string(kMaxBytes >> 20) + " MB",
-                        kSplit);
+        return Unusable(source, "is larger than " + SizeText(kMaxBytes), kSplit);
     }
     // The library takes a zero byte for the end of the text and would ignore what follows.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)

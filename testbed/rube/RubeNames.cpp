@@ -49,11 +49,11 @@ void AddNote(RubeNotes& notes, std::size_t& count, RubeNote note)
 // between characters.
 std::string QuotedName(const std::string& name)
 {
-    constexpr std::size_t kMost = 60;
+    constexpr std::size_t kMaxBytes = 60;
     std::size_t length = name.size();
-    if (length > kMost)
+    if (length > kMaxBytes)
     {
-        length = kMost;
+        length = kMaxBytes;
         while (length > 0 && (Byte(name, length) & 0xC0) == 0x80)
         {
             --length;

@@ -10,7 +10,7 @@ namespace boxreel
 namespace
 {
 
-constexpr int32 kMost = 300;
+constexpr int32 kMaxDrops = 300;
 constexpr float32 kPerSecond = 60.0f;
 constexpr float32 kHeight = 22.0f;        ///< of the cloud [m]
 constexpr float32 kReach = 11.0f;         ///< of the cloud to either side [m]
@@ -50,7 +50,7 @@ public:
     void Step(const StepSettings& settings) override
     {
         // Due by now, however long a step is.
-        const int32 due = b2Min(1 + static_cast<int32>(m_time * kPerSecond), kMost);
+        const int32 due = b2Min(1 + static_cast<int32>(m_time * kPerSecond), kMaxDrops);
         for (; m_drops < due; ++m_drops)
         {
             AddDrop();

@@ -7,6 +7,7 @@
 #include <base/Nearest.h>
 #include <base/Quoting.h>
 #include <base/ReadWhole.h>
+#include <base/Unusable.h>
 #include <base/Words.h>
 #include <options/Values.h>
 #include <options/ViewChoice.h>
@@ -23,11 +24,6 @@ namespace
 
 constexpr std::int64_t kMaxSteps = 1'000'000'000;
 constexpr std::uintmax_t kMaxBytes = 16'000'000; // of a script: many more than a person would do
-
-Error Unusable(std::string culprit, std::string problem, std::string remedy = {})
-{
-    return Error{ErrorKind::Unusable, std::move(culprit), std::move(problem), std::move(remedy)};
-}
 
 /// "1.5s", exactly.
 std::string TextOf(Duration time)

@@ -5,6 +5,7 @@
 
 #include <base/ErrorMacros.h>
 #include <base/Quoting.h>
+#include <base/Unusable.h>
 #include <base/Words.h>
 
 #include <algorithm>
@@ -18,11 +19,6 @@ namespace
 using Kind = ScriptAction::Kind;
 
 constexpr std::int64_t kLongestDrag = 1'000'000; // steps: more than four hours
-
-Error Unusable(std::string culprit, std::string problem, std::string remedy = {})
-{
-    return Error{ErrorKind::Unusable, std::move(culprit), std::move(problem), std::move(remedy)};
-}
 
 /// "d (drives forward), a (brakes)".
 std::string KeysOf(const Scene& scene)

@@ -1,21 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "SceneLabels.h"
 
-#include <algorithm>
-
 namespace boxreel
 {
-
-std::vector<const b2Body*> OldestFirst(const b2World& world)
-{
-    std::vector<const b2Body*> bodies;
-    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
-    {
-        bodies.push_back(body); // the world's list has the newest first
-    }
-    std::reverse(bodies.begin(), bodies.end());
-    return bodies;
-}
 
 std::vector<const b2Body*> FindBodies(const b2World& world, const std::vector<int>& numbers)
 {

@@ -12,9 +12,6 @@
 namespace boxreel
 {
 
-/// All bodies, the oldest first.
-std::vector<const b2Body*> OldestFirst(const b2World& world);
-
 /// Returns the number of bodies created so far, which is one more than the number of the newest.
 int CountMade(const b2World& world);
 

@@ -9,6 +9,7 @@
 #include <debugdraw/Faded.h>
 #include <debugdraw/Trail.h>
 #include <debugdraw/WorldGlyphs.h>
+#include <golden/StateHash.h>
 
 #include <algorithm>
 

@@ -37,7 +37,7 @@ PanelFacts FactsOf(SceneSession& session, bool isTimed)
     facts.treeQuality = double(world.GetTreeQuality());
     const auto keys = session.CurrentScene().Keys();
     facts.keys.assign(keys.begin(), keys.end());
-    facts.remarks = session.CurrentScene().Describe();
+    facts.description = session.CurrentScene().Describe();
     if (isTimed)
     {
         facts.times = TimesOf(world.GetProfile());

@@ -35,10 +35,10 @@ struct PanelFacts
     int treeHeight = 0;
     int treeBalance = 0;
     double treeQuality = 0.0;
-    std::vector<KeyBinding> keys;                               ///< that the scene answers to
-    std::vector<std::pair<std::string, std::string>> remarks;   ///< the scene's own
-    std::optional<std::array<float, kStageNames.size()>> times; ///< of the last step [ms]; none:
-                                                                ///< not measured
+    std::vector<KeyBinding> keys;                                 ///< that the scene answers to
+    std::vector<std::pair<std::string, std::string>> description; ///< of the scene by itself
+    std::optional<std::array<float, kStageNames.size()>> times;   ///< of the last step [ms]; none:
+                                                                  ///< not measured
     bool isWindow = true;              ///< true in the window; films cannot write files
     std::optional<double> filmSeconds; ///< of the film that is being recorded
     std::string message;               ///< the last action

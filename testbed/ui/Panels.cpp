@@ -84,7 +84,7 @@ constexpr KeyHelp kKeyHelp[] = {
 /// The scene's own texts; most scenes have none.
 void SceneSection(Widgets& widgets, const PanelFacts& facts)
 {
-    for (const auto& [name, value] : facts.remarks)
+    for (const auto& [name, value] : facts.description)
     {
         widgets.Fact(name.c_str(), value);
     }

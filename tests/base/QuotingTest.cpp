@@ -33,6 +33,13 @@ TEST(MarkupEscaped, EscapesMarkupSigns)
     EXPECT_EQ(MarkupEscaped("<a b=\"c\">'d' & e"), "&lt;a b=&quot;c&quot;&gt;'d' &amp; e");
 }
 
+TEST(JsonForScript, EscapesEachLessThanSign)
+{
+    EXPECT_EQ(JsonForScript("[\"</script>\", \"a<<b\"]"),
+              "[\"\\u003c/script>\", \"a\\u003c\\u003cb\"]");
+    EXPECT_EQ(JsonForScript("{\"a\":1}"), "{\"a\":1}");
+}
+
 TEST(Base64, MatchesRfc4648)
 {
     constexpr std::pair<std::string_view, std::string_view> kVectors[] = {{"", ""},
@@ -53,6 +60,14 @@ TEST(HexByte, HasTwoDigits)
 {
     EXPECT_EQ(HexByte(0), "00");
     EXPECT_EQ(HexByte(0xa7), "a7");
+}
+
+TEST(SizeText, IsInMegabytesFromOneMegabyteOn)
+{
+    EXPECT_EQ(SizeText(64u << 20), "64 MB");
+    EXPECT_EQ(SizeText(1u << 20), "1 MB");
+    EXPECT_EQ(SizeText((1u << 20) - 1), "1048575 bytes");
+    EXPECT_EQ(SizeText(1), "1 byte");
 }
 
 TEST(Counted, IsSingularForOneOnly)

@@ -15,7 +15,7 @@ namespace bench
 {
 
 /// A second number of a run, beside the error.
-struct Remark
+struct Figure
 {
     std::string name; ///< with its unit: "gap_mm"
     double value = 0.0;
@@ -24,7 +24,7 @@ struct Remark
 struct Outcome
 {
     double error = 0.0; ///< in the unit of the case; smaller is better
-    std::vector<Remark> remarks;
+    std::vector<Figure> figures;
     std::string ending{}; ///< "falls", "bursts": what no error tells; empty: as it should
 };
 

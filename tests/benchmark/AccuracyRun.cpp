@@ -127,9 +127,9 @@ void Print(const AccuracyCase& one, const SimSettings& settings, const Run& run,
                 run.held ? "true" : "false",
                 run.held ? run.outcome.ending.c_str() : "is no longer finite");
     const char* comma = "";
-    for (const Remark& remark : run.outcome.remarks)
+    for (const Figure& figure : run.outcome.figures)
     {
-        std::printf("%s\"%s\":%s", comma, remark.name.c_str(), Number(remark.value).c_str());
+        std::printf("%s\"%s\":%s", comma, figure.name.c_str(), Number(figure.value).c_str());
         comma = ",";
     }
     std::printf("}}\n");

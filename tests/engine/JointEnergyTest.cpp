@@ -67,7 +67,7 @@ TEST(MotorWork, IsForceTimesSpeedTimesTime)
     EXPECT_FALSE(box2d::HasMotor(*joint));
     joint->EnableMotor(true);
     EXPECT_TRUE(box2d::HasMotor(*joint));
-    EXPECT_NEAR(box2d::MostMotorWork(*joint, nullptr, 0.5f, 1), 60.0, 1e-4);
+    EXPECT_NEAR(box2d::MaxMotorWork(*joint, nullptr, 0.5f, 1), 60.0, 1e-4);
 }
 
 } // namespace

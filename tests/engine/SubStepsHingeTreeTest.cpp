@@ -111,7 +111,7 @@ TEST(SubStepsHingeTree, ConservesMomentumAndEnergyWhenFree)
     EXPECT_LT(tree.WidestGap(), 1e-4f);
 }
 
-TEST(SubStepsHingeTree, SwingsALoadOfAThousandLinks)
+TEST(SubStepsHingeTree, SwingsALoadAThousandTimesAsHeavy)
 {
     for (const int32 count : {2, 4, 8})
     {

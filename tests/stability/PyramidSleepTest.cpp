@@ -52,7 +52,7 @@ Verdict Watch(int base, int32 subSteps)
         verdict.fastest = b2Max(verdict.fastest, boxes[i]->GetLinearVelocity().Length());
         verdict.sideways = b2Max(verdict.sideways, b2Abs(boxes[i]->GetPosition().x - places[i]));
     }
-    std::printf("pyramid of base %3d, %2d small steps: sleeps after %5.2f s, speed %.4f m/s, "
+    std::printf("pyramid of base %3d, %2d sub-steps: sleeps after %5.2f s, speed %.4f m/s, "
                 "sideways %.3f m\n",
                 base, int(subSteps), double(verdict.slept), double(verdict.fastest),
                 double(verdict.sideways));

@@ -100,12 +100,15 @@ TEST(RandomWorlds, GainNoEnergyAndStayInTheirContainers)
     }
 }
 
-/// Kinds that once diverged, each for a reason that was found and fixed: impulses of an impact
-/// warm-started in the next kick; a rope near its end; a motor with more torque than its maximum
-/// while its frame rotated; a motor that pulled at a long lever across its slip; bodies mistaken
-/// for those of another island's joints; rough rods thrown back at walls; springs loaded by
-/// corrections that rotate light bodies on long levers; bodies that impacts held back repeatedly
-/// while they kept the speed of their whole fall.
+/// Kinds that once diverged, each for a reason that was found and fixed:
+/// - impulses of an impact, warm-started in the next kick
+/// - a rope near its end
+/// - a motor with more torque than its maximum while its frame rotated
+/// - a motor that pulled at a long lever across its slip
+/// - bodies mistaken for those of another island's joints
+/// - rough rods thrown back at walls
+/// - springs loaded by corrections that rotate light bodies on long levers
+/// - bodies that impacts held back repeatedly while they kept the speed of their whole fall
 TEST(RandomWorlds, PassWhereTheyOnceFailed)
 {
     for (const int number : {5,   44,  110, 224, 275, 324, 426, 448, 476,  567, 569,

@@ -36,7 +36,7 @@ inline void Judge(const std::string& name, int32 subSteps, double value, const s
                 value, unit.c_str(), limit, value <= bound ? "ok" : "BAD");
     testing::Test::RecordProperty(name + ", sub-steps " + std::to_string(subSteps),
                                   std::to_string(value) + " " + unit);
-    EXPECT_TRUE(value <= bound) << name << " with " << subSteps << " small steps: " << value << " "
+    EXPECT_TRUE(value <= bound) << name << " with " << subSteps << " sub-steps: " << value << " "
                                 << unit << ", the bound is " << bound;
 }
 

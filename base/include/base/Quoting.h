@@ -25,6 +25,9 @@ std::string ZshEscaped(std::string_view text);
 /// Escapes text for the content and double-quoted attributes of HTML and XML.
 std::string MarkupEscaped(std::string_view text);
 
+/// Escapes '<' in JSON as \u003c. A script of HTML would otherwise end at a "</script" in a string.
+std::string JsonForScript(std::string json);
+
 /// Returns Base64 with padding (RFC 4648, section 4).
 std::string Base64(std::string_view bytes);
 

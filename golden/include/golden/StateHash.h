@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
+class b2Body;
 class b2World;
 
 /// @file
@@ -19,6 +21,9 @@ std::uint64_t StateHash(const b2World& world);
 
 /// Returns the hash as 16 lower-case hex digits.
 std::string StateHashText(const b2World& world);
+
+/// Returns all bodies, the oldest first.
+std::vector<const b2Body*> OldestFirst(const b2World& world);
 
 /// Returns the numbers that are hashed.
 WorldState ReadWorldState(const b2World& world);

@@ -4,7 +4,9 @@
 #include <golden/Verdicts.h>
 
 #include <base/ErrorMacros.h>
+#include <base/Quoting.h>
 #include <base/ReadWhole.h>
+#include <base/Unusable.h>
 
 #include <nlohmann/json.hpp>
 
@@ -36,13 +38,7 @@ std::ptrdiff_t RankOf(const std::string& status)
 /// Replaces invalid UTF-8 by U+FFFD, because a line of a draw list may contain any bytes.
 std::string Dumped(const json& value)
 {
-    std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-    // A page's script would end at "</script", also inside a string.
-    for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
-    {
-        text.replace(at, 1, "\\u003c");
-    }
-    return text;
+    return JsonForScript(value.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 /// Returns the limits as text, and the number of pixels not compared.
@@ -104,11 +100,6 @@ ReportedVerdict FromJson(const json& file)
     return verdict;
 }
 
-Error Unusable(const fs::path& path, const std::string& problem, const std::string& remedy)
-{
-    return Error{ErrorKind::Unusable, path.string(), problem, remedy};
-}
-
 Result<ReportedVerdict> ReadVerdict(const fs::path& path)
 {
     ASSIGN_OR_RETURN(const std::string bytes, ReadWhole(path, kLargest));
@@ -119,7 +110,7 @@ Result<ReportedVerdict> ReadVerdict(const fs::path& path)
     }
     catch (const std::exception&)
     {
-        return Unusable(path, "is not a verdict of a golden test",
+        return Unusable(path.string(), "is not a verdict of a golden test",
                         "remove it, or run its test again");
     }
 }
@@ -142,7 +133,7 @@ Result<std::vector<fs::path>> FindVerdicts(const fs::path& folder)
     std::error_code code;
     if (!fs::is_directory(folder, code))
     {
-        return Unusable(folder, "does not exist", kRemedy);
+        return Unusable(folder.string(), "does not exist", kRemedy);
     }
     std::vector<fs::path> paths;
     for (fs::recursive_directory_iterator entry(folder, code), end; !code && entry != end;
@@ -156,7 +147,7 @@ Result<std::vector<fs::path>> FindVerdicts(const fs::path& folder)
     }
     if (code)
     {
-        return Unusable(folder, "cannot be read: " + code.message(), "make it readable");
+        return Unusable(folder.string(), "cannot be read: " + code.message(), "make it readable");
     }
     std::sort(paths.begin(), paths.end());
     return paths;
@@ -210,7 +201,7 @@ Result<std::vector<ReportedMoment>> CollectVerdicts(const std::vector<fs::path>&
         ASSIGN_OR_RETURN(const std::vector<fs::path> paths, FindVerdicts(folder));
         if (paths.empty())
         {
-            return Unusable(folder, "contains no verdict of a golden test", kRemedy);
+            return Unusable(folder.string(), "contains no verdict of a golden test", kRemedy);
         }
         for (const fs::path& path : paths)
         {

@@ -32,7 +32,7 @@ PanelFacts FactsAt(std::int64_t step)
     facts.treeBalance = 3;
     facts.treeQuality = 8.25;
     facts.keys = {{'f', "turn faster"}, {' ', "stop"}};
-    facts.remarks = {{"turns", "0.5"}};
+    facts.description = {{"turns", "0.5"}};
     facts.filmSeconds = 2.0;
     facts.message = "tumbler.svg is written.";
     std::array<float, kStageNames.size()> times{};

@@ -16,13 +16,17 @@ namespace box2d
 namespace
 {
 
+/// The largest margin of a box, as a share of the half size of its shape. It applies to half sizes
+/// below 0.4 m, because the manual's margin would touch all of their neighbours'. Larger finds more
+/// pairs that do not touch; smaller changes the tree more often.
+constexpr float32 kMarginShare = 0.25f;
+
 /// Returns the distance that a box may move before the tree has to change [m]. Large shapes have
-/// the manual's margin. Smaller ones have less, because that margin would touch all of their
-/// neighbours'.
+/// the manual's margin.
 float32 Margin(const b2AABB& box)
 {
     const b2Vec2 half = box.GetExtents();
-    return b2Min(b2_aabbExtension, 0.25f * b2Max(half.x, half.y));
+    return b2Min(b2_aabbExtension, kMarginShare * b2Max(half.x, half.y));
 }
 
 b2AABB Fatten(const b2AABB& box, const b2Vec2& displacement)
@@ -38,7 +42,7 @@ b2AABB Fatten(const b2AABB& box, const b2Vec2& displacement)
 /// The box of a bullet's path. Hits after the present step do not matter.
 b2AABB Widen(const b2AABB& box, float32 minExtent)
 {
-    const float32 margin = b2Min(b2_aabbExtension, 0.25f * minExtent);
+    const float32 margin = b2Min(b2_aabbExtension, kMarginShare * minExtent);
     b2AABB wide;
     wide.lowerBound = box.lowerBound - b2Vec2(margin, margin);
     wide.upperBound = box.upperBound + b2Vec2(margin, margin);

@@ -85,6 +85,10 @@ float32 SumOfParts(const b2Vec2& v)
     return b2Abs(v.x) + b2Abs(v.y);
 }
 
+/// Bound of the rounding of a path, relative to the distances that it is computed from: about 80
+/// roundings of a float. Smaller could miss shapes that have met; larger looks at more pairs again.
+constexpr float32 kPathRounding = 0.00001f;
+
 /// True if shapes that were apart still are, because no point has come as far as the gap.
 bool StayApart(const ContactData& c, const b2Transform& bInA)
 {
@@ -100,7 +104,7 @@ bool StayApart(const ContactData& c, const b2Transform& bInA)
     const float32 turned = // twice the sine of half the angle
         b2Vec2(bInA.q.s - c.relative.q.s, bInA.q.c - c.relative.q.c).Length();
     const float32 path = (bInA.p - c.relative.p).Length() + turned * reach;
-    const float32 rounding = 0.00001f * (distance + a.maxExtent + b.maxExtent);
+    const float32 rounding = kPathRounding * (distance + a.maxExtent + b.maxExtent);
     return path + rounding < b2Abs(c.gap);
 }
 

@@ -70,7 +70,9 @@ inline b2AABB BoxOfPath(const b2Vec2& from, const b2Vec2& to, float32 radius)
 /// more than a quarter turn, which only sub-steps allow.
 inline bool IsWide(double turn)
 {
-    return std::abs(turn) > 1.01 * double(b2_maxRotation);
+    // A step without sub-steps rotates by b2_maxRotation at most, up to rounding.
+    constexpr double kRounding = 1.01;
+    return std::abs(turn) > kRounding * double(b2_maxRotation);
 }
 
 /// Returns the box around a shape at the start and end of a sweep. For a wide rotation it is the

@@ -84,9 +84,9 @@ public:
     /// the fraction of its error that remains.
     void Factor(int32 component, double compliance = kCompliance);
     void Factor();
-    /// Small enough for exact joints. Of the 16 digits of a double, 7 remain for a row's error.
-    /// With 1e-12 rounding pushes a jointed pair, and a sudden load of 1000 weights fails. With
-    /// 1e-7 a chain of 1000:1 gains 0.9 % of energy at a post (docs/notes/tuned-constants.md).
+    /// Small enough for exact joints. Of the 16 digits of a double, 7 remain for a row's error. If
+    /// it is much smaller, rounding pushes a jointed pair, and a large sudden load fails. If it is
+    /// much larger, chains of large mass ratios gain energy (docs/notes/tuned-constants.md).
     static constexpr double kCompliance = 1e-9;
     /// Adds mass and moment of inertia to the body at an index in later factorizations.
     void SetAddedMass(std::size_t place, double mass, double inertia)

@@ -179,7 +179,7 @@ void EnergyGuard::Begin(const World& world, const SolverMemory& solver, float32 
         if (HasMotor(*joint) && AccountOf(*joint) != -1)
         {
             m_motors.push_back({joint, AccountOf(*joint),
-                                MostMotorWork(*joint, solver.bodies.data(), timeStep, m_subSteps)});
+                                MaxMotorWork(*joint, solver.bodies.data(), timeStep, m_subSteps)});
         }
     }
 }
@@ -292,8 +292,8 @@ void EnergyGuard::AddJoints(const World& world, const SolverMemory& solver)
     }
     for (const Motor& motor : m_motors)
     {
-        const double after = MostMotorWork(*motor.joint, solver.bodies.data(), m_timeStep,
-                                           world.settings.subStepCount);
+        const double after = MaxMotorWork(*motor.joint, solver.bodies.data(), m_timeStep,
+                                          world.settings.subStepCount);
         m_accounts[std::size_t(motor.account)].debt -= std::max(motor.work, after);
     }
 }

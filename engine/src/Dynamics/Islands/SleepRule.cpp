@@ -84,7 +84,9 @@ float32 MaxRestOverlap(float32 radius)
 {
     // The skins of two polygons and a slop [m]. Such an overlap is not visible.
     constexpr float32 kUnseenOverlap = 2.0f * b2_polygonRadius + b2_linearSlop;
-    const bool skins = radius <= 1.01f * 2.0f * b2_polygonRadius;
+    // `radius` is a sum of radii, so that of two polygons may be rounded.
+    constexpr float32 kRounding = 1.01f;
+    const bool skins = radius <= kRounding * 2.0f * b2_polygonRadius;
     return skins ? kUnseenOverlap : kMinRestOverlap;
 }
 

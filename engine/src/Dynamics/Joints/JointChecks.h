@@ -43,9 +43,9 @@ inline bool IsLength(float32 length)
 /// stores an infinite maximum as b2_maxFloat.
 inline bool AreLengthLimits(float32 minLength, float32 maxLength)
 {
-    return B2_REQUIRE(IsWithinReach(minLength) &&
-                          (maxLength >= b2_maxFloat || IsWithinReach(maxLength)),
-                      "A distance joint's limits must be within 1e15 m, but for no maximum.");
+    return B2_REQUIRE(
+        IsWithinReach(minLength) && (maxLength >= b2_maxFloat || IsWithinReach(maxLength)),
+        "A distance joint's limits must be within 1e15 m; the maximum may be infinite.");
 }
 
 inline bool IsSpring(float32 frequencyHz, float32 dampingRatio)

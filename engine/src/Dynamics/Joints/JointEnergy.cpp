@@ -125,8 +125,8 @@ bool HasMotor(const b2Joint& joint)
         joint, []<class Joint>(const Joint& j) { return JointAccess::Kind<Joint>::HasMotor(j); });
 }
 
-double MostMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 timeStep,
-                     int32 subSteps)
+double MaxMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 timeStep,
+                    int32 subSteps)
 {
     const double subStep = double(timeStep) / double(subSteps);
     return double(timeStep) * WithJoint(joint, [&]<class Joint>(const Joint& j) {

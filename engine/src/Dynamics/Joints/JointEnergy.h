@@ -111,7 +111,7 @@ SpringState SpringOf(const b2Joint& joint, const SolverBody* bodies);
 bool HasMotor(const b2Joint& joint);
 /// Returns the maximum work of the motor in a step with sub-steps, from the current state [J]. At
 /// its target speed the motor does no more work.
-double MostMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 timeStep,
-                     int32 subSteps);
+double MaxMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 timeStep,
+                    int32 subSteps);
 
 } // namespace box2d

@@ -11,8 +11,7 @@ namespace box2d
 /// those of before the drift, which leaves a few hundredths of the error.
 inline constexpr float32 kNearlyClosed = 1e-4f;
 /// A second solution corrects what rotation in the drift has changed, a third what remains after a
-/// large one. With one, joints stay open by up to 2 mm, and a crank by 4 mm
-/// (docs/notes/tuned-constants.md).
+/// large one. With one, joints stay open visibly (docs/notes/tuned-constants.md).
 inline constexpr int32 kMaxCloses = 3;
 
 /// Returns the part of an initial error that remains after a drift. A small error is closed at once
@@ -24,8 +23,8 @@ inline float32 RemainingError(float32 before)
     return b2Abs(before) <= kNearlyClosed ? 0.0f : before;
 }
 /// Share of a large initial error that a drift closes: b2_baumgarte, as position correction in a
-/// whole step. With 0.05 a hinge that a wall has opened stays open for 22 steps instead of 5. With
-/// 0.8 a chain of 1000:1 at a post opens five times as far (docs/notes/tuned-constants.md).
+/// whole step. With a smaller one, a hinge that a wall has opened stays open longer. With a larger
+/// one, chains of large mass ratios open farther (docs/notes/tuned-constants.md).
 inline constexpr float32 kClosedShare = 0.2f;
 
 } // namespace box2d

@@ -17,6 +17,9 @@ namespace
 
 /// Relative tolerance of impulses that are bounded as a vector.
 constexpr float32 kSameImpulse = 1e-4f;
+/// Relative excess of length at which Newton's method ends, well below kSameImpulse. The impulse is
+/// then scaled to its final length, so only its direction is less exact.
+constexpr double kSameLength = 1e-6;
 constexpr int32 kMaxNewtonSteps = 20;  ///< five are usual
 constexpr double kMinResponse = 1e-12; ///< ratio of the responses in two directions
 
@@ -83,7 +86,7 @@ b2Vec2 SlippingImpulse(const Pair& k, const b2Vec2& now, const b2Vec2& residual,
         x2 = g2 / d2;
         const double square = x1 * x1 + x2 * x2;
         const double size = std::sqrt(square);
-        if (size <= bound * (1.0 + 1e-6))
+        if (size <= bound * (1.0 + kSameLength))
         {
             break;
         }
