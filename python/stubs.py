@@ -13,7 +13,16 @@ import re
 import sys
 
 os.environ["BOXREEL_SIGNATURES"] = "1"  # before the module is loaded: its texts then begin with the types
-HEAD = '# Made by python/stubs.py.\nfrom typing import Any, Iterator, Sequence\n'
+HEAD = '''# Made by python/stubs.py.
+from typing import Any, Generic, Iterator, Sequence, TypeVar
+
+_T = TypeVar("_T")
+
+class _Settable(Generic[_T]):
+    def __get__(self, one: Any, owner: Any = ...) -> _T: ...
+    def __set__(self, one: Any, value: Any) -> None: ...
+
+'''
 PLAIN = {"bool", "int", "float", "str", "bytes", "None", "list", "tuple", "dict"}
 SIGNATURE = re.compile(r"^(?:\w+)?\((.*)\)(?: -> (.+?))?$")
 LISTS = {("b2World", "bodies"): "list[b2Body]", ("b2World", "joints"): "list[b2Joint]", ("b2World", "contacts"): "list[b2Contact]",
@@ -97,10 +106,12 @@ class Writer:
         kind = written.__name__ if written else self.type_of(found[2]) if found and found[2] else "Any"
         kind = LISTS.get((owner, name), "Any" if owner == "b2Color" and kind == "list" else kind)  # which has a member `list`
         text = re.sub(r"^\(.*?\) -> \S+\s*", "", inspect.getdoc(value) or "", flags=re.DOTALL).replace("\n", " ").strip()
+        if value.fset and kind not in ("Any", "bool", "int", "float", "str"):  # a tuple is taken for a vector
+            self.lines.append(f"    {name}: _Settable[{kind}]" + (f'\n    """{text}"""' if text else ""))
+            return
         self.lines.append(f"    @property\n    def {name}(self) -> {kind}:" + (f'\n        """{text}"""\n        ...' if text else " ..."))
         if value.fset:
-            taken = "Any" if kind not in ("bool", "int", "float", "str") else kind  # a tuple is taken for a vector
-            self.lines.append(f"    @{name}.setter\n    def {name}(self, value: {taken}) -> None: ...")
+            self.lines.append(f"    @{name}.setter\n    def {name}(self, value: {kind}) -> None: ...")
 
     def class_of(self, name, one):
         bases = [base for base in one.__mro__[1:] if base in self.classes][:1]

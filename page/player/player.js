@@ -304,12 +304,12 @@ class Player {
     const asked = new URLSearchParams(location.hash.slice(1));
     const time = Number.parseFloat(asked.get("t")) * (/ms$/.test(asked.get("t") ?? "") ? 0.001 : 1);
     const at = (asked.get("at") ?? "").split(",").map(Number);
-    const body = Number.parseInt(asked.get("follow") ?? "-1", 10);
+    const body = Number.parseInt(asked.get("follow"), 10);
     this.view.reset();
     if (at.length === 3 && at.every(Number.isFinite) && at[2] > 0) {
       this.view.choose({x: at[0], y: at[1], scale: this.view.limited(this.view.height / at[2])});
     }
-    this.view.follow(body);
+    this.view.follow(Number.isNaN(body) ? -1 : body);
     this.frame = null; // the view is that of the frame asked for, which is drawn next
     this.pause(Number.isFinite(time) ? this.film.frameAt(time) : this.number);
   }

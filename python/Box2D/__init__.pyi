@@ -1,5 +1,12 @@
 # Made by python/stubs.py.
-from typing import Any, Iterator, Sequence
+from typing import Any, Generic, Iterator, Sequence, TypeVar
+
+_T = TypeVar("_T")
+
+class _Settable(Generic[_T]):
+    def __get__(self, one: Any, owner: Any = ...) -> _T: ...
+    def __set__(self, one: Any, value: Any) -> None: ...
+
 __version__: str
 
 class b2BroadPhase:
@@ -130,18 +137,10 @@ class Camera:
 class b2AABB:
     """An axis-aligned box: lowerBound=, upperBound=."""
     def __init__(self, *args: Any, **kwargs: Any) -> None: ...
-    @property
-    def lowerBound(self) -> b2Vec2:
-        """Lower left corner [m]."""
-        ...
-    @lowerBound.setter
-    def lowerBound(self, value: Any) -> None: ...
-    @property
-    def upperBound(self) -> b2Vec2:
-        """Upper right corner [m]."""
-        ...
-    @upperBound.setter
-    def upperBound(self, value: Any) -> None: ...
+    lowerBound: _Settable[b2Vec2]
+    """Lower left corner [m]."""
+    upperBound: _Settable[b2Vec2]
+    """Upper right corner [m]."""
     @property
     def valid(self) -> bool:
         """True if the bounds are sorted and finite."""
@@ -214,24 +213,16 @@ class b2Body:
         ...
     @userData.setter
     def userData(self, value: Any) -> None: ...
-    @property
-    def position(self) -> b2Vec2:
-        """Position of the origin [m]."""
-        ...
-    @position.setter
-    def position(self, value: Any) -> None: ...
+    position: _Settable[b2Vec2]
+    """Position of the origin [m]."""
     @property
     def angle(self) -> float:
         """Angle, counter-clockwise [rad]. It grows with every turn."""
         ...
     @angle.setter
     def angle(self, value: float) -> None: ...
-    @property
-    def transform(self) -> b2Transform:
-        """Transform from the body to the world. May be set to (position, angle) [m, rad]."""
-        ...
-    @transform.setter
-    def transform(self, value: Any) -> None: ...
+    transform: _Settable[b2Transform]
+    """Transform from the body to the world. May be set to (position, angle) [m, rad]."""
     def SetTransform(self, position: Any, angle: Any) -> None:
         """Sets position [m] and angle [rad]."""
         ...
@@ -239,12 +230,8 @@ class b2Body:
     def worldCenter(self) -> b2Vec2:
         """Centre of mass in the world [m]."""
         ...
-    @property
-    def linearVelocity(self) -> b2BoundVec2:
-        """Velocity of the centre of mass [m/s]."""
-        ...
-    @linearVelocity.setter
-    def linearVelocity(self, value: Any) -> None: ...
+    linearVelocity: _Settable[b2BoundVec2]
+    """Velocity of the centre of mass [m/s]."""
     @property
     def angularVelocity(self) -> float:
         """Angular velocity, counter-clockwise [rad/s]."""
@@ -317,18 +304,10 @@ class b2Body:
         ...
     @inertia.setter
     def inertia(self, value: float) -> None: ...
-    @property
-    def localCenter(self) -> b2BoundVec2:
-        """Centre of mass in the body's frame [m]."""
-        ...
-    @localCenter.setter
-    def localCenter(self, value: Any) -> None: ...
-    @property
-    def massData(self) -> b2MassData:
-        """Mass, centre and rotational inertia."""
-        ...
-    @massData.setter
-    def massData(self, value: Any) -> None: ...
+    localCenter: _Settable[b2BoundVec2]
+    """Centre of mass in the body's frame [m]."""
+    massData: _Settable[b2MassData]
+    """Mass, centre and rotational inertia."""
     def ResetMassData(self) -> None:
         """Computes the mass data from the fixtures."""
         ...
@@ -1069,12 +1048,8 @@ class b2Fixture:
         ...
     @sensor.setter
     def sensor(self, value: bool) -> None: ...
-    @property
-    def filterData(self) -> b2FixtureFilter:
-        """The collision filter. What is written to it reaches the fixture."""
-        ...
-    @filterData.setter
-    def filterData(self, value: Any) -> None: ...
+    filterData: _Settable[b2FixtureFilter]
+    """The collision filter. What is written to it reaches the fixture."""
     @property
     def categoryBits(self) -> int:
         """Categories of the fixture, 0 to 65535."""
@@ -1447,12 +1422,8 @@ class b2MassData:
         ...
     @mass.setter
     def mass(self, value: float) -> None: ...
-    @property
-    def center(self) -> b2Vec2:
-        """Centre of mass [m]."""
-        ...
-    @center.setter
-    def center(self, value: Any) -> None: ...
+    center: _Settable[b2Vec2]
+    """Centre of mass [m]."""
     @property
     def I(self) -> float:
         """Rotational inertia about the origin [kg m^2]."""
@@ -1466,30 +1437,14 @@ class b2MassData:
 class b2Mat22:
     """A 2-by-2 matrix of the columns ex and ey."""
     def __init__(self, *args: Any, **kwargs: Any) -> None: ...
-    @property
-    def ex(self) -> b2Vec2:
-        """First column."""
-        ...
-    @ex.setter
-    def ex(self, value: Any) -> None: ...
-    @property
-    def ey(self) -> b2Vec2:
-        """Second column."""
-        ...
-    @ey.setter
-    def ey(self, value: Any) -> None: ...
-    @property
-    def col1(self) -> b2Vec2:
-        """First column, as ex."""
-        ...
-    @col1.setter
-    def col1(self, value: Any) -> None: ...
-    @property
-    def col2(self) -> b2Vec2:
-        """Second column, as ey."""
-        ...
-    @col2.setter
-    def col2(self, value: Any) -> None: ...
+    ex: _Settable[b2Vec2]
+    """First column."""
+    ey: _Settable[b2Vec2]
+    """Second column."""
+    col1: _Settable[b2Vec2]
+    """First column, as ex."""
+    col2: _Settable[b2Vec2]
+    """Second column, as ey."""
     @property
     def inverse(self) -> b2Mat22:
         """The inverse; zero if singular."""
@@ -1529,42 +1484,18 @@ class b2Mat22:
 class b2Mat33:
     """A 3-by-3 matrix of the columns ex, ey and ez."""
     def __init__(self, *args: Any, **kwargs: Any) -> None: ...
-    @property
-    def ex(self) -> b2Vec3:
-        """First column."""
-        ...
-    @ex.setter
-    def ex(self, value: Any) -> None: ...
-    @property
-    def ey(self) -> b2Vec3:
-        """Second column."""
-        ...
-    @ey.setter
-    def ey(self, value: Any) -> None: ...
-    @property
-    def ez(self) -> b2Vec3:
-        """Third column."""
-        ...
-    @ez.setter
-    def ez(self, value: Any) -> None: ...
-    @property
-    def col1(self) -> b2Vec3:
-        """First column, as ex."""
-        ...
-    @col1.setter
-    def col1(self, value: Any) -> None: ...
-    @property
-    def col2(self) -> b2Vec3:
-        """Second column, as ey."""
-        ...
-    @col2.setter
-    def col2(self, value: Any) -> None: ...
-    @property
-    def col3(self) -> b2Vec3:
-        """Third column, as ez."""
-        ...
-    @col3.setter
-    def col3(self, value: Any) -> None: ...
+    ex: _Settable[b2Vec3]
+    """First column."""
+    ey: _Settable[b2Vec3]
+    """Second column."""
+    ez: _Settable[b2Vec3]
+    """Third column."""
+    col1: _Settable[b2Vec3]
+    """First column, as ex."""
+    col2: _Settable[b2Vec3]
+    """Second column, as ey."""
+    col3: _Settable[b2Vec3]
+    """Third column, as ez."""
     def __mul__(self, arg0: Any, /) -> b2Vec3: ...
     def GetInverse22(self) -> b2Mat33:
         """Returns the inverse of the upper left 2x2 part; zero if singular."""
@@ -1648,18 +1579,10 @@ class b2RayCastCallback:
 class b2RayCastInput:
     """A ray from p1 to p1 + maxFraction * (p2 - p1)."""
     def __init__(self, **kwargs: Any) -> None: ...
-    @property
-    def p1(self) -> b2Vec2:
-        """Start [m]."""
-        ...
-    @p1.setter
-    def p1(self, value: Any) -> None: ...
-    @property
-    def p2(self) -> b2Vec2:
-        """End at fraction 1 [m]."""
-        ...
-    @p2.setter
-    def p2(self, value: Any) -> None: ...
+    p1: _Settable[b2Vec2]
+    """Start [m]."""
+    p2: _Settable[b2Vec2]
+    """End at fraction 1 [m]."""
     @property
     def maxFraction(self) -> float:
         """Length as a multiple of p2 - p1."""
@@ -1673,12 +1596,8 @@ class b2RayCastInput:
 class b2RayCastOutput:
     """Where a ray hits."""
     def __init__(self, **kwargs: Any) -> None: ...
-    @property
-    def normal(self) -> b2Vec2:
-        """Unit normal of the surface."""
-        ...
-    @normal.setter
-    def normal(self, value: Any) -> None: ...
+    normal: _Settable[b2Vec2]
+    """Unit normal of the surface."""
     @property
     def fraction(self) -> float:
         """Fraction of the ray."""
@@ -1793,24 +1712,12 @@ class b2Shape:
 class b2Sweep:
     """The motion of a body during a step."""
     def __init__(self, **kwargs: Any) -> None: ...
-    @property
-    def localCenter(self) -> b2Vec2:
-        """Centre of mass in the body's frame [m]."""
-        ...
-    @localCenter.setter
-    def localCenter(self, value: Any) -> None: ...
-    @property
-    def c0(self) -> b2Vec2:
-        """Centre of mass at alpha0 [m]."""
-        ...
-    @c0.setter
-    def c0(self, value: Any) -> None: ...
-    @property
-    def c(self) -> b2Vec2:
-        """Centre of mass at the end [m]."""
-        ...
-    @c.setter
-    def c(self, value: Any) -> None: ...
+    localCenter: _Settable[b2Vec2]
+    """Centre of mass in the body's frame [m]."""
+    c0: _Settable[b2Vec2]
+    """Centre of mass at alpha0 [m]."""
+    c: _Settable[b2Vec2]
+    """Centre of mass at the end [m]."""
     @property
     def a0(self) -> float:
         """Angle at alpha0 [rad]."""
@@ -1860,30 +1767,14 @@ class b2TOIOutput:
 class b2Transform:
     """A rotation, then a translation: the pose of a frame."""
     def __init__(self, *args: Any, **kwargs: Any) -> None: ...
-    @property
-    def position(self) -> b2Vec2:
-        """Origin of the frame [m]."""
-        ...
-    @position.setter
-    def position(self, value: Any) -> None: ...
-    @property
-    def p(self) -> b2Vec2:
-        """Origin of the frame [m]."""
-        ...
-    @p.setter
-    def p(self, value: Any) -> None: ...
-    @property
-    def R(self) -> b2Rot:
-        """The rotation."""
-        ...
-    @R.setter
-    def R(self, value: Any) -> None: ...
-    @property
-    def q(self) -> b2Rot:
-        """The rotation."""
-        ...
-    @q.setter
-    def q(self, value: Any) -> None: ...
+    position: _Settable[b2Vec2]
+    """Origin of the frame [m]."""
+    p: _Settable[b2Vec2]
+    """Origin of the frame [m]."""
+    R: _Settable[b2Rot]
+    """The rotation."""
+    q: _Settable[b2Rot]
+    """The rotation."""
     @property
     def angle(self) -> float:
         """Angle of the rotation [rad]."""
@@ -1938,12 +1829,8 @@ class b2Vec2:
         """Returns a copy."""
         ...
     def __abs__(self) -> b2Vec2: ...
-    @property
-    def tuple(self) -> tuple:
-        """The components as a tuple."""
-        ...
-    @tuple.setter
-    def tuple(self, value: Any) -> None: ...
+    tuple: _Settable[tuple]
+    """The components as a tuple."""
     @property
     def length(self) -> float:
         """Length, in the unit of the components."""
@@ -2040,12 +1927,8 @@ class b2Vec3:
     def copy(self) -> b2Vec3:
         """Returns a copy."""
         ...
-    @property
-    def tuple(self) -> tuple:
-        """The components as a tuple."""
-        ...
-    @tuple.setter
-    def tuple(self, value: Any) -> None: ...
+    tuple: _Settable[tuple]
+    """The components as a tuple."""
     @property
     def length(self) -> float:
         """Length."""
@@ -2087,12 +1970,8 @@ class b2World:
     def __init__(self, gravity: Any = ..., doSleep: Any = ..., **keywords: Any) -> None:
         """Creates an empty world. Gravity [m/s^2]; every other keyword is a property."""
         ...
-    @property
-    def gravity(self) -> b2BoundVec2:
-        """Acceleration of all dynamic bodies [m/s^2]."""
-        ...
-    @gravity.setter
-    def gravity(self, value: Any) -> None: ...
+    gravity: _Settable[b2BoundVec2]
+    """Acceleration of all dynamic bodies [m/s^2]."""
     @property
     def allowSleeping(self) -> bool:
         """True if bodies may fall asleep."""
@@ -2507,12 +2386,8 @@ class b2BoundVec2(b2Vec2):
     def SetZero(self) -> None:
         """Sets both components to 0."""
         ...
-    @property
-    def tuple(self) -> tuple:
-        """The components as a tuple."""
-        ...
-    @tuple.setter
-    def tuple(self, value: Any) -> None: ...
+    tuple: _Settable[tuple]
+    """The components as a tuple."""
     @property
     def length(self) -> float:
         """Length, in the unit of the components."""
@@ -2526,24 +2401,12 @@ class b2BoundVec2(b2Vec2):
 class b2ChainShape(b2Shape):
     """Connected edges: vertices_chain=[…] is open; vertices=[…] or vertices_loop=[…] closed."""
     def __init__(self, **kwargs: Any) -> None: ...
-    @property
-    def vertices(self) -> list:
-        """The vertices [m]. Setting them makes a closed loop."""
-        ...
-    @vertices.setter
-    def vertices(self, value: Any) -> None: ...
-    @property
-    def vertices_loop(self) -> list:
-        """The vertices [m]. Setting them makes a closed loop."""
-        ...
-    @vertices_loop.setter
-    def vertices_loop(self, value: Any) -> None: ...
-    @property
-    def vertices_chain(self) -> list:
-        """The vertices [m]. Setting them makes an open chain."""
-        ...
-    @vertices_chain.setter
-    def vertices_chain(self, value: Any) -> None: ...
+    vertices: _Settable[list]
+    """The vertices [m]. Setting them makes a closed loop."""
+    vertices_loop: _Settable[list]
+    """The vertices [m]. Setting them makes a closed loop."""
+    vertices_chain: _Settable[list]
+    """The vertices [m]. Setting them makes an open chain."""
     @property
     def vertexCount(self) -> int:
         """Number of vertices; a loop stores its first one twice."""
@@ -2552,18 +2415,10 @@ class b2ChainShape(b2Shape):
     def edges(self) -> list:
         """The edges, as a list of b2EdgeShape."""
         ...
-    @property
-    def prevVertex(self) -> b2BoundVec2:
-        """The vertex before the first [m]."""
-        ...
-    @prevVertex.setter
-    def prevVertex(self, value: Any) -> None: ...
-    @property
-    def nextVertex(self) -> b2BoundVec2:
-        """The vertex after the last [m]."""
-        ...
-    @nextVertex.setter
-    def nextVertex(self, value: Any) -> None: ...
+    prevVertex: _Settable[b2BoundVec2]
+    """The vertex before the first [m]."""
+    nextVertex: _Settable[b2BoundVec2]
+    """The vertex after the last [m]."""
     def getChildEdge(self, index: Any) -> Any:
         """Returns an edge with the vertices of its neighbours."""
         ...
@@ -2623,12 +2478,8 @@ class b2ChainShape(b2Shape):
 class b2CircleShape(b2Shape):
     """A solid circle: radius=, pos=."""
     def __init__(self, **kwargs: Any) -> None: ...
-    @property
-    def pos(self) -> b2BoundVec2:
-        """Centre [m]."""
-        ...
-    @pos.setter
-    def pos(self, value: Any) -> None: ...
+    pos: _Settable[b2BoundVec2]
+    """Centre [m]."""
     @property
     def vertices(self) -> list:
         """The centre, in a list [m]."""
@@ -2759,30 +2610,14 @@ class b2DrawExtended(b2DebugDraw):
 class b2EdgeShape(b2Shape):
     """A line segment: vertices=[a, b]."""
     def __init__(self, **kwargs: Any) -> None: ...
-    @property
-    def vertex0(self) -> b2BoundVec2:
-        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
-        ...
-    @vertex0.setter
-    def vertex0(self, value: Any) -> None: ...
-    @property
-    def vertex1(self) -> b2BoundVec2:
-        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
-        ...
-    @vertex1.setter
-    def vertex1(self, value: Any) -> None: ...
-    @property
-    def vertex2(self) -> b2BoundVec2:
-        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
-        ...
-    @vertex2.setter
-    def vertex2(self, value: Any) -> None: ...
-    @property
-    def vertex3(self) -> b2BoundVec2:
-        """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
-        ...
-    @vertex3.setter
-    def vertex3(self, value: Any) -> None: ...
+    vertex0: _Settable[b2BoundVec2]
+    """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+    vertex1: _Settable[b2BoundVec2]
+    """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+    vertex2: _Settable[b2BoundVec2]
+    """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
+    vertex3: _Settable[b2BoundVec2]
+    """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
     @property
     def hasVertex0(self) -> bool:
         """A vertex [m]; vertex0 and vertex3 are those of the neighbours."""
@@ -2795,18 +2630,10 @@ class b2EdgeShape(b2Shape):
         ...
     @hasVertex3.setter
     def hasVertex3(self, value: bool) -> None: ...
-    @property
-    def vertices(self) -> list:
-        """The two ends [m]. May be set with those of the neighbours: 3 or 4 points."""
-        ...
-    @vertices.setter
-    def vertices(self, value: Any) -> None: ...
-    @property
-    def all_vertices(self) -> list:
-        """The vertex before, the two ends, and the vertex after [m]."""
-        ...
-    @all_vertices.setter
-    def all_vertices(self, value: Any) -> None: ...
+    vertices: _Settable[list]
+    """The two ends [m]. May be set with those of the neighbours: 3 or 4 points."""
+    all_vertices: _Settable[list]
+    """The vertex before, the two ends, and the vertex after [m]."""
     @property
     def vertexCount(self) -> int:
         """Always 2."""
@@ -2990,12 +2817,8 @@ class b2MotorJoint(b2Joint):
         ...
     @maxTorque.setter
     def maxTorque(self, value: float) -> None: ...
-    @property
-    def linearOffset(self) -> b2BoundVec2:
-        """Target of body B's origin in body A's frame [m]."""
-        ...
-    @linearOffset.setter
-    def linearOffset(self, value: Any) -> None: ...
+    linearOffset: _Settable[b2BoundVec2]
+    """Target of body B's origin in body A's frame [m]."""
     @property
     def angularOffset(self) -> float:
         """Target of body B's angle minus body A's [rad]."""
@@ -3056,12 +2879,8 @@ class b2MouseJoint(b2Joint):
         ...
     @dampingRatio.setter
     def dampingRatio(self, value: float) -> None: ...
-    @property
-    def target(self) -> b2BoundVec2:
-        """The point of the world [m]."""
-        ...
-    @target.setter
-    def target(self, value: Any) -> None: ...
+    target: _Settable[b2BoundVec2]
+    """The point of the world [m]."""
     @property
     def maxForce(self) -> float:
         """Maximum force [N]."""
@@ -3114,12 +2933,8 @@ class b2MouseJointDef(b2JointDef):
 class b2PolygonShape(b2Shape):
     """A convex polygon: vertices=[…], or box=(hx, hy[, center, angle])."""
     def __init__(self, **kwargs: Any) -> None: ...
-    @property
-    def vertices(self) -> list:
-        """The vertices, counter-clockwise [m]. Setting them takes their convex hull."""
-        ...
-    @vertices.setter
-    def vertices(self, value: Any) -> None: ...
+    vertices: _Settable[list]
+    """The vertices, counter-clockwise [m]. Setting them takes their convex hull."""
     @property
     def box(self) -> Any:
         """Half-width and half-height [m], and optionally a centre [m] and an angle [rad]."""
@@ -3220,12 +3035,8 @@ class b2PrismaticJoint(b2Joint):
         ...
     @upperLimit.setter
     def upperLimit(self, value: float) -> None: ...
-    @property
-    def limits(self) -> tuple:
-        """Both limits, as (lower, upper)."""
-        ...
-    @limits.setter
-    def limits(self, value: Any) -> None: ...
+    limits: _Settable[tuple]
+    """Both limits, as (lower, upper)."""
     def SetLimits(self, lower: Any, upper: Any) -> None:
         """Sets both limits."""
         ...
@@ -3457,12 +3268,8 @@ class b2RevoluteJoint(b2Joint):
         ...
     @upperLimit.setter
     def upperLimit(self, value: float) -> None: ...
-    @property
-    def limits(self) -> tuple:
-        """Both limits, as (lower, upper)."""
-        ...
-    @limits.setter
-    def limits(self, value: Any) -> None: ...
+    limits: _Settable[tuple]
+    """Both limits, as (lower, upper)."""
     def SetLimits(self, lower: Any, upper: Any) -> None:
         """Sets both limits."""
         ...
@@ -4199,10 +4006,10 @@ def b2Max(a: Any, b: Any) -> Any:
 def b2Min(a: Any, b: Any) -> Any:
     """Returns the minimum, of each component for vectors."""
     ...
-def b2MixFriction(a: Any, b: Any) -> float:
+def b2MixFriction(friction1: Any, friction2: Any) -> float:
     """Returns the friction of a contact of two fixtures."""
     ...
-def b2MixRestitution(a: Any, b: Any) -> float:
+def b2MixRestitution(restitution1: Any, restitution2: Any) -> float:
     """Returns the restitution of a contact of two fixtures."""
     ...
 def b2Mul(a: Any, b: Any) -> Any:

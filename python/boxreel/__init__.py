@@ -114,8 +114,14 @@ class Film:
 
     _film = None
 
-    def __init__(self, path, **options):
-        self._film = _boxreel._Film(path, options)
+    def __init__(self, path, size=None, fps=60, *, quality="standard", codec="", theme="classic", scale=1.0, overwrite=True):
+        self._path = _path_of(path)
+        width, height = (1280, 720) if size is None else _pair(size)
+        # The program may change its folder before the film is closed.
+        self._film = _boxreel._Film(_os.path.abspath(self._path), {
+            "width": width, "height": height, "fps": fps, "quality": quality, "codec": codec, "theme": theme,
+            "scale": scale, "overwrite": overwrite})
+        self._film.size_is_given(size is not None)
         self._is_open = True
 
     def __del__(self):
@@ -127,6 +133,7 @@ class Film:
         """Appends a frame: a world as it is now, or an array (height, width, 3 or 4) of uint8.
 
         camera: a Camera; by default one that keeps moving bodies in view. layers, trails: as of render.
+        On a page the layers of the first frame are on at first; a reader can switch on those of later frames.
         """
         if isinstance(frame, _World):
             self._film.add_world(frame, camera, layers, trails)
@@ -141,7 +148,7 @@ class Film:
     @property
     def path(self):
         """The file."""
-        return self._film.path
+        return self._path
 
     @property
     def frames(self):
@@ -174,7 +181,9 @@ class Film:
         with open(self.path, "rb") as file:
             data = _base64.b64encode(file.read()).decode()
         if kind == "html":
-            return f'<iframe width="{self.size[0]}" height="{self.size[1] + 96}" src="data:text/html;base64,{data}"></iframe>'
+            # The controls wrap where the page is narrow.
+            width, height = max(self.size[0], 640), self.size[1] + 140
+            return f'<iframe width="{width}" height="{height}" src="data:text/html;base64,{data}"></iframe>'
         if kind in ("gif", "apng", "webp"):
             return f'<img src="data:image/{kind};base64,{data}">'
         return f'<video controls loop width="{self.size[0]}" src="data:video/{kind};base64,{data}"></video>'
@@ -190,11 +199,7 @@ def film(path, size=None, fps=60, *, quality="standard", codec="", theme="classi
 
     Use it in a `with` block: an exception there leaves no film.
     """
-    width, height = (1280, 720) if size is None else _pair(size)
-    result = Film(_path_of(path), width=width, height=height, fps=fps, quality=quality, codec=codec,
-                  theme=theme, scale=scale, overwrite=overwrite)
-    result._film.size_is_given(size is not None)
-    return result
+    return Film(path, size, fps, quality=quality, codec=codec, theme=theme, scale=scale, overwrite=overwrite)
 
 
 def state_hash(world):
@@ -305,5 +310,5 @@ def compare(expected, actual, preset="same-machine"):
 _check_calls(globals())
 _World._repr_png_ = lambda self: _boxreel._png(render(self, (640, 360)))
 
-__all__ = ["Camera", "Comparison", "Error", "Film", "compare", "dump", "film", "fit", "load", "render", "restore",
+__all__ = ["LAYERS", "THEMES", "Camera", "Comparison", "Error", "Film", "compare", "dump", "film", "fit", "load", "render", "restore",
            "save", "scene", "scenes", "shot", "state_hash"]

@@ -1,5 +1,12 @@
 # Made by python/stubs.py.
-from typing import Any, Iterator, Sequence
+from typing import Any, Generic, Iterator, Sequence, TypeVar
+
+_T = TypeVar("_T")
+
+class _Settable(Generic[_T]):
+    def __get__(self, one: Any, owner: Any = ...) -> _T: ...
+    def __set__(self, one: Any, value: Any) -> None: ...
+
 from Box2D import b2Body, b2World
 __version__: str
 
@@ -16,11 +23,11 @@ class Film:
     """A film; see film."""
     def __getattr__(self, name: str) -> Any: ...
     def __setattr__(self, name: str, value: Any) -> None: ...
-    def __init__(self, path: Any, **options: Any) -> None:
+    def __init__(self, path: Any, size: Any = ..., fps: Any = ..., *, quality: Any = ..., codec: Any = ..., theme: Any = ..., scale: Any = ..., overwrite: Any = ...) -> None:
         """Initialize self.  See help(type(self)) for accurate signature."""
         ...
     def add(self, frame: Any, *, camera: Any = ..., layers: Any = ..., trails: Any = ...) -> Any:
-        """Appends a frame: a world as it is now, or an array (height, width, 3 or 4) of uint8.  camera: a Camera; by default one that keeps moving bodies in view. layers, trails: as of render."""
+        """Appends a frame: a world as it is now, or an array (height, width, 3 or 4) of uint8.  camera: a Camera; by default one that keeps moving bodies in view. layers, trails: as of render. On a page the layers of the first frame are on at first; a reader can switch on those of later frames."""
         ...
     def close(self) -> Any:
         """Waits for the encoder and gives the film its name."""

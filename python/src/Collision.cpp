@@ -278,10 +278,10 @@ void BindManifolds(py::module_& module)
         "Returns the states of both manifolds' points: (state1, state2).");
 }
 
-/// Adds a function for two shapes: `name(shapeA, xfA, shapeB, xfB)` returns a manifold. The module
+/// Adds a function for two shapes: `name(nameA, xfA, nameB, xfB)` returns a manifold. The module
 /// of the 2.3 generation also takes the manifold to fill as first argument.
 template <class A, class B>
-void Collide(py::module_& module, const char* name,
+void Collide(py::module_& module, const char* name, const char* nameA, const char* nameB,
              void (*collide)(b2Manifold*, const A*, const b2Transform&, const B*,
                              const b2Transform&))
 {
@@ -307,23 +307,23 @@ void Collide(py::module_& module, const char* name,
         collide(&manifold, &a.Get(), transformA, &b.Get(), transformB);
         return Checked(manifold);
     };
-    module.def(name, compute, py::arg("shapeA"), py::arg("xfA"), py::arg("shapeB"), py::arg("xfB"),
+    module.def(name, compute, py::arg(nameA), py::arg("xfA"), py::arg(nameB), py::arg("xfB"),
                "Returns the manifold of two shapes.");
     module.def(
         name,
         [compute](b2Manifold& manifold, const ShapeOf<A>& a, py::handle xfA, const ShapeOf<B>& b,
                   py::handle xfB) { manifold = compute(a, xfA, b, xfB); },
-        py::arg("manifold"), py::arg("shapeA"), py::arg("xfA"), py::arg("shapeB"), py::arg("xfB"),
+        py::arg("manifold"), py::arg(nameA), py::arg("xfA"), py::arg(nameB), py::arg("xfB"),
         "Computes the manifold of two shapes.");
 }
 
 void BindQueries(py::module_& module)
 {
-    Collide(module, "b2CollideCircles", &b2CollideCircles);
-    Collide(module, "b2CollidePolygonAndCircle", &b2CollidePolygonAndCircle);
-    Collide(module, "b2CollidePolygons", &b2CollidePolygons);
-    Collide(module, "b2CollideEdgeAndCircle", &b2CollideEdgeAndCircle);
-    Collide(module, "b2CollideEdgeAndPolygon", &b2CollideEdgeAndPolygon);
+    Collide(module, "b2CollideCircles", "circleA", "circleB", &b2CollideCircles);
+    Collide(module, "b2CollidePolygonAndCircle", "polygonA", "circleB", &b2CollidePolygonAndCircle);
+    Collide(module, "b2CollidePolygons", "polygonA", "polygonB", &b2CollidePolygons);
+    Collide(module, "b2CollideEdgeAndCircle", "edgeA", "circleB", &b2CollideEdgeAndCircle);
+    Collide(module, "b2CollideEdgeAndPolygon", "edgeA", "polygonB", &b2CollideEdgeAndPolygon);
     module.def(
         "b2TestOverlap", [](const b2AABB& a, const b2AABB& b) { return b2TestOverlap(a, b); },
         py::arg("a"), py::arg("b"), "True if the boxes overlap.");

@@ -2,6 +2,7 @@
 #include "Module.h"
 #include "Toolkit.h"
 
+#include <base/Words.h>
 #include <debugdraw/WorldBounds.h>
 #include <debugdraw/WorldGlyphs.h>
 #include <page/PageWriter.h>
@@ -38,7 +39,7 @@ void RequireFolder(const std::filesystem::path& path)
 
 bool IsPage(const std::string& path)
 {
-    return path.ends_with(".html");
+    return Lower(path).ends_with(".html");
 }
 
 /// Returns what a page says of the bodies that are pointed at.

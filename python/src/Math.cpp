@@ -571,18 +571,18 @@ void BindTransforms(py::module_& module)
     sweep
         .def(
             "GetTransform",
-            [](const b2Sweep& s, py::handle alpha) {
+            [](const b2Sweep& s, py::handle beta) {
                 b2Transform t;
-                s.GetTransform(&t, From<float32>(alpha, "alpha"));
+                s.GetTransform(&t, From<float32>(beta, "beta"));
                 return t;
             },
-            py::arg("alpha"), "Returns the transform at a fraction of the step, 0 to 1.")
+            py::arg("beta"), "Returns the transform at a fraction of the step, 0 to 1.")
         .def(
             "GetTransform",
-            [](const b2Sweep& s, b2Transform& result, py::handle alpha) {
-                s.GetTransform(&result, From<float32>(alpha, "alpha"));
+            [](const b2Sweep& s, b2Transform& result, py::handle beta) {
+                s.GetTransform(&result, From<float32>(beta, "beta"));
             },
-            py::arg("xf"), py::arg("alpha"), "Sets xf to the transform at a fraction of the step.")
+            py::arg("xf"), py::arg("beta"), "Sets xf to the transform at a fraction of the step.")
         .def(
             "Advance",
             [](b2Sweep& s, py::handle alpha) {

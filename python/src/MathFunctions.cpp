@@ -128,9 +128,9 @@ void BindMathFunctions(py::module_& module)
     ofTwo(
         "b2Atan2", "y", "x", [](float32 y, float32 x) { return b2Atan2(y, x); },
         "Returns the angle of the vector (x, y) [rad].");
-    ofTwo("b2MixFriction", "a", "b", &b2MixFriction,
+    ofTwo("b2MixFriction", "friction1", "friction2", &b2MixFriction,
           "Returns the friction of a contact of two fixtures.");
-    ofTwo("b2MixRestitution", "a", "b", &b2MixRestitution,
+    ofTwo("b2MixRestitution", "restitution1", "restitution2", &b2MixRestitution,
           "Returns the restitution of a contact of two fixtures.");
     module.def(
         "b2NextPowerOfTwo", [](py::handle x) { return b2NextPowerOfTwo(From<uint32>(x, "x")); },

@@ -52,7 +52,7 @@ std::vector<Layer> MakeLayers()
         {"testbed/rube", {"testbed/scenes", "drawlist", "base", "engine"}},
         {"python",
          {"testbed/rube", "testbed/scenes", "golden world", "golden state", "golden", "recorder",
-          "render", "collector", "drawlist", "base", "engine"}},
+          "page", "render", "collector", "drawlist", "base", "engine"}},
     };
     // The rooms of engine/src/Dynamics: each may use those before it.
     std::vector<std::string_view> engine{"engine/Common", "engine/Collision", "engine/Dynamics"};

@@ -91,9 +91,9 @@ TEST(DrawList, FillsWhatEveryRendererCanFill)
         return list.items.at(0).kind;
     };
     std::vector<Vec2> round;
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < 17; ++i)
     {
-        round.push_back({std::cos(0.7f * float(i)), std::sin(0.7f * float(i))});
+        round.push_back({std::cos(0.37f * float(i)), std::sin(0.37f * float(i))});
     }
     EXPECT_EQ(kindOf(round), DrawKind::Polygon);
     round.pop_back();

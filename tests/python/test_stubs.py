@@ -21,12 +21,13 @@ def names_in(statements):
     found = set()
     for one in statements:
         if isinstance(one, (ast.ClassDef, ast.FunctionDef)):
-            found.add(one.name)
+            if one.name != "_Settable":  # how the stubs type a property
+                found.add(one.name)
         elif isinstance(one, ast.AnnAssign):
             if not one.target.id.startswith("_"):
                 found.add(one.target.id)
         elif isinstance(one, ast.Assign):
-            found.update(target.id for target in one.targets)
+            found.update(target.id for target in one.targets if not target.id.startswith("_"))
         elif isinstance(one, ast.ImportFrom):
             found.update(alias.asname for alias in one.names if alias.asname == alias.name)  # else not exported
     return found
@@ -44,7 +45,7 @@ class Stubs(unittest.TestCase):
 
     def test_name_the_members_of_every_class(self):
         for module in (Box2D, boxreel):
-            for statement in (one for one in stub_of(module) if isinstance(one, ast.ClassDef)):
+            for statement in (one for one in stub_of(module) if isinstance(one, ast.ClassDef) and one.name != "_Settable"):
                 one = getattr(module, statement.name)
                 if getattr(one, "_fields", None):
                     continue  # of definitions: the fields are no members
@@ -56,9 +57,9 @@ class Stubs(unittest.TestCase):
 
     def test_have_types_and_units(self):
         world = next(one for one in stub_of(Box2D) if isinstance(one, ast.ClassDef) and one.name == "b2World")
-        gravity = next(one for one in world.body if isinstance(one, ast.FunctionDef) and one.name == "gravity")
-        self.assertEqual(gravity.returns.id, "b2BoundVec2")
-        self.assertIn("[m/s^2]", ast.get_docstring(gravity))
+        place = next(i for i, one in enumerate(world.body) if isinstance(one, ast.AnnAssign) and one.target.id == "gravity")
+        self.assertEqual(ast.unparse(world.body[place].annotation), "_Settable[b2BoundVec2]")
+        self.assertIn("[m/s^2]", world.body[place + 1].value.value)
 
 
 if __name__ == "__main__":

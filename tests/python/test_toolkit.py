@@ -191,6 +191,17 @@ class Films(InFolder):
                 page.add(numpy.zeros((18, 32, 3), dtype=numpy.uint8))
         self.assertEqual(os.listdir(self.folder), [])
 
+    def test_films_are_where_they_were_opened(self):
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        for name in ("a.mp4", "a.html", "a-####.png"):
+            with boxreel.Film(name, size=(32, 18)) as film:
+                film.add(drop())
+                os.chdir("/")
+            os.chdir(self.folder)
+            self.assertEqual(film.path, name)
+        self.assertEqual(len([name for name in os.listdir(self.folder) if not name.endswith(".json")]), 3)
+
     def test_an_exception_leaves_no_film(self):
         with self.assertRaises(KeyError):
             with boxreel.film(self.path("a.mp4"), size=(320, 180)) as film:

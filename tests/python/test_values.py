@@ -200,6 +200,16 @@ class Shapes(unittest.TestCase):
         triangle = b2PolygonShape(vertices=[(0, 0), (1, 0), b2Vec2(0, 1)])
         self.assertEqual((triangle.vertexCount, len(triangle.normals), triangle.valid), (3, 3, True))
 
+    def test_collisions_take_the_names_of_the_headers(self):
+        box, ball, edge, here = b2PolygonShape(box=(1, 1)), b2CircleShape(radius=1), b2EdgeShape(vertices=[(-1, 0), (1, 0)]), b2Transform()
+        for call, names in ((Box2D.b2CollidePolygons, {"polygonA": box, "polygonB": box}),
+                            (Box2D.b2CollidePolygonAndCircle, {"polygonA": box, "circleB": ball}),
+                            (Box2D.b2CollideCircles, {"circleA": ball, "circleB": ball}),
+                            (Box2D.b2CollideEdgeAndCircle, {"edgeA": edge, "circleB": ball}),
+                            (Box2D.b2CollideEdgeAndPolygon, {"edgeA": edge, "polygonB": box})):
+            self.assertGreater(call(xfA=here, xfB=here, **names).pointCount, 0)
+        self.assertAlmostEqual(Box2D.b2MixFriction(friction1=0.4, friction2=0.9), 0.6, places=6)
+
     def test_polygon_holds_16_vertices(self):
         self.assertEqual(b2_maxPolygonVertices, 16)
         circle = [(math.cos(math.tau * i / 16), math.sin(math.tau * i / 16)) for i in range(16)]

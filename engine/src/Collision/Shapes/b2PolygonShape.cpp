@@ -46,8 +46,8 @@ const char* b2PolygonShape::WhyNotConvex(const b2Vec2* points, int32 count)
     }
     if (count > b2_polygonCapacity)
     {
-        return "A polygon takes at most b2_polygonCapacity points; split it into several "
-               "fixtures.";
+        static_assert(b2_polygonCapacity == 16);
+        return "A polygon takes at most 16 points; split it into several fixtures.";
     }
     for (int32 i = 0; i < count; ++i)
     {
