@@ -86,6 +86,10 @@ T Registered(py::handle value, const char* name, const char* expected)
 
 std::string TypeName(py::handle value)
 {
+    if (PyType_Check(value.ptr())) // a class instead of an object
+    {
+        return "the class " + std::string(py::str(value.attr("__name__")));
+    }
     return value.is_none() ? "None" : Quoted(Py_TYPE(value.ptr())->tp_name);
 }
 

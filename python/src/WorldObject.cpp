@@ -13,7 +13,9 @@ void RequireCallback(const py::object& object, const char* name, const char* exp
                      std::initializer_list<const char*> functions)
 {
     const auto has = [&object](const char* function) { return py::hasattr(object, function); };
-    if (!object.is_none() && std::none_of(functions.begin(), functions.end(), has))
+    const bool isUsable =
+        !PyType_Check(object.ptr()) && std::any_of(functions.begin(), functions.end(), has);
+    if (!object.is_none() && !isUsable)
     {
         ThrowType(name, expected, object);
     }

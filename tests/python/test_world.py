@@ -7,7 +7,7 @@ import pickle
 import unittest
 
 import Box2D
-from Box2D import (b2AABB, b2BodyDef, b2CircleShape, b2EdgeShape, b2FixtureDef, b2MassData, b2PolygonShape,
+from Box2D import (b2AABB, b2BodyDef, b2CircleShape, b2ContactListener, b2EdgeShape, b2FixtureDef, b2MassData, b2PolygonShape,
                    b2QueryCallback, b2RayCastCallback, b2Vec2, b2World)
 from Box2D import b2
 
@@ -21,6 +21,13 @@ class Velocity(unittest.TestCase):
     def setUp(self):
         self.world = b2World(gravity=(0, 0))
         self.body = self.world.CreateDynamicBody()
+
+    def test_classes_instead_of_objects_are_refused(self):
+        world = b2World()
+        with self.assertRaisesRegex(TypeError, "the class b2CircleShape"):
+            world.CreateDynamicBody(shapes=b2CircleShape)
+        with self.assertRaisesRegex(TypeError, "contactListener: .*the class b2ContactListener"):
+            world.contactListener = b2ContactListener
 
     def test_reaches_the_body_when_changed(self):
         velocity = self.body.linearVelocity
