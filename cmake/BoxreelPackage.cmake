@@ -77,9 +77,9 @@ and films, pictures and golden tests of its worlds.")
 endif()
 include(CPack)
 
-# Without dpkg-shlibdeps CPack only warns, and leaves out the libraries that a package depends on.
+# Without dpkg-shlibdeps CPack only warns, and leaves out the libraries that a package depends on. It also runs `file`.
 add_custom_target(deb
-  COMMAND sh -c "command -v dpkg-shlibdeps >/dev/null || { echo 'dpkg-shlibdeps was not found; install it with: apt install dpkg-dev' >&2 && exit 1; }"
+  COMMAND sh -c "command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null || { echo 'dpkg-shlibdeps or file was not found; install them with: apt install dpkg-dev file' >&2 && exit 1; }"
   COMMAND ${CMAKE_CPACK_COMMAND} -G DEB --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake -B ${PROJECT_BINARY_DIR}
   WORKING_DIRECTORY ${PROJECT_BINARY_DIR} USES_TERMINAL VERBATIM)
 if(TARGET boxreel_python)

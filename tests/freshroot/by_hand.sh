@@ -31,7 +31,7 @@ paste /srv $page 'git clone https://'
 paste /srv/boxreel $page 'cmake -S . -B build/package'
 inside 'cd /tmp && ~/.local/bin/boxreel record pyramid -o pyramid.mp4 --seconds 1 && test -s pyramid.mp4' >"$work/film.log" 2>&1 ||
     { cat "$work/film.log"; fail 'the installed program makes no film'; }
-paste /srv/boxreel $page 'sudo apt install dpkg-dev'
+paste /srv/boxreel $page 'sudo apt install dpkg-dev file'
 inside 'cd /tmp && /usr/bin/boxreel list --names | grep -qx Pyramid' || fail 'the installed package does not work'
 inside 'dpkg-deb -f /srv/boxreel/build/package/boxreel_*.deb Depends | grep -q libc6' || fail 'the package names no library that it needs'
 paste /srv/boxreel $page 'sudo apt install libgtest-dev'
