@@ -36,7 +36,7 @@ inside 'cd /tmp && /usr/bin/boxreel list --names | grep -qx Pyramid' || fail 'th
 inside 'dpkg-deb -f /srv/boxreel/build/package/boxreel_*.deb Depends | grep -q libc6' || fail 'the package names no library that it needs'
 paste /srv/boxreel $page 'sudo apt install libgtest-dev'
 for pace in quick slow; do
-    inside "cd /srv/boxreel && tests/docs/commands.sh . build/release/boxreel ~/.local $page $pace" >"$work/blocks.log" 2>&1 ||
+    inside "cd /srv/boxreel && tests/docs/commands.sh /srv/boxreel /srv/boxreel/build/release/boxreel ~/.local $page $pace" >"$work/blocks.log" 2>&1 ||
         { tail -n 40 "$work/blocks.log"; fail "the $pace blocks"; }
 done
 # Where nothing is installed, the README's program builds the libraries of the checkout.
