@@ -69,29 +69,3 @@ cases = [{"case": "1500-720p", "methods": drawn}]
 assert [row[0] for row in speed.drawing_rows(cases)] == ["frame", "frame changed"]
 drawn[1]["wrong"] = "empty"
 assert not list(speed.drawing_rows(cases))
-
-
-def placed(curves, floor=(0.0, "")):
-    """Of the labels of a chart their boxes, and of a point (x, y) its place, both in pixels."""
-    from matplotlib.figure import Figure
-    figure = Figure(figsize=(10.4, 6.8))
-    axes = figure.add_axes([0.09, 0.15, 0.88, 0.65])
-    speed.charts.draw_lines(axes, speed.charts.Lines({"x": "x", "y": "y"}, curves, floor), "black", "grey")
-    return {text.get_text(): text.get_window_extent() for text in figure.texts}, axes.transData.transform
-
-
-# No other curve is between a label and its mark, and no label is on the line of the floor. An optional one that is as near
-# to another mark is left out.
-if drawsTheSame:
-    Curve, Point = speed.charts.Curve, speed.charts.Point
-    ends = Curve("ends", 1, "", [Point(1.0, 0.01), Point(10.0, 100.0)])
-    line = Curve("line", 0, "-", [Point(1.0, 1.45), Point(10.0, 1.45)])
-    slope = Curve("slope", 2, "-", [Point(2.8, 0.4), Point(3.0, 1.0, "spot"), Point(3.2, 0.4)])
-    beside = Curve("beside", 1, "", [Point(x, y) for x in (2.5, 2.65, 2.8, 3.21, 3.4, 3.6) for y in (0.7, 1.0)])
-    labels, place = placed([ends, line, slope, beside])
-    assert "spot" not in labels or labels["spot"].y1 < place((3.0, 1.45))[1], labels
-    near = [Curve("near", 1, "", [Point(x, y) for x, y in ((2.75, 1.5), (3.27, 1.5), (3.0, 2.7), (3.0, 0.83))])]
-    labels, place = placed([ends, *near, Curve("crowd", 2, "", [Point(3.0, 1.5, "crowded")])])
-    assert "crowded" not in labels, labels
-    labels, place = placed([ends, Curve("low", 2, "", [Point(3.0, 0.01, "480 Hz", optional=False)])], (0.01, "floor"))
-    assert not labels["480 Hz"].y0 <= place((3.0, 0.01))[1] <= labels["480 Hz"].y1, labels

@@ -17,8 +17,7 @@ tools='git'
 # shellcheck source=tests/freshroot/root.sh
 . "$(dirname "$0")/root.sh"
 
-git -C "$checkout" rev-parse --verify -q HEAD >/dev/null || skip "$checkout is no git checkout, so there is nothing to clone"
-git -C "$checkout" bundle create -q "$root/tmp/boxreel.bundle" HEAD
+bundle
 inside 'git config --global url./tmp/boxreel.bundle.insteadOf https://example.org/boxreel.git &&
     git config --global advice.detachedHead false && ! command -v cmake && ! command -v g++ && apt-get -q update >/dev/null' ||
     fail 'the fresh root is not what it should be'

@@ -17,8 +17,7 @@ tools='git'
 # shellcheck source=tests/freshroot/root.sh
 . "$(dirname "$0")/root.sh"
 
-git -C "$checkout" rev-parse --verify -q HEAD >/dev/null || skip "$checkout is no git checkout, so there is nothing to clone"
-git -C "$checkout" bundle create -q "$root/tmp/boxreel.bundle" HEAD
+bundle
 inside 'git -c advice.detachedHead=false clone -q /tmp/boxreel.bundle /srv/boxreel && ! command -v python3' ||
     fail 'the fresh root is not what it should be'
 

@@ -70,6 +70,11 @@ inside() {
         ${cache:+CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime} \
         chroot "$root" sh -c "$1" </dev/null
 }
+# The last commit of the checkout as /tmp/boxreel.bundle of the root.
+bundle() {
+    git -C "$checkout" rev-parse --verify -q HEAD >/dev/null || skip "$checkout is no git checkout, so there is nothing to clone"
+    git -C "$checkout" bundle create -q "$root/tmp/boxreel.bundle" HEAD
+}
 # paste FOLDER PAGE FIRST_LINE: runs the block of a page of the checkout that begins with FIRST_LINE, in FOLDER of the
 # root. sudo does nothing there, and apt does not ask.
 paste() {

@@ -19,8 +19,7 @@ tools='ffmpeg ffprobe git'
 # shellcheck source=tests/freshroot/root.sh
 . "$(dirname "$0")/root.sh"
 
-git -C "$checkout" rev-parse --verify -q HEAD >/dev/null || skip "$checkout is no git checkout, so there is nothing to clone"
-git -C "$checkout" bundle create -q "$root/tmp/boxreel.bundle" HEAD
+bundle
 
 # The README's address stands for the bundle.
 clone=$(sed -n 's/^\(git clone [^ ]*\).*/\1/p' "$checkout/README.md")
