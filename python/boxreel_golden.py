@@ -37,8 +37,10 @@ def check(world, name, *, camera=None, size=(480, 270), preset="same-machine", r
     folder = references or _options.get("references") or os.environ.get("BOXREEL_GOLDEN_REFERENCES", "references")
     results = output or os.environ.get("BOXREEL_GOLDEN_OUTPUT", "golden-output")
     mode = accept or _options.get("accept") or os.environ.get("BOXREEL_GOLDEN_ACCEPT", "none")
+    texts = {"name": name, "preset": preset, "references": os.fspath(folder), "output": os.fspath(results), "accept": mode}
+    name, preset, folder, results, mode = (_boxreel._text(text, argument) for argument, text in texts.items())
     passed, message, text, _accepted = _boxreel._check_golden(
-        world, name, camera, width, height, preset, os.fspath(folder), os.fspath(results), mode, _accepted)
+        world, name, camera, width, height, preset, folder, results, mode, _accepted)
     if text:
         print(text)
     if not passed:

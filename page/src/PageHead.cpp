@@ -19,14 +19,6 @@ namespace
 
 constexpr std::string_view kFramesMark = "{{frames}}";
 
-/// Shortest text that is read as the same number, in every locale.
-std::string NumberText(double number)
-{
-    std::array<char, 40> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
-    return {text.data(), end};
-}
-
 /// A JSON string that may stand in a script of HTML.
 std::string StringText(std::string_view text)
 {
@@ -152,6 +144,13 @@ std::string WithoutComments(std::string_view script)
 }
 
 } // namespace
+
+std::string NumberText(double number)
+{
+    std::array<char, 40> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+    return {text.data(), end};
+}
 
 std::string PageBegin(const PageSettings& settings)
 {

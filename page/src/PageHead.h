@@ -16,6 +16,9 @@ struct PageFacts
     std::map<std::uint32_t, std::string> names; ///< of bodies
 };
 
+/// Shortest text that is read as the same number, in every locale.
+std::string NumberText(double number);
+
 /// The page before its frames. Title and texts are escaped.
 std::string PageBegin(const PageSettings& settings);
 

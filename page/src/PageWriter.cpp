@@ -22,20 +22,22 @@ constexpr double kMaxRate = 1000.0; // [frames/s], as films
 
 Result<void> Check(const PageSettings& settings)
 {
-    const std::string size = std::to_string(settings.width) + "x" + std::to_string(settings.height);
     if (settings.width < 1 || settings.height < 1 || settings.width > kMaxSide ||
         settings.height > kMaxSide)
     {
-        return Error{ErrorKind::Unusable, "size " + size,
-                     "must be between 1 and " + std::to_string(kMaxSide) + " pixels",
-                     "set width and height in that range"};
+        return Error{
+            ErrorKind::Unusable,
+            ErrorSetting{BOXREEL_MEMBERS(PageSettings, width, height),
+                         {std::to_string(settings.width), std::to_string(settings.height)}},
+            "width and height must be between 1 and " + std::to_string(kMaxSide)};
     }
     const auto isAbove0 = [](double value) { return std::isfinite(value) && value > 0.0; };
     if (!isAbove0(settings.framesPerSecond) || settings.framesPerSecond > kMaxRate)
     {
-        return Error{ErrorKind::Unusable, "rate " + std::to_string(settings.framesPerSecond),
-                     "must be above 0 and at most 1000 frames per second",
-                     "set framesPerSecond in that range"};
+        return Error{ErrorKind::Unusable,
+                     ErrorSetting{BOXREEL_MEMBER(PageSettings, framesPerSecond),
+                                  {NumberText(settings.framesPerSecond)}},
+                     "must be above 0 and at most 1000 frames per second"};
     }
     if (!isAbove0(settings.speed) || !std::isfinite(settings.firstTime))
     {
@@ -131,14 +133,19 @@ PageWriter::PageWriter(PageWriter&&) noexcept = default;
 PageWriter& PageWriter::operator=(PageWriter&&) noexcept = default;
 PageWriter::~PageWriter() = default;
 
-Result<PageWriter> PageWriter::Open(const std::filesystem::path& path, const PageSettings& settings)
+Result<void> CheckPagePath(const std::filesystem::path& path, const PageSettings& settings)
 {
     if (Lower(path.extension().string()) != ".html")
     {
         return Error{ErrorKind::Unusable, path.string(), "is not the name of a page",
                      "end it in .html"};
     }
-    RETURN_IF_ERROR(Check(settings));
+    return Check(settings);
+}
+
+Result<PageWriter> PageWriter::Open(const std::filesystem::path& path, const PageSettings& settings)
+{
+    RETURN_IF_ERROR(CheckPagePath(path, settings));
     const ErrorSetting overwritten{BOXREEL_MEMBER(PageSettings, overwrite), {"true"}};
     ASSIGN_OR_RETURN(AtomicFile file,
                      AtomicFile::Create(path, {.overwrite = settings.overwrite,

@@ -114,6 +114,17 @@ class b2ClipVertex(_Record):
     _defaults = {"v": b2Vec2, "id": None}
 
 
+def b2ClipSegmentToLine(vIn, normal, offset, vertexIndexA=0):
+    """Clips a segment, two b2ClipVertex or points, to dot(normal, p) <= offset [m]. Returns its ends as b2ClipVertex: two,
+    or none if it is outside."""
+    ends = tuple(vIn) if isinstance(vIn, (tuple, list)) else ()
+    if len(ends) != 2:
+        raise TypeError("b2ClipSegmentToLine: vIn: expected two b2ClipVertex or points")
+    points = [getattr(end, "v", end) for end in ends]
+    ids = [getattr(end, "id", None) for end in ends]
+    return [b2ClipVertex(v=v, id=id) for v, id in _boxreel._clip(points, ids, normal, offset, vertexIndexA)]
+
+
 b2Version = collections.namedtuple("b2Version", "major minor revision", defaults=(2, 3, 0))
 b2Version.__str__ = lambda self: ".".join(map(str, self))
 b2Version.__doc__ = "A version of the interface."
@@ -198,5 +209,5 @@ def b2Random(lo=-1.0, hi=1.0):
 
 
 __all__ = ["b2DistanceProxy", "b2DistanceInput", "b2DistanceOutput", "b2DistanceResult", "b2TOIInput", "b2TOIOutput",
-           "b2ContactPoint", "b2ClipVertex", "b2Version", "b2Distance", "b2TimeOfImpact", "b2CheckPolygon", "b2BodyCompare",
+           "b2ContactPoint", "b2ClipVertex", "b2ClipSegmentToLine", "b2Version", "b2Distance", "b2TimeOfImpact", "b2CheckPolygon", "b2BodyCompare",
            "b2FixtureCompare", "b2JointCompare", "b2ShapeCompare", "b2Random", "RAND_LIMIT"]

@@ -153,6 +153,7 @@ TOIInput = _box2d.b2TOIInput
 TOIOutput = _box2d.b2TOIOutput
 contactPoint = _box2d.b2ContactPoint
 clipVertex = _box2d.b2ClipVertex
+clipSegmentToLine = _box2d.b2ClipSegmentToLine
 version = _box2d.b2_version
 distance = _box2d.b2Distance
 timeOfImpact = _box2d.b2TimeOfImpact

@@ -39,6 +39,7 @@ def _require_world(world):
 
 def _renderer(size, theme, scale):
     """Returns this thread's renderer of the size. A thread keeps the last four."""
+    theme = _boxreel._text(theme, "theme")
     cache = _local.__dict__.setdefault("renderers", {})
     key = (int(size[0]), int(size[1]), theme, float(scale))
     renderer = cache.pop(key, None) or _boxreel._Renderer(*key)
@@ -60,7 +61,7 @@ def _pair(size):
 def _path_of(path):
     if not isinstance(path, (str, _os.PathLike)):
         raise TypeError(f"path: expected the name of a file, not {_kind(path)}")
-    return _os.fspath(path)
+    return _boxreel._text(_os.fspath(path), "path")
 
 
 def _size_of(size, camera):
@@ -104,7 +105,7 @@ def shot(world, path, size=(1280, 720), *, camera=None, theme="classic", scale=1
     elif path.endswith((".svg", ".pdf")):
         width, height = _size_of(size, camera)
         view = _boxreel._camera(camera, world, width, height)
-        _boxreel._figure(world, path, view, theme, scale, layers, trails, overwrite)
+        _boxreel._figure(world, path, view, _boxreel._text(theme, "theme"), scale, layers, trails, overwrite)
     else:
         _boxreel._error(path, "has an unsupported extension", "use .png, .svg or .pdf")
 
@@ -118,7 +119,7 @@ class Film:
         self._path = _path_of(path)
         width, height = (1280, 720) if size is None else _pair(size)
         # The program may change its folder before the film is closed.
-        self._film = _boxreel._Film(_os.path.abspath(self._path), {
+        self._film = _boxreel._Film(_path_of(_os.path.abspath(self._path)), {
             "width": width, "height": height, "fps": fps, "quality": quality, "codec": codec, "theme": theme,
             "scale": scale, "overwrite": overwrite})
         self._film.size_is_given(size is not None)
@@ -243,6 +244,7 @@ def scene(name, seed=1):
     arguments of Step that the scene prefers. What a scene steers in each step is not part of it."""
     if not isinstance(name, str):
         raise TypeError(f"boxreel.scene: name: expected the name of a scene, not {_kind(name)}")
+    name = _boxreel._text(name, "name")
     if not hasattr(seed, "__index__"):
         raise TypeError(f"boxreel.scene: seed: expected a whole number, not {_kind(seed)}")
     try:
@@ -269,8 +271,7 @@ def load(path):
 def dump(world, path):
     """Writes the world as a R.U.B.E. scene file. Returns what the format cannot say."""
     _require_world(world)
-    names = {body.number: str(body.name) for body in world.bodies if hasattr(body, "name")}
-    text, left_out = _boxreel._rube_text(world, names)
+    text, left_out = _boxreel._rube_text(world)
     _boxreel._write_text(_path_of(path), text)
     return left_out
 
@@ -296,14 +297,13 @@ class Comparison:
 def _pixels(picture):
     if isinstance(picture, _World):
         return render(picture)
-    return _boxreel._read_png(_os.fspath(picture)) if isinstance(picture, (str, _os.PathLike)) else picture
+    return _boxreel._read_png(_path_of(picture)) if isinstance(picture, (str, _os.PathLike)) else picture
 
 
 def compare(expected, actual, preset="same-machine"):
     """Compares two pictures: arrays, PNG files or worlds. `preset` has the limits: exact, same-machine or
     cross-machine. The result has equal, text, differentPixels, overTolerance, largestDistance, difference."""
-    if not isinstance(preset, str):
-        raise TypeError(f"preset: expected a name, not '{type(preset).__name__}'")
+    preset = _boxreel._text(preset, "preset")
     return Comparison(_boxreel._compare(_pixels(expected), _pixels(actual), preset))
 
 

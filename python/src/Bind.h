@@ -37,8 +37,8 @@ inline void SetKeywords(py::handle object, const py::kwargs& keywords)
         if (!py::hasattr(py::type::handle_of(object), name))
         {
             const py::handle type = py::type::handle_of(object);
-            throw py::type_error(std::string(py::str(type.attr("__name__"))) +
-                                 " has no attribute " + Quoted(std::string(py::str(name))) +
+            throw py::type_error(Shown(type.attr("__name__")) + " has no attribute " +
+                                 Quoted(Shown(name)) +
                                  HintFor(name, py::reinterpret_borrow<py::object>(type)));
         }
         py::setattr(object, name, value);

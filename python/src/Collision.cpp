@@ -258,6 +258,26 @@ void BindManifolds(py::module_& module)
             "Friction impulses [N s].");
     Copies(impulse);
 
+    module.def("_clip", [](const py::sequence& points, const py::sequence& ids, py::handle normal,
+                           py::handle offset, py::handle vertexIndexA) {
+        b2ClipVertex in[2];
+        for (std::size_t i = 0; i < 2; ++i)
+        {
+            const py::object made = ids[i];
+            in[i].v = From<b2Vec2>(py::object(points[i]), "vIn");
+            in[i].id = py::isinstance<b2ContactID>(made) ? made.cast<b2ContactID>() : b2ContactID();
+        }
+        b2ClipVertex out[2];
+        const int32 count = b2ClipSegmentToLine(out, in, From<b2Vec2>(normal, "normal"),
+                                                From<float32>(offset, "offset"),
+                                                From<int32>(vertexIndexA, "vertexIndexA"));
+        py::list left;
+        for (int32 i = 0; i < count; ++i)
+        {
+            left.append(py::make_tuple(out[i].v, out[i].id));
+        }
+        return left;
+    });
     module.def(
         "b2GetPointStates",
         [](py::handle old, py::handle current) {

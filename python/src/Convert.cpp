@@ -39,8 +39,7 @@ Whole WholeNumber(py::handle value, const char* name)
     {
         ThrowMisuse(std::string(name) + ": expected a whole number from " +
                     std::to_string(std::numeric_limits<Whole>::min()) + " to " +
-                    std::to_string(std::numeric_limits<Whole>::max()) + ", not " +
-                    std::string(py::str(value)));
+                    std::to_string(std::numeric_limits<Whole>::max()) + ", not " + Shown(value));
     }
     return static_cast<Whole>(number);
 }
@@ -84,11 +83,16 @@ T Registered(py::handle value, const char* name, const char* expected)
 
 } // namespace
 
+std::string Shown(py::handle value)
+{
+    return std::string(py::bytes(py::str(value).attr("encode")("utf-8", "backslashreplace")));
+}
+
 std::string TypeName(py::handle value)
 {
     if (PyType_Check(value.ptr())) // a class instead of an object
     {
-        return "the class " + std::string(py::str(value.attr("__name__")));
+        return "the class " + Shown(value.attr("__name__"));
     }
     return value.is_none() ? "None" : Quoted(Py_TYPE(value.ptr())->tp_name);
 }
@@ -208,6 +212,24 @@ template <>
 uint32 From<uint32>(py::handle value, const char* name)
 {
     return WholeNumber<uint32>(value, name);
+}
+
+template <>
+std::string From<std::string>(py::handle value, const char* name)
+{
+    if (!PyUnicode_Check(value.ptr()))
+    {
+        ThrowType(name, "a text", value);
+    }
+    Py_ssize_t size = 0;
+    const char* const text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
+    if (text == nullptr)
+    {
+        PyErr_Clear();
+        ThrowMisuse(std::string(name) + ": " + Quoted(Shown(value)) +
+                    " cannot be written as UTF-8; remove the surrogates");
+    }
+    return {text, static_cast<std::size_t>(size)};
 }
 
 template <>

@@ -54,6 +54,9 @@ private:
     bool m_was;
 };
 
+/// Returns str(value) for a sentence; half of a surrogate pair is written as an escape.
+std::string Shown(py::handle value);
+
 /// Throws b2Error with the sentence.
 [[noreturn]] void ThrowMisuse(const std::string& sentence);
 
@@ -95,6 +98,9 @@ template <>
 int16 From<int16>(py::handle value, const char* name);
 template <>
 uint32 From<uint32>(py::handle value, const char* name);
+/// Refuses half of a surrogate pair, which UTF-8 cannot say.
+template <>
+std::string From<std::string>(py::handle value, const char* name);
 template <>
 b2Vec2 From<b2Vec2>(py::handle value, const char* name);
 template <>

@@ -44,6 +44,34 @@ py::list ArgumentsOf(const py::object& function)
     return longest;
 }
 
+/// True for a function with an overload that takes any keywords: each sets an attribute.
+bool TakesAttributes(const py::object& function)
+{
+    for (const auto* overload = RecordOf(function); overload != nullptr; overload = overload->next)
+    {
+        if (overload->has_kwargs && overload->nargs == 2) // self and the keywords
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Returns "radius=, pos=": the attributes that can be set.
+py::list SettableOf(py::handle type)
+{
+    py::list names;
+    for (const py::handle name : py::module_::import("builtins").attr("dir")(type))
+    {
+        const py::object member = type.attr(name);
+        if (Py_TYPE(member.ptr()) == &PyProperty_Type && !member.attr("fset").is_none())
+        {
+            names.append(name + py::str("="));
+        }
+    }
+    return names;
+}
+
 std::string Given(const py::args& arguments, const py::kwargs& keywords)
 {
     std::string text;
@@ -53,7 +81,7 @@ std::string Given(const py::args& arguments, const py::kwargs& keywords)
     }
     for (const auto& [name, value] : keywords)
     {
-        text += (text.empty() ? "" : ", ") + std::string(py::str(name)) + "=" + TypeName(value);
+        text += (text.empty() ? "" : ", ") + Shown(name) + "=" + TypeName(value);
     }
     return "(" + text + ")";
 }
@@ -67,8 +95,7 @@ std::string Given(const py::args& arguments, const py::kwargs& keywords)
     {
         if (!names.contains(name))
         {
-            hint =
-                "; it has no argument " + Quoted(std::string(py::str(name))) + HintFor(name, names);
+            hint = "; it has no argument " + Quoted(Shown(name)) + HintFor(name, names);
         }
     }
     throw py::type_error(function + ": expected " +
@@ -91,10 +118,13 @@ void AddTo(const py::object& scope, const std::string& owner, const py::str& key
     }
     else if (name == "__init__")
     {
+        // Which attributes there are is asked later: Python's part adds some.
+        const bool isByName = names.empty() && TakesAttributes(function);
+        const py::handle type = scope;
         scope.attr(key) = py::cpp_function(
-            [owner, names](py::detail::value_and_holder&, const py::args& arguments,
-                           const py::kwargs& keywords) {
-                Refuse(owner, names, arguments, keywords);
+            [owner, names, isByName, type](py::detail::value_and_holder&, const py::args& arguments,
+                                           const py::kwargs& keywords) {
+                Refuse(owner, isByName ? SettableOf(type) : names, arguments, keywords);
             },
             py::name(name.c_str()), py::is_method(scope), py::sibling(function),
             py::detail::is_new_style_constructor());
@@ -174,9 +204,8 @@ std::string HintFor(py::handle name, const py::object& names)
     // 0.5 is below Python's 0.6, so that `pos` finds `position`.
     const py::object near = py::module_::import("difflib").attr("get_close_matches")(
         name.attr("lower")(), known, 1, 0.5);
-    return py::len(near) == 0
-               ? ""
-               : "; did you mean " + Quoted(std::string(py::str(known[near[py::int_(0)]]))) + "?";
+    return py::len(near) == 0 ? ""
+                              : "; did you mean " + Quoted(Shown(known[near[py::int_(0)]])) + "?";
 }
 
 void BindHints(py::module_& module)

@@ -2,6 +2,8 @@
 #include "Module.h"
 #include "Toolkit.h"
 
+#include <base/ErrorMacros.h>
+#include <base/Nearest.h>
 #include <base/Words.h>
 #include <debugdraw/WorldBounds.h>
 #include <debugdraw/WorldGlyphs.h>
@@ -10,6 +12,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -34,6 +37,42 @@ void RequireFolder(const std::filesystem::path& path)
     {
         ThrowError({ErrorKind::Unusable, path.string(),
                     "the folder " + folder.string() + " does not exist", "create it first"});
+    }
+}
+
+std::string TextOf(const py::object& option, const char* name)
+{
+    return From<std::string>(py::str(option), name);
+}
+
+Rational RateFrom(const py::object& fps)
+{
+    const std::string text = TextOf(fps, "fps");
+    Result<Rational> rate = Rational::Parse(text);
+    if (!rate)
+    {
+        Error error = std::move(rate).TakeError();
+        error.culprit = ErrorSetting{BOXREEL_MEMBER(VideoSettings, framesPerSecond), {text}};
+        ThrowError(error);
+    }
+    return *rate;
+}
+
+/// Refuses an extension that neither films nor pages have. Other names are left to the writers.
+void RequireKnownEnd(const std::filesystem::path& path)
+{
+    std::vector<std::string> ends = VideoEnds();
+    ends.emplace_back(".png");
+    ends.emplace_back(".html");
+    const std::string end = Lower(path.extension().string());
+    if (!path.stem().empty() && std::find(ends.begin(), ends.end(), end) == ends.end())
+    {
+        const std::string known =
+            "use " + JoinedBy(", ", VideoEnds()) + ", .html or a name like frames-####.png";
+        ThrowError({ErrorKind::Unusable, path.string(),
+                    end.empty() ? "has no extension"
+                                : "unsupported extension " + path.extension().string(),
+                    DidYouMean(end, ends, known)});
     }
 }
 
@@ -91,19 +130,21 @@ public:
     {
         m_video.width = From<int32>(options["width"], "size");
         m_video.height = From<int32>(options["height"], "size");
-        m_video.framesPerSecond = Need(Rational::Parse(std::string(py::str(options["fps"]))));
-        m_video.quality = OneOf("quality", py::str(options["quality"]), kQualities);
-        m_video.codec = py::str(options["codec"]);
+        m_video.framesPerSecond = RateFrom(options["fps"]);
+        m_video.quality = OneOf("quality", TextOf(options["quality"], "quality"), kQualities);
+        m_video.codec = TextOf(options["codec"], "codec");
         m_video.overwrite = From<bool>(options["overwrite"], "overwrite");
-        m_drawing.theme = ThemeFrom(py::str(options["theme"]));
+        m_drawing.theme = ThemeFrom(TextOf(options["theme"], "theme"));
         m_drawing.scale = From<double>(options["scale"], "scale");
         // Before anything is simulated.
         if (IsPage(m_path))
         {
             RequireNoneOfFilms();
+            Need(CheckPagePath(m_path, PageOf({})));
         }
         else
         {
+            RequireKnownEnd(m_path);
             Need(CheckVideoPath(m_path, m_video));
         }
         RequireFolder(m_path);
@@ -258,6 +299,17 @@ private:
         }
     }
 
+    PageSettings PageOf(const LayerSet& shown) const
+    {
+        return {.width = m_video.width,
+                .height = m_video.height,
+                .framesPerSecond = m_video.framesPerSecond.ToDouble(),
+                .title = std::filesystem::path(m_path).stem().string(),
+                .theme = m_drawing.theme,
+                .shown = shown,
+                .overwrite = m_video.overwrite};
+    }
+
     void AddToPage(WorldObject& world, const Camera& view, const Look& look)
     {
         const DrawList list = ListOf(world, view, look, kPageZoom);
@@ -268,14 +320,7 @@ private:
                 : std::vector<Vec2>();
         if (!m_page)
         {
-            const PageSettings settings{.width = m_video.width,
-                                        .height = m_video.height,
-                                        .framesPerSecond = m_video.framesPerSecond.ToDouble(),
-                                        .title = std::filesystem::path(m_path).stem().string(),
-                                        .theme = m_drawing.theme,
-                                        .shown = look.layers,
-                                        .overwrite = m_video.overwrite};
-            m_page.emplace(Need(PageWriter::Open(m_path, settings)));
+            m_page.emplace(Need(PageWriter::Open(m_path, PageOf(look.layers))));
         }
         Need(Unlocked([&] { return m_page->Append(list, view, bodies, anchors); }));
         ++m_frames;

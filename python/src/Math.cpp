@@ -129,11 +129,15 @@ void Arithmetic(Class& type)
 {
     using Self = T&;
     type.def("__len__", [](Self) { return kCount<T>; })
-        .def("__getitem__", [](Self self, py::ssize_t i) { return At(self, Index(i, kCount<T>)); })
-        .def("__setitem__",
-             [](Self self, py::ssize_t i, py::handle value) {
-                 At(self, Index(i, kCount<T>)) = From<float32>(value, "value");
-             })
+        .def(
+            "__getitem__", [](Self self, py::ssize_t i) { return At(self, Index(i, kCount<T>)); },
+            py::arg("index"))
+        .def(
+            "__setitem__",
+            [](Self self, py::ssize_t i, py::handle value) {
+                At(self, Index(i, kCount<T>)) = From<float32>(value, "value");
+            },
+            py::arg("index"), py::arg("value"))
         .def("__iter__", [](Self self) { return py::iter(TupleOf(self)); })
         .def("__eq__",
              [](Self self, py::handle other) -> py::object {

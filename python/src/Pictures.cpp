@@ -10,6 +10,7 @@
 #include <debugdraw/WorldBounds.h>
 #include <debugdraw/WorldLayers.h>
 #include <golden/StateHash.h>
+#include <page/PageWriter.h>
 #include <recorder/VideoWriter.h>
 #include <render/Figure.h>
 #include <render/Png.h>
@@ -34,8 +35,11 @@ PyObject* g_error = nullptr; // boxreel.Error, which lives as long as the proces
 constexpr SettingName kKeywords[] = {
     {BOXREEL_MEMBER(AtomicFileSettings, overwrite), "true", "overwrite=True"},
     {BOXREEL_MEMBER(VideoSettings, overwrite), "true", "overwrite=True"},
+    {BOXREEL_MEMBER(PageSettings, overwrite), "true", "overwrite=True"},
     {BOXREEL_MEMBERS(VideoSettings, width, height), "", "size", "=(", ", ", ")"},
+    {BOXREEL_MEMBERS(PageSettings, width, height), "", "size", "=(", ", ", ")"},
     {BOXREEL_MEMBER(VideoSettings, framesPerSecond), "", "fps", "="},
+    {BOXREEL_MEMBER(PageSettings, framesPerSecond), "", "fps", "="},
     {BOXREEL_MEMBER(VideoSettings, quality), "Quality::Lossless", "quality=\"lossless\""},
     {BOXREEL_MEMBER(VideoSettings, codec), "", "codec", "=\"", "", "\""},
 };
@@ -78,7 +82,7 @@ JointNames NamesOfJoints(WorldObject& world)
         const py::object name = py::getattr(Wrap(world, joint), "name", py::none());
         if (!name.is_none())
         {
-            names[joint] = py::str(name);
+            names[joint] = NameFrom(name);
         }
     }
     return names;
@@ -315,7 +319,7 @@ Look LookFrom(py::handle layers, py::handle trails)
         look.layers = LayerSet::None();
         for (const py::handle each : Iterate(layers, "layers", "a list of names"))
         {
-            const std::string name = py::str(each);
+            const auto name = From<std::string>(py::str(each), "layers");
             const std::optional<DrawLayer> layer = FindLayer(name);
             if (!layer)
             {
@@ -344,6 +348,11 @@ Look LookFrom(py::handle layers, py::handle trails)
     return look;
 }
 
+std::string NameFrom(py::handle name)
+{
+    return From<std::string>(py::str(name), "name");
+}
+
 BodyNames NamesOf(WorldObject& world)
 {
     BodyNames names;
@@ -352,7 +361,7 @@ BodyNames NamesOf(WorldObject& world)
         const py::object name = py::getattr(object, "name", py::none());
         if (!name.is_none()) // reading it may have destroyed the body
         {
-            names[std::uint32_t(object.cast<BodyHandle&>().Get().GetNumber())] = py::str(name);
+            names[std::uint32_t(object.cast<BodyHandle&>().Get().GetNumber())] = NameFrom(name);
         }
     }
     return names;
@@ -486,6 +495,8 @@ void BindPictures(py::module_& module)
         const std::vector<std::uint8_t> png = Need(bytes);
         return py::bytes(reinterpret_cast<const char*>(png.data()), png.size());
     });
+    module.def("_text",
+               [](py::handle text, const char* name) { return From<std::string>(text, name); });
     module.def("_write_text", [](const std::string& path, const std::string& text) {
         Need(WriteWhole(path, text, true));
     });

@@ -68,14 +68,13 @@ void BindScenes(py::module_& module)
         const std::unique_ptr<Scene> scene = Need(LoadRubeScene(path, leftOut));
         return py::make_tuple(SnapshotOf(*scene), TextsOf(leftOut));
     });
-    module.def(
-        "_rube_text", [](py::handle world, const std::map<std::uint32_t, std::string>& names) {
-            WorldObject& self = WorldFrom(world, "world");
-            self.RequireUnlocked("writing a scene file");
-            RubeNotes leftOut;
-            const std::string text = WriteRubeText(ExportWorld(self.world, names, {}, leftOut));
-            return py::make_tuple(text, TextsOf(leftOut));
-        });
+    module.def("_rube_text", [](py::handle world) {
+        WorldObject& self = WorldFrom(world, "world");
+        self.RequireUnlocked("writing a scene file");
+        RubeNotes leftOut;
+        const std::string text = WriteRubeText(ExportWorld(self.world, NamesOf(self), {}, leftOut));
+        return py::make_tuple(text, TextsOf(leftOut));
+    });
 }
 
 } // namespace boxreel::python

@@ -83,6 +83,9 @@ Look LookFrom(py::handle layers, py::handle trails);
 void RequireThreadsOfPictures();
 void RequireThreadsOfFilms();
 
+/// Returns the text of an attribute `name`, which is any object.
+std::string NameFrom(py::handle name);
+
 /// Returns the names of bodies that have an attribute `name`, as those of boxreel.scene do.
 BodyNames NamesOf(WorldObject& world);
 

@@ -295,9 +295,9 @@ TEST_F(PageWriterTest, RefusesSettingsOutOfRange)
         EXPECT_EQ(writer.GetError().kind, ErrorKind::Unusable);
         EXPECT_THAT(writer.GetError().culprit, HasSubstr(culprit));
     };
-    refuses([](PageSettings& s) { s.width = 0; }, "size 0x360");
-    refuses([](PageSettings& s) { s.height = 8193; }, "size 640x8193");
-    refuses([](PageSettings& s) { s.framesPerSecond = 0.0; }, "rate");
+    refuses([](PageSettings& s) { s.width = 0; }, "0x360");
+    refuses([](PageSettings& s) { s.height = 8193; }, "640x8193");
+    refuses([](PageSettings& s) { s.framesPerSecond = 0.0; }, "framesPerSecond");
     refuses([](PageSettings& s) { s.speed = std::nan(""); }, "time");
     EXPECT_TRUE(folder.Names().empty());
 }

@@ -15,7 +15,7 @@ import numpy
 
 import boxreel
 import boxreel_golden
-from Box2D import b2CircleShape, b2EdgeShape, b2Error, b2FixtureDef, b2World
+from Box2D import b2CircleShape, b2EdgeShape, b2Error, b2Filter, b2FixtureDef, b2World
 
 
 def drop():
@@ -259,6 +259,35 @@ class Films(InFolder):
             self.assertEqual((error.kind, error.culprit), ("unusable", self.path(name)))
             self.assertIn("overwrite=True", error.remedy)
             self.assertNotIn("resume", error.remedy)
+
+    def test_errors_of_pages_name_keywords(self):
+        for settings, culprit in (({"size": (0, 180)}, "size=(0, 180)"), ({"fps": 2000}, "fps=2000"),
+                                  ({"fps": -3}, "fps=-3")):
+            with self.subTest(**settings):
+                error = self.refusal_of("a.html", **settings)
+                self.assertEqual((error.kind, error.culprit), ("unusable", culprit))
+        self.assertIn("overwrite=True", self.refusal_of_existing_page().remedy)
+        self.assertIn(".html", self.refusal_of("a.xyz").remedy)
+
+    def refusal_of_existing_page(self):
+        with open(self.path("b.html"), "w") as file:
+            file.write("mine")
+        return self.refusal_of("b.html", overwrite=False)
+
+    def test_half_surrogates_are_named(self):
+        world = drop()
+        world.bodies[0].name = "ball\udc80"
+        for call, culprit in ((lambda: boxreel.render(world, layers=["names"]), "name"),
+                              (lambda: boxreel.dump(world, self.path("a.json")), "name"),
+                              (lambda: boxreel.film(self.path("a\udc80.mp4")), "path"),
+                              (lambda: boxreel.render(world, theme="\udc80"), "theme"),
+                              (lambda: boxreel.render(world, layers=["\udc80"]), "layers"),
+                              (lambda: boxreel.scene("\udc80"), "name"),
+                              (lambda: boxreel.compare(world, world, "\udc80"), "preset")):
+            with self.assertRaisesRegex(b2Error, rf"^{culprit}: .*\\udc80.* UTF-8"):
+                call()
+        with self.assertRaisesRegex(TypeError, r"\\udc80"):
+            b2Filter(**{"\udc80": 1})
 
     def test_errors_of_films_come_before_wrong_frames(self):
         film = boxreel.film(self.path("a.mp4"), size=(320, 180))

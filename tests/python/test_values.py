@@ -320,6 +320,21 @@ class Shapes(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "transformA"):
             Box2D.b2DistanceInput(tranformA=box)
 
+    def test_segments_are_clipped(self):
+        ends = [Box2D.b2ClipVertex(v=(-1, 0)), Box2D.b2ClipVertex(v=(3, 0))]
+        self.assertEqual([end.v for end in Box2D.b2ClipSegmentToLine(ends, (1, 0), 1, 2)], [(-1, 0), (1, 0)])
+        self.assertEqual(Box2D.b2ClipSegmentToLine(ends, (1, 0), 1, 2)[1].id.cf.indexA, 2)
+        self.assertEqual(Box2D.b2ClipSegmentToLine([(3, 0), (4, 0)], (1, 0), 1), [])
+        for wrong in (3, [(1, 0)], [(1, 0), (2, "a")]):
+            with self.assertRaisesRegex(TypeError, "vIn"):
+                Box2D.b2ClipSegmentToLine(wrong, (1, 0), 1)
+
+    def test_arguments_by_name_are_listed(self):
+        for call, text in ((lambda: b2CircleShape(1), "pos=, radius="), (lambda: b2PolygonShape([(0, 0)]), "box=.*vertices="),
+                           (lambda: b2Vec2(1, 2)[:], "__getitem__: expected .index., not .'slice'.")):
+            with self.assertRaisesRegex(TypeError, text):
+                call()
+
     def test_helper_functions_return_their_values(self):
         self.assertTrue(Box2D.b2CheckPolygon(b2PolygonShape(box=(1, 1))))
         with self.assertRaises(ValueError):

@@ -59,13 +59,17 @@ struct PageBody
     float spin = 0.0f;        ///< angular velocity, kept to kPageVelocityError [rad/s]
 };
 
+/// An Error (Unusable) for a name that does not end in .html, or for a setting out of range. Opens
+/// nothing.
+Result<void> CheckPagePath(const std::filesystem::path& path, const PageSettings& settings);
+
 /// Writes draw lists to a web page.
 class PageWriter
 {
 public:
-    /// Starts the page as NAME.part.html. An Error (Unusable) for a name that does not end in
-    /// .html, for a setting out of range, or when the file exists or its folder takes no file.
-    /// Unless `overwrite`, also when NAME.part.html exists.
+    /// Starts the page as NAME.part.html. The Errors of CheckPagePath, and one (Unusable) when the
+    /// file exists or its folder takes no file. Unless `overwrite`, also when NAME.part.html
+    /// exists.
     static Result<PageWriter> Open(const std::filesystem::path& path,
                                    const PageSettings& settings = {});
     /// Leaves the source in a moved-from state.
