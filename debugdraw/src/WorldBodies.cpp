@@ -7,6 +7,7 @@
 #include <debugdraw/WorldBodies.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,7 +28,9 @@ constexpr double kBeside = 8.0;        // minimum space beside the longest name 
 
 constexpr double kMarkRadius = 6.0; // [px]
 
-constexpr Paint kTieInk(ColorRole::Ink, 128);
+// A label that begins this near to the middle between two pixels begins at the second, for
+// renderers and pages that round differently [px].
+constexpr double kOffEdge = 1.0 / 64.0;
 
 Vec2 CenterOf(const b2Body& body)
 {
@@ -93,22 +96,42 @@ struct Label
     std::uint32_t owner = kNoOwner;
 };
 
+/// Returns the pixel with kOffEdge between it and the middle between two pixels.
+double OffEdge(double pixel)
+{
+    const double fraction = pixel + 0.5 - std::floor(pixel + 0.5);
+    const bool isNear = fraction < kOffEdge || fraction > 1.0 - kOffEdge;
+    return isNear ? std::floor(pixel + 1.0) - 0.5 + kOffEdge : pixel;
+}
+
+/// Returns the place of a text, so that all viewers begin it at the same pixel.
+Vec2 OffEdge(Vec2 place, const Camera& camera)
+{
+    const double scale = camera.pixelsPerMeter;
+    const double x = 0.5 * camera.width + (double(place.x) - camera.centerX) * scale;
+    const double y = 0.5 * camera.height - (double(place.y) - camera.centerY) * scale;
+    const double safeX = OffEdge(x);
+    const double safeY = OffEdge(y);
+    return {safeX == x ? place.x : float(camera.centerX + (safeX - 0.5 * camera.width) / scale),
+            safeY == y ? place.y : float(camera.centerY + (0.5 * camera.height - safeY) / scale)};
+}
+
 void AddLabel(const Label& label, const LabelSpot& spot, const Camera& camera, DrawList& list)
 {
     list.owner = label.owner;
     if (spot.tie)
     {
-        list.AddSegment(label.place, *spot.tie, kTieInk);
+        list.AddSegment(label.place, *spot.tie, kNameLine);
     }
     const double metersPerPixel = 1.0 / camera.pixelsPerMeter;
-    list.AddText({float(spot.middle.x - 0.5 * TextWidth(label.name) * metersPerPixel),
-                  float(spot.middle.y + 0.5 * kTextHeight * metersPerPixel)},
-                 label.name, ColorRole::Ink);
+    const Vec2 topLeft{float(spot.middle.x - 0.5 * TextWidth(label.name) * metersPerPixel),
+                       float(spot.middle.y + 0.5 * kTextHeight * metersPerPixel)};
+    list.AddText(OffEdge(topLeft, camera), label.name, ColorRole::Ink);
 }
 
 /// Each at its position, or beside it if there is an obstacle. Labels outside the picture, by a
 /// wider estimate than that of renderers, stay at their position in unrestricted lists.
-void AddLabels(const std::vector<Label>& labels, const View& view, DrawList& list)
+void AddPlacedLabels(const std::vector<Label>& labels, const View& view, DrawList& list)
 {
     std::vector<LabelWish> wishes;
     wishes.reserve(labels.size());
@@ -133,6 +156,31 @@ void AddLabels(const std::vector<Label>& labels, const View& view, DrawList& lis
         }
     }
     list.owner = kNoOwner;
+}
+
+/// At what they name, for a viewer that places them.
+void AddWishes(const std::vector<Label>& labels, DrawList& list)
+{
+    list.layer = DrawLayer::Labels;
+    for (const Label& label : labels)
+    {
+        list.owner = label.owner;
+        list.AddText(label.place, label.name, ColorRole::Ink);
+        list.items.back().size = 1.0f;
+    }
+    list.owner = kNoOwner;
+}
+
+void AddLabels(const std::vector<Label>& labels, const View& view, DrawList& list)
+{
+    if (view.zoom > 1.0)
+    {
+        AddWishes(labels, list);
+    }
+    else
+    {
+        AddPlacedLabels(labels, view, list);
+    }
 }
 
 } // namespace

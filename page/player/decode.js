@@ -1,8 +1,8 @@
 // Reads the frames of a page. docs/notes/page-format.md describes the bytes, page/src/PageEncoder.cpp
 // writes them. Needs no document.
 
-const kShapes = 0, kContacts = 4, kNormals = 5, kImpulses = 6, kFriction = 7, kCenterMarks = 9, kVelocities = 10,
-  kForces = 11, kGlyphs = 12, kLabels = 13; // DrawLayer
+const kShapes = 0, kContacts = 4, kNormals = 5, kImpulses = 6, kFriction = 7, kCenters = 8, kCenterMarks = 9,
+  kVelocities = 10, kForces = 11, kGlyphs = 12, kLabels = 13, kAnnotations = 17; // DrawLayer
 const kPolygon = 0, kSolidPolygon = 1, kCircle = 2, kSolidCircle = 3, kSegment = 4, kTransform = 5,
   kPoint = 6, kText = 7; // DrawKind
 const kFormSteps = 16, kViewSteps = 16; // points of forms and views are this much finer than places

@@ -28,17 +28,24 @@ class Painter {
     this.lineWidth = look.theme.lineWidth * look.ratio;
     // What is that many pixels in the film keeps its size where labels need it.
     this.labelScale = look.ratio * this.film.viewOf(frame).scale / look.view.scale;
-    this.tie = null; // of the label that follows
     this.shaft = null; // of the arrow head that follows
     if (this.letterRatio !== look.ratio) this.letters.clear();
     this.letterRatio = look.ratio;
     this.begin(canvas);
+    this.wishes = []; // names, which are placed when all that may be in their way is known
+    const isNamed = !look.hidden.has(kLabels) && frame.tracks.some(track => this.isWish(track, track.form.items[0]));
+    this.things = isNamed ? [] : null;
     let at = 0;
     for (const track of frame.tracks) {
       if (!look.hidden.has(this.film.styles[track.style])) this.drawTrack(track, frame.numbers, at);
       at += track.form.numbers;
     }
+    this.drawNames(this.wishes.filter(wish => wish.owner >= 0));
+    this.drawNames(this.wishes.filter(wish => wish.owner < 0));
     this.end(canvas);
+  }
+  isWish(track, item) {
+    return this.film.styles[track.style] === kLabels && item?.kind === kText && item.size > 0;
   }
   begin(canvas) {
     this.context = canvas.getContext("2d", {alpha: false});
@@ -70,13 +77,65 @@ class Painter {
   drawSized(item, points, track, layer) {
     if (kHeads[layer]) return this.arrowPart(item, points, track, kHeads[layer] * this.look.ratio, layer === kFriction);
     if (layer === kGlyphs) return this.glyphPart(item, points, track);
-    if (layer === kLabels) this.placeLabel(item, points);
+    if (this.isWish(track, item)) return this.addWish(item, points, track);
     if (layer === kNormals) scaleAbout(points, points[0], points[1], this.labelScale);
     if (layer === kCenterMarks) {
       scaleAbout(points, points[0], points[1], this.labelScale);
       if (item.kind === kCircle) item = {...item, size: item.size * this.labelScale};
     }
     this.drawItem(item, points, track);
+  }
+  addWish({text}, points, track) {
+    const [x, y] = this.fromMiddle(points, 2), letters = this.film.texts[text];
+    const width = this.widthOf(letters) / this.look.ratio;
+    this.wishes.push({x, y, width, owner: track.owner, text: letters, stroke: this.look.theme.strokes[track.style]});
+  }
+  // Pixels of CSS from the middle of the canvas, y up, as labels are placed.
+  fromMiddle(points, count) {
+    const {ratio} = this.look, own = new Float64Array(count);
+    for (let i = 0; i < count; i += 2) {
+      own[i] = (points[i] - 0.5 * this.width) / ratio;
+      own[i + 1] = (0.5 * this.height - points[i + 1]) / ratio;
+    }
+    return own;
+  }
+  // Lines and arrows that leave text legible are not in the way of names.
+  addThing(item, points, {owner}, layer) {
+    const isSign = layer === kGlyphs || layer === kCenters || layer === kCenterMarks || layer === kAnnotations || layer === kLabels;
+    if (!isSign && layer !== kShapes) return;
+    const {view, ratio} = this.look;
+    const isText = item.kind === kText, isCircle = item.kind === kCircle || item.kind === kSolidCircle;
+    const role = layer === kShapes ? kShape : isText ? kLabel : kSign;
+    // The second point of these two is on the circle or the axis.
+    const own = this.fromMiddle(points, item.kind === kSolidCircle || item.kind === kTransform ? 2 : points.length);
+    const reach = item.kind === kPoint ? 0.5 * item.size : isCircle || item.kind === kTransform ? item.size * view.scale / ratio : 0;
+    const bounds = widened(boundsOf(own), reach);
+    if (isText) {
+      bounds.right += this.widthOf(this.film.texts[item.text]) / ratio;
+      bounds.bottom -= kTextLine;
+    }
+    const form = isCircle ? kCircleForm : item.kind <= kSegment ? kLinesForm : kBoxForm;
+    this.things.push({role, form, owner, points: own, ...bounds});
+  }
+  drawNames(wishes) {
+    if (wishes.length === 0) return;
+    const {ratio, theme} = this.look, width = this.width / ratio, height = this.height / ratio;
+    const obstacles = new LabelObstacles(width, height);
+    for (const thing of this.things) obstacles.add(thing);
+    const toCanvas = (x, y) => [ratio * (0.5 * width + x), ratio * (0.5 * height - y)];
+    new LabelSpots(obstacles).settle(wishes).forEach((spot, i) => {
+      if (!spot) return;
+      const {x, y, owner, text, stroke} = wishes[i];
+      if (spot.tie) {
+        this.line(...toCanvas(x, y), ...toCanvas(...spot.tie), theme.nameLine);
+        const points = [x, y, ...spot.tie];
+        this.things.push({role: kSign, form: kLinesForm, owner, points, ...boundsOf(points)});
+      }
+      const left = offEdge(0.5 * width + spot.x - 0.5 * wishes[i].width), top = offEdge(0.5 * height - spot.y - 0.5 * kTextLine);
+      this.text([ratio * left, ratio * top], text, stroke);
+      this.things.push({role: kLabel, form: kBoxForm, owner, left: left - 0.5 * width, bottom: 0.5 * height - top - kTextLine,
+                        right: left - 0.5 * width + wishes[i].width, top: 0.5 * height - top});
+    });
   }
   // A part of a joint's sign: its points, and behind them their anchors, from which they are some
   // pixels away.
@@ -121,24 +180,6 @@ class Painter {
     scaleAbout(points, tipX, tipY, head / along);
     this.drawItem(item, points, track);
   }
-  // A label keeps its distance in pixels from its body: from where its line begins, or else with its
-  // middle where it is.
-  placeLabel(item, points) {
-    const {tie} = this;
-    this.tie = item.kind === kSegment ? [points[0], points[1]] : null;
-    if (this.labelScale === 1) return;
-    if (item.kind === kSegment) {
-      points[2] = points[0] + this.labelScale * (points[2] - points[0]);
-      points[3] = points[1] + this.labelScale * (points[3] - points[1]);
-    } else if (tie) {
-      points[0] = tie[0] + this.labelScale * (points[0] - tie[0]);
-      points[1] = tie[1] + this.labelScale * (points[1] - tie[1]);
-    } else if (item.kind === kText) {
-      const away = 0.5 * (1 - this.labelScale) / this.labelScale;
-      points[0] += away * this.widthOf(this.film.texts[item.text]);
-      points[1] += away * kTextLine * this.look.ratio;
-    }
-  }
   // Does not set the same colour twice, because browsers parse it again each time.
   setFill(color) {
     if (color !== this.fill) this.context.fillStyle = this.fill = color;
@@ -156,6 +197,7 @@ class Painter {
   }
   drawItem(item, points, track) {
     const {theme, view, ratio} = this.look;
+    if (this.things) this.addThing(item, points, track, this.film.styles[track.style]);
     const size = Math.abs(item.size);
     const isRound = item.kind === kCircle || item.kind === kSolidCircle || item.kind === kTransform;
     const isText = item.kind === kText;
@@ -283,7 +325,7 @@ class Painter {
   addLetter(sign) {
     const pen = document.createElement("canvas").getContext("2d"), {ratio} = this.look;
     pen.font = `2048px ${kFontFamily}`;
-    const width = pen.measureText(sign).width / 2048 * kTextSize;
+    const width = pen.measureText(sign).width * (kTextLine / 2384);
     const letter = {sign, width: width * ratio, advance: Math.round(width) * ratio};
     this.letters.set(sign, letter);
     return letter;

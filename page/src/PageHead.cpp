@@ -90,6 +90,7 @@ std::string ThemeText(const Theme& theme, const std::vector<PageStyle>& styles)
            ",\"background\":" + ColorText(theme.background, 1.0) +
            ",\"text\":" + ColorText(theme.text, 1.0) + ",\"xAxis\":" + ColorText(theme.xAxis, 1.0) +
            ",\"yAxis\":" + ColorText(theme.yAxis, 1.0) +
+           ",\"nameLine\":" + ColorText(theme.Outline(kNameLine), kNameLine.color.a / 255.0) +
            ",\"lineWidth\":" + NumberText(double(theme.outlineWidth)) + ",\"strokes\":" +
            ListText(styles, [&](const PageStyle& style) { return StrokeText(style, theme); }) +
            ",\"fills\":" +
@@ -188,8 +189,12 @@ Result<std::string> PageEnd(const PageSettings& settings, const PageEncoder& enc
     json += ",\n\"names\":" + NamesText(facts.names);
     json += ",\n\"texts\":" + ListText(encoder.Forms().Texts(), StringText);
     json += ",\n\"forms\":\"" + Base64(forms) + "\"}";
-    const std::string script =
-        std::string(kDecodeJs).append(kDrawJs).append(kExactJs).append(kViewJs).append(kPlayerJs);
+    const std::string script = std::string(kDecodeJs)
+                                   .append(kLabelsJs)
+                                   .append(kDrawJs)
+                                   .append(kExactJs)
+                                   .append(kViewJs)
+                                   .append(kPlayerJs);
     ASSIGN_OR_RETURN(const std::string player, Gzip("page", WithoutComments(script)));
     return FilledTemplate(
         kPlayerHtml.substr(kPlayerHtml.find(kFramesMark) + kFramesMark.size()),

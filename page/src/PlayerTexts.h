@@ -10,6 +10,7 @@ namespace boxreel
 extern const std::string_view kPlayerHtml;
 extern const std::string_view kPlayerCss;
 extern const std::string_view kDecodeJs;
+extern const std::string_view kLabelsJs;
 extern const std::string_view kDrawJs;
 extern const std::string_view kExactJs;
 extern const std::string_view kViewJs;

@@ -16,7 +16,7 @@ import threading
 from pathlib import Path
 
 SCENES = ["pyramid:shapes,contacts", "tumbler:shapes,contacts,aabbs,centers",  # 1,011 and 1,505 shapes at the end
-          "rain:shapes,contacts,aabbs,centers"]
+          "rain:shapes,contacts,aabbs,centers", "many-pyramids:shapes,joints,names"]
 MEASURE = """
 (async () => {
   const player = await opened, ends = [], costs = [];

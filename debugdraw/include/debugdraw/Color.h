@@ -92,4 +92,7 @@ struct Paint
     friend bool operator==(const Paint&, const Paint&) = default;
 };
 
+/// Lines from names to what they name.
+inline constexpr Paint kNameLine(ColorRole::Ink, 128);
+
 } // namespace boxreel

@@ -17,7 +17,8 @@ struct View
     Camera camera;            ///< defines the pixels of arrows, glyphs and text
     std::optional<Rect> area; ///< visible area with a margin [m]; none: everything
     /// A viewer may enlarge the items by this factor, at least 1. Arrows that are legible at that
-    /// size are collected.
+    /// size are collected. Above 1, names are at what they name with a size of 1 (DrawItem::size):
+    /// where there is room beside it depends on the viewer's view.
     double zoom = 1.0;
 
     /// True if something inside the box [m], or up to `reachPixels` beside it, may be visible.

@@ -24,7 +24,7 @@ using JointNames = std::map<const b2Joint*, std::string>;
 /// label or other body's shape is there, the name is placed beside it. A thin line connects a name
 /// outside its body. Call this after adding those items. Labels are completely inside the picture.
 /// A body has none if its centre is outside, or if there is no space free of other centres and
-/// labels.
+/// labels. With a zoom above 1 (View::zoom), the viewer does all that.
 void AddBodyNames(const b2World& world, const View& view, const BodyNames& names, DrawList& list);
 
 /// Adds the names of joints, between their anchors, placed as above, with a line only from a
