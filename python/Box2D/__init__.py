@@ -62,7 +62,7 @@ class b2Vec2Array(list):
 
     def __init__(self, points=()):
         if not hasattr(points, "__iter__"):
-            raise TypeError(f"b2Vec2Array: points: expected a list of points, not '{type(points).__name__}'")
+            raise TypeError(f"b2Vec2Array: points: expected a list of points, not {_boxreel._kind(points)}")
         super().__init__(points)
 
 
@@ -70,7 +70,7 @@ def _require_like(function, *values):
     """All are numbers, or all vectors."""
     if not (all(isinstance(one, (int, float)) for one in values)
             or all(isinstance(one, (tuple, list, _boxreel.b2Vec2)) and len(one) == 2 for one in values)):
-        kinds = ", ".join(f"'{type(one).__name__}'" for one in values)
+        kinds = ", ".join(_boxreel._kind(one) for one in values)
         raise TypeError(f"{function}: expected numbers or vectors, not ({kinds})")
 
 

@@ -858,9 +858,7 @@ class b2ContactID:
 
 class b2ContactImpulse:
     """Impulses of a contact in a step [N s]."""
-    def __init__(self, *args: Any, **kwargs: Any) -> None:
-        """Initialize self.  See help(type(self)) for accurate signature."""
-        ...
+    def __init__(self) -> None: ...
     @property
     def count(self) -> int:
         """Number of points, 0 to 2."""

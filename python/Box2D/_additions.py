@@ -62,7 +62,7 @@ def _create_fixture(self, defn=None, density=None, **keywords) -> b2Fixture:
     if isinstance(defn, b2Shape):
         keywords["shape"] = defn
     elif defn is not None and not isinstance(defn, b2FixtureDef):
-        raise TypeError(f"expected a b2FixtureDef or a shape, not '{type(defn).__name__}'")
+        raise TypeError(f"expected a b2FixtureDef or a shape, not {_boxreel._kind(defn)}")
     if density is not None:
         keywords["density"] = density
     if isinstance(defn, b2FixtureDef) and not keywords:
@@ -104,7 +104,7 @@ def _create_chain_fixture(self, **keywords) -> b2Fixture:
 def _create_edge_chain(self, edge_list):
     """Attaches an edge between each point and the next [m]. Returns the fixtures."""
     if not hasattr(edge_list, "__iter__"):
-        raise TypeError(f"edge_list: expected a list of points, not '{type(edge_list).__name__}'")
+        raise TypeError(f"edge_list: expected a list of points, not {_boxreel._kind(edge_list)}")
     points = [tuple(point) for point in edge_list]
     if len(points) < 2:
         raise ValueError(f"edge_list: expected at least 2 points, got {len(points)}")
@@ -116,7 +116,7 @@ def _create_fixtures_from_shapes(self, shapes=None, shapeFixture=None):
     if shapes is None:
         raise TypeError("shapes: expected a shape or a list of shapes, not None")
     if shapeFixture is not None and not isinstance(shapeFixture, b2FixtureDef):
-        raise TypeError(f"shapeFixture: expected a b2FixtureDef, not '{type(shapeFixture).__name__}'")
+        raise TypeError(f"shapeFixture: expected a b2FixtureDef, not {_boxreel._kind(shapeFixture)}")
     keep = shapeFixture._values() if shapeFixture is not None else b2FixtureDef()._values()
     fixtures = [self._create_fixture({**keep, "shape": shape}) for shape in _as_list(shapes)]
     return fixtures if isinstance(shapes, (list, tuple)) else fixtures[0]
@@ -152,7 +152,7 @@ def _ray_cast(self, *arguments, **keywords):
         ray = b2RayCastInput(p1=keywords.pop("p1"), p2=keywords.pop("p2"), maxFraction=keywords.pop("maxFraction", 1.0))
     child = arguments.pop(0) if arguments else keywords.pop("childIndex", 0)
     if not isinstance(ray, b2RayCastInput):
-        raise TypeError(f"b2Fixture.RayCast: input: expected a b2RayCastInput, not '{type(ray).__name__}'")
+        raise TypeError(f"b2Fixture.RayCast: input: expected a b2RayCastInput, not {_boxreel._kind(ray)}")
     hit, found = self._ray_cast(ray, child)
     if output is not None:
         if hit:
@@ -193,7 +193,7 @@ def _create_body(self, defn=None, **keywords) -> b2Body:
     if defn is None:
         defn = b2BodyDef(**keywords)
     elif not isinstance(defn, b2BodyDef):
-        raise TypeError(f"expected a b2BodyDef, not '{type(defn).__name__}'")
+        raise TypeError(f"expected a b2BodyDef, not {_boxreel._kind(defn)}")
     elif keywords:
         raise TypeError("expected a b2BodyDef or keywords, not both")
     body = self._create_body(defn._values())
@@ -234,7 +234,7 @@ def _create_joint(self, defn=None, type=None, **keywords) -> b2Joint:
             raise TypeError(f"type: expected a class of joint definitions, not {type.__name__}")
         defn = named(**keywords)
     elif not isinstance(defn, b2JointDef):
-        raise TypeError(f"expected a definition of a joint, not '{defn.__class__.__name__}'")
+        raise TypeError(f"expected a definition of a joint, not {_boxreel._kind(defn)}")
     name = next((c.__name__ for c in defn.__class__.__mro__ if c.__name__ in JOINT_DEFINITIONS), None)
     if name is None:
         raise TypeError("b2JointDef is only the base of definitions; use one such as b2RevoluteJointDef")

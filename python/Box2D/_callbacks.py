@@ -33,7 +33,7 @@ class b2ContactFilter(_Callback):
         """Returns True if the fixtures may collide. The default compares groups, then categories and masks."""
         for name, fixture in (("fixtureA", fixtureA), ("fixtureB", fixtureB)):
             if not isinstance(fixture, _boxreel.b2Fixture):
-                raise TypeError(f"{name}: expected a b2Fixture, not '{type(fixture).__name__}'")
+                raise TypeError(f"{name}: expected a b2Fixture, not {_boxreel._kind(fixture)}")
         return _boxreel._should_collide(fixtureA, fixtureB)
 
 
@@ -65,7 +65,7 @@ _FLAGS = {"drawShapes": 0x01, "drawJoints": 0x02, "drawAABBs": 0x04, "drawPairs"
 
 def _bits_of(flags):
     if not isinstance(flags, int):
-        raise TypeError(f"flags: expected bits, not '{type(flags).__name__}'")
+        raise TypeError(f"flags: expected bits, not {_boxreel._kind(flags)}")
     return flags
 
 
@@ -93,7 +93,7 @@ class b2Draw(_Callback):
             self._bits = value
             return
         if not isinstance(value, dict):
-            raise TypeError(f"flags: expected bits or a dictionary of names, not '{type(value).__name__}'")
+            raise TypeError(f"flags: expected bits or a dictionary of names, not {_boxreel._kind(value)}")
         for name in value:
             if name not in _FLAGS and name != "convertVertices":
                 raise TypeError(f"flags: there is no flag '{name}'{_boxreel._hint(name, list(_FLAGS))}")
@@ -168,7 +168,7 @@ class b2DrawExtended(b2Draw):
     def to_screen(self, point):
         """Converts a point of the world [m] to pixels."""
         if not isinstance(point, (tuple, list, _boxreel.b2Vec2)) or len(point) != 2:
-            raise TypeError(f"point: expected a b2Vec2 or two numbers, not '{type(point).__name__}'")
+            raise TypeError(f"point: expected a b2Vec2 or two numbers, not {_boxreel._kind(point)}")
         x = point[0] * self.zoom - self.offset[0]
         y = point[1] * self.zoom - self.offset[1]
         if self.flipX:

@@ -39,7 +39,7 @@ class b2DistanceProxy:
     def Set(self, shape, index=0):
         """Sets the shape and its child."""
         if not isinstance(shape, b2Shape):
-            raise TypeError(f"b2DistanceProxy: shape: expected a shape, not '{type(shape).__name__}'")
+            raise TypeError(f"b2DistanceProxy: shape: expected a shape, not {_boxreel._kind(shape)}")
         self.shape, self.index = shape, index
 
     @property
@@ -146,8 +146,7 @@ def b2Distance(*arguments, **keywords):
 def _require_shapes(function, **shapes):
     for name, shape in shapes.items():
         if not isinstance(shape, b2Shape):
-            kind = "None" if shape is None else f"'{type(shape).__name__}'"
-            raise TypeError(f"{function}: {name}: expected a shape, not {kind}")
+            raise TypeError(f"{function}: {name}: expected a shape, not {_boxreel._kind(shape)}")
 
 
 def _shape_distance(shapeA=None, idxA=0, shapeB=None, idxB=0, transformA=None, transformB=None, useRadii=True):
@@ -170,14 +169,14 @@ def b2TimeOfImpact(shapeA=None, idxA=0, shapeB=None, idxB=0, sweepA=None, sweepB
     _require_shapes("b2TimeOfImpact", shapeA=shapeA, shapeB=shapeB)
     for name, sweep in (("sweepA", sweepA), ("sweepB", sweepB)):
         if not isinstance(sweep, b2Sweep):
-            raise TypeError(f"b2TimeOfImpact: {name}: expected a b2Sweep, not '{type(sweep).__name__}'")
+            raise TypeError(f"b2TimeOfImpact: {name}: expected a b2Sweep, not {_boxreel._kind(sweep)}")
     return _boxreel._time_of_impact(shapeA, idxA, shapeB, idxB, sweepA, sweepB, tMax)
 
 
 def b2CheckPolygon(shape, additional_checks=True):
     """Returns True for a convex polygon with an area, else raises an error that says what it lacks."""
     if not isinstance(shape, _boxreel.b2PolygonShape):
-        raise TypeError(f"b2CheckPolygon: shape: expected a b2PolygonShape, not '{type(shape).__name__}'")
+        raise TypeError(f"b2CheckPolygon: shape: expected a b2PolygonShape, not {_boxreel._kind(shape)}")
     if not shape.valid:
         raise _boxreel.b2Error("b2CheckPolygon: shape: the polygon is not convex or has no area")
     return True
@@ -187,7 +186,7 @@ def _comparison(kind):
     def compare(a, b):
         for item in (a, b):
             if not isinstance(item, kind):
-                raise TypeError(f"expected two of {kind.__name__}, not '{type(item).__name__}'")
+                raise TypeError(f"expected two of {kind.__name__}, not {_boxreel._kind(item)}")
         return a is b
 
     compare.__name__ = compare.__qualname__ = f"{kind.__name__}Compare"
@@ -204,7 +203,7 @@ def b2Random(lo=-1.0, hi=1.0):
     """Returns a random number from `lo` to `hi`, by Python's module random: random.seed makes it repeat."""
     for name, value in (("lo", lo), ("hi", hi)):
         if not isinstance(value, (int, float)):
-            raise TypeError(f"b2Random: {name}: expected a number, not '{type(value).__name__}'")
+            raise TypeError(f"b2Random: {name}: expected a number, not {_boxreel._kind(value)}")
     return random.uniform(lo, hi)
 
 

@@ -3,7 +3,7 @@
 
 import copy
 
-from _boxreel import _defaults, _hint, _refuse, b2Body, b2Error, b2Filter, b2Joint, b2Vec2
+from _boxreel import _defaults, _hint, _kind, _refuse, b2Body, b2Error, b2Filter, b2Joint, b2Vec2
 
 
 class _Definition:
@@ -136,7 +136,7 @@ class b2JointDef(_Definition):
 
     def __setattr__(self, name, value):
         if name in ("bodyA", "bodyB") and value is not None and not isinstance(value, b2Body):
-            raise TypeError(f"{type(self).__name__}: {name}: expected a b2Body, not '{type(value).__name__}'")
+            raise TypeError(f"{type(self).__name__}: {name}: expected a b2Body, not {_kind(value)}")
         super().__setattr__(name, value)
 
     def _complete(self, given):
@@ -230,7 +230,7 @@ class _Gear(b2JointDef):
         keywords = self._named(values, keywords)
         for joint, body in (("joint1", "bodyA"), ("joint2", "bodyB")):
             if keywords.get(joint) is not None and not isinstance(keywords[joint], b2Joint):
-                raise TypeError(f"b2GearJointDef: {joint}: expected a b2Joint, not '{type(keywords[joint]).__name__}'")
+                raise TypeError(f"b2GearJointDef: {joint}: expected a b2Joint, not {_kind(keywords[joint])}")
             if keywords.get(joint) is not None and keywords.get(body) is None:
                 keywords[body] = keywords[joint].bodyB
         super().__init__(**keywords)

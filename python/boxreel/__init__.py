@@ -26,10 +26,7 @@ LAYERS = _boxreel._layers  #: names for layers=, as of `boxreel record --draw`
 THEMES = _boxreel._themes  #: names for theme=
 
 _local = _threading.local()
-
-
-def _kind(value):
-    return "None" if value is None else f"'{type(value).__name__}'"
+_kind = _boxreel._kind
 
 
 def _require_world(world):
@@ -61,7 +58,10 @@ def _pair(size):
 def _path_of(path):
     if not isinstance(path, (str, _os.PathLike)):
         raise TypeError(f"path: expected the name of a file, not {_kind(path)}")
-    return _boxreel._text(_os.fspath(path), "path")
+    text = _boxreel._text(_os.fspath(path), "path")
+    if not text or "\0" in text:
+        raise ValueError(f"path: expected the name of a file, not {text!r}")
+    return text
 
 
 def _size_of(size, camera):
@@ -295,16 +295,23 @@ class Comparison:
 
 
 def _pixels(picture):
-    if isinstance(picture, _World):
-        return render(picture)
     return _boxreel._read_png(_path_of(picture)) if isinstance(picture, (str, _os.PathLike)) else picture
 
 
-def compare(expected, actual, preset="same-machine"):
+def compare(expected, actual, preset="same-machine", *, camera=None):
     """Compares two pictures: arrays, PNG files or worlds. `preset` has the limits: exact, same-machine or
-    cross-machine. The result has equal, text, differentPixels, overTolerance, largestDistance, difference."""
+    cross-machine. The result has equal, text, differentPixels, overTolerance, largestDistance, difference.
+
+    camera: for worlds; by default one for both, which shows the first of them in the size of the other picture.
+    """
     preset = _boxreel._text(preset, "preset")
-    return Comparison(_boxreel._compare(_pixels(expected), _pixels(actual), preset))
+    pictures = [picture if isinstance(picture, _World) else _pixels(picture) for picture in (expected, actual)]
+    worlds = [picture for picture in pictures if isinstance(picture, _World)]
+    if worlds and camera is None:
+        sizes = [picture.shape[1::-1] for picture in pictures if len(getattr(picture, "shape", ())) == 3]
+        camera = fit(worlds[0], sizes[0] if sizes else (1280, 720))
+    return Comparison(_boxreel._compare(*(render(picture, camera=camera) if isinstance(picture, _World) else picture
+                                          for picture in pictures), preset))
 
 
 _check_calls(globals())

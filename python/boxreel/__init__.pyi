@@ -85,8 +85,8 @@ class Error(Exception):
     remedy: str
 LAYERS: tuple
 THEMES: tuple
-def compare(expected: Any, actual: Any, preset: Any = ...) -> Any:
-    """Compares two pictures: arrays, PNG files or worlds. `preset` has the limits: exact, same-machine or cross-machine. The result has equal, text, differentPixels, overTolerance, largestDistance, difference."""
+def compare(expected: Any, actual: Any, preset: Any = ..., *, camera: Any = ...) -> Any:
+    """Compares two pictures: arrays, PNG files or worlds. `preset` has the limits: exact, same-machine or cross-machine. The result has equal, text, differentPixels, overTolerance, largestDistance, difference.  camera: for worlds; by default one for both, which shows the first of them in the size of the other picture."""
     ...
 def dump(world: Any, path: Any) -> Any:
     """Writes the world as a R.U.B.E. scene file. Returns what the format cannot say."""

@@ -243,7 +243,8 @@ void BindManifolds(py::module_& module)
 
     py::class_<b2ContactImpulse> impulse(module, "b2ContactImpulse",
                                          "Impulses of a contact in a step [N s].");
-    impulse.def_readonly("count", &b2ContactImpulse::count, "Number of points, 0 to 2.")
+    impulse.def(py::init([] { return b2ContactImpulse{}; }))
+        .def_readonly("count", &b2ContactImpulse::count, "Number of points, 0 to 2.")
         .def_property_readonly(
             "normalImpulses",
             [](const b2ContactImpulse& i) {

@@ -3,7 +3,9 @@
 
 #include <base/Quoting.h>
 
+#include <cctype>
 #include <limits>
+#include <string_view>
 
 namespace boxreel::python
 {
@@ -22,13 +24,50 @@ void NoteMisuse(const char* sentence, const char*, int)
     }
 }
 
+/// Returns a sentence of the engine with the names of Python: "b2Body.transform" for
+/// "b2Body::SetTransform".
+std::string InPython(std::string sentence)
+{
+    constexpr std::string_view kSave = "b2SaveSnapshot";
+    if (const std::size_t at = sentence.find(kSave); at != std::string::npos)
+    {
+        sentence.replace(at, kSave.size(), "boxreel.save");
+    }
+    for (std::size_t at = sentence.find("::"); at != std::string::npos; at = sentence.find("::"))
+    {
+        sentence.replace(at, 2, ".");
+        if (sentence.compare(at + 1, 3, "Set") == 0)
+        {
+            sentence.erase(at + 1, 3);
+            sentence[at + 1] = char(std::tolower(static_cast<unsigned char>(sentence[at + 1])));
+        }
+    }
+    return sentence;
+}
+
+/// Forgets an error that says that a value is of another type. Others, which a method of the
+/// program has raised, are its own.
+void ClearTypeError()
+{
+    for (PyObject* const kind : {PyExc_TypeError, PyExc_OverflowError, PyExc_IndexError,
+                                 PyExc_AttributeError, PyExc_ValueError})
+    {
+        if (PyErr_ExceptionMatches(kind) != 0)
+        {
+            PyErr_Clear();
+            return;
+        }
+    }
+    throw py::error_already_set();
+}
+
 template <class Whole>
 Whole WholeNumber(py::handle value, const char* name)
 {
     const py::object index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
     if (!index)
     {
-        PyErr_Clear();
+        ClearTypeError();
         ThrowType(name, "a whole number", value);
     }
     const long long number = PyLong_AsLongLong(index.ptr());
@@ -52,9 +91,13 @@ bool Numbers(py::handle value, float32* numbers, Py_ssize_t count)
         return false;
     }
     // By its length and not by iteration, which need not end. A conversion may change the sequence.
-    if (PySequence_Size(value.ptr()) != count)
+    const Py_ssize_t size = PySequence_Size(value.ptr());
+    if (size != count)
     {
-        PyErr_Clear();
+        if (size < 0)
+        {
+            ClearTypeError();
+        }
         return false;
     }
     for (Py_ssize_t i = 0; i < count; ++i)
@@ -63,7 +106,7 @@ bool Numbers(py::handle value, float32* numbers, Py_ssize_t count)
         const double number = item ? PyFloat_AsDouble(item.ptr()) : -1.0;
         if (number == -1.0 && PyErr_Occurred() != nullptr)
         {
-            PyErr_Clear();
+            ClearTypeError();
             return false;
         }
         numbers[i] = static_cast<float32>(number);
@@ -94,7 +137,7 @@ std::string TypeName(py::handle value)
     {
         return "the class " + Shown(value.attr("__name__"));
     }
-    return value.is_none() ? "None" : Quoted(Py_TYPE(value.ptr())->tp_name);
+    return value.is_none() ? "None" : Quoted(Shown(py::type::handle_of(value).attr("__name__")));
 }
 
 void ThrowType(const char* name, const char* expected, py::handle value)
@@ -107,7 +150,7 @@ void ThrowType(const char* name, const char* expected, py::handle value)
 
 void ThrowMisuse(const std::string& sentence)
 {
-    PyErr_SetString(g_error, sentence.c_str());
+    PyErr_SetString(g_error, InPython(sentence).c_str());
     throw py::error_already_set();
 }
 
@@ -166,7 +209,7 @@ double From<double>(py::handle value, const char* name)
     const double number = PyFloat_AsDouble(value.ptr());
     if (number == -1.0 && PyErr_Occurred() != nullptr)
     {
-        PyErr_Clear();
+        ClearTypeError();
         ThrowType(name, "a number", value);
     }
     return number;
@@ -184,7 +227,7 @@ bool From<bool>(py::handle value, const char* name)
     const int truth = PyObject_IsTrue(value.ptr());
     if (truth < 0)
     {
-        PyErr_Clear();
+        ClearTypeError();
         ThrowType(name, "True or False", value);
     }
     return truth != 0;

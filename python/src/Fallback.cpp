@@ -190,6 +190,25 @@ void RefuseUninitialized(const py::object& type)
     }
 }
 
+/// Refuses `object.__class__ = other`, for the object would be of the one class in C++ and of the
+/// other in Python.
+void RefuseOtherClass(const py::object& type, const std::string& name)
+{
+    const py::cpp_function get([](py::handle self) { return py::type::of(self); },
+                               py::is_method(type));
+    const py::cpp_function set(
+        [name](py::handle, py::handle) {
+            PyErr_SetString(PyExc_TypeError, (name + ".__class__ cannot be set").c_str());
+            throw py::error_already_set();
+        },
+        py::is_method(type));
+    const py::object property = py::handle(reinterpret_cast<PyObject*>(&PyProperty_Type))(get, set);
+    // Into the dictionary, because setting the attribute would set the class of the class.
+    auto* const changed = reinterpret_cast<PyTypeObject*>(type.ptr());
+    PyDict_SetItemString(changed->tp_dict, "__class__", property.ptr());
+    PyType_Modified(changed);
+}
+
 } // namespace
 
 std::string HintFor(py::handle name, const py::object& names)
@@ -211,6 +230,7 @@ std::string HintFor(py::handle name, const py::object& names)
 void BindHints(py::module_& module)
 {
     module.def("_hint", &HintFor);
+    module.def("_kind", &TypeName);
     module.def("_refuse", &Refuse); // of functions that are written in Python
 }
 
@@ -228,6 +248,10 @@ void AddFallbacks(py::module_& module)
             AddToAll(type, py::str(pair[0]));
             RefuseConstruction(type, py::str(pair[0]));
             RefuseUninitialized(type);
+            if (py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(type.ptr())) != nullptr)
+            {
+                RefuseOtherClass(type, py::str(pair[0]));
+            }
         }
     }
 }

@@ -119,6 +119,9 @@ PYBIND11_MODULE(_boxreel, module)
     catch (const py::error_already_set&) // not installed: what returns arrays says so
     {}
     module.doc() = "The engine and the toolkit, for the packages Box2D and boxreel.";
+    // The classes have the names that programs import them by.
+    const py::object own = module.attr("__name__");
+    module.attr("__name__") = "Box2D";
     InstallMisuse(module);
     BindConstants(module);
     BindCounters(module);
@@ -131,10 +134,12 @@ PYBIND11_MODULE(_boxreel, module)
     BindBodies(module);
     BindJoints(module);
     BindWorld(module);
+    module.attr("__name__") = "boxreel";
     BindPictures(module);
     BindFilms(module);
     BindScenes(module);
     BindGolden(module);
+    module.attr("__name__") = own;
     BindHints(module);
     if (std::getenv("BOXREEL_SIGNATURES") == nullptr) // else python/stubs.py reads the signatures
     {

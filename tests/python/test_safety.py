@@ -101,6 +101,37 @@ class Arguments(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, text):
                 call()
 
+    def test_the_class_of_an_object_stays(self):
+        for item in (self.world, self.body, Box2D.b2Vec2(1, 2), b2CircleShape(radius=1)):
+            for other in (b2World, Box2D.b2Body, Box2D.b2Vec2):
+                with self.assertRaisesRegex(TypeError, "__class__ cannot be set"):
+                    item.__class__ = other
+            self.assertIs(item.__class__, type(item))
+
+    def test_sentences_have_names_of_python(self):
+        for change, text in ((lambda: setattr(self.body, "position", (math.nan, 0)), "^b2Body.transform needs"),
+                             (lambda: setattr(self.body, "linearVelocity", (1e39, 0)), "^b2Body.linearVelocity needs"),
+                             (lambda: Box2D.b2Vec2(Box2D.b2Rot(0)), "not 'b2Rot'$"),
+                             (lambda: Box2D.b2CheckPolygon(b2World), "not the class b2World$")):
+            with self.assertRaisesRegex((b2Error, TypeError), text):
+                change()
+
+    def test_exceptions_of_the_program_are_its_own(self):
+        class Pair:
+            def __len__(self):
+                return 2
+
+            def __getitem__(self, index):
+                raise KeyError("mine")
+
+        class Number:
+            def __float__(self):
+                raise KeyError("mine")
+
+        for value in (Pair(), (Number(), 1)):
+            with self.assertRaises(KeyError):
+                b2World().gravity = value
+
     def test_wrong_calls_raise_no_message_of_python(self):
         """Calls of everything public with wrong arguments, which fail with our words, work, or do nothing."""
         foreign = re.compile("positional argument|unexpected keyword|incompatible function|object is not|has no setter"

@@ -127,6 +127,17 @@ class Pictures(InFolder):
         self.assertGreater(result.overTolerance, 100)
         self.assertEqual(result.difference.shape, (180, 320, 4))
 
+    def test_compare_shows_worlds_in_one_view(self):
+        worlds = [b2World(), b2World()]
+        for world, place in zip(worlds, ((0, 0), (5, 9))):
+            world.CreateDynamicBody(position=place, shapes=b2CircleShape(radius=1))
+        self.assertTrue(boxreel.compare(worlds[0], worlds[0]))
+        self.assertFalse(boxreel.compare(*worlds))
+        self.assertFalse(boxreel.compare(*worlds, camera=boxreel.Camera(320, 180)))
+        picture = boxreel.render(worlds[0], (320, 180))
+        self.assertTrue(boxreel.compare(picture, worlds[0]))
+        self.assertTrue(boxreel.compare(worlds[0], picture))
+
 
 class Films(InFolder):
     def frames_of(self, path):
@@ -310,9 +321,15 @@ class Films(InFolder):
                            (lambda: boxreel.render(drop(), camera=3), "^camera: expected a boxreel.Camera"),
                            (lambda: boxreel.film(3), "^path: expected the name of a file, not 'int'$"),
                            (lambda: boxreel.scene(3), "^boxreel.scene: name: expected the name of a scene, not 'int'$"),
-                           (lambda: boxreel.restore(drop(), None), "^boxreel.restore: snapshot: .*, not None$")):
+                           (lambda: boxreel.restore(drop(), None), "^boxreel.restore: snapshot: .*, not None$"),
+                           (lambda: boxreel.render(b2World), "^world: expected a b2World, not the class b2World$")):
             with self.assertRaisesRegex(TypeError, text):
                 call()
+        for name in ("", "a\0.svg"):
+            with self.assertRaisesRegex(ValueError, "^path: "):
+                boxreel.shot(drop(), name)
+        with self.assertRaisesRegex(b2Error, "boxreel.save"):
+            boxreel.restore(drop(), b"none")
         with self.assertRaisesRegex(ValueError, "seed"):
             boxreel.scene("Pyramid", -1)
         with self.assertRaisesRegex(ValueError, "center"):
