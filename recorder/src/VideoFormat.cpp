@@ -229,6 +229,12 @@ Result<void> CheckFormat(const std::filesystem::path& path, VideoFormat format,
 
 } // namespace
 
+std::filesystem::path FileOfFrame(const std::filesystem::path& film, std::int64_t number)
+{
+    return FormatOf(film, {}) == VideoFormat::PngSequence ? ParseSequenceName(film)->PathOf(number)
+                                                          : film;
+}
+
 std::vector<std::string> VideoEnds()
 {
     std::vector<std::string> ends;

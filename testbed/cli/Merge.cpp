@@ -7,6 +7,7 @@
 #include <base/ErrorMacros.h>
 #include <base/ReadWhole.h>
 #include <base/Terminal.h>
+#include <base/Words.h>
 #include <film/Manifest.h>
 #include <film/StopSignals.h>
 #include <recorder/JoinFilms.h>
@@ -30,6 +31,11 @@ Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path
     std::vector<NamedPart> parts;
     for (const std::filesystem::path& path : paths)
     {
+        if (Lower(path.extension().string()) == ".png")
+        {
+            return Error{ErrorKind::Unusable, path.string(), "is a picture",
+                         "leave it where it is: parts of numbered pictures need no joining"};
+        }
         std::error_code ignored;
         const std::filesystem::file_status status = std::filesystem::status(path, ignored);
         if (!std::filesystem::exists(status))
@@ -43,7 +49,8 @@ Result<std::vector<NamedPart>> ReadParts(const std::vector<std::filesystem::path
         }
         ASSIGN_OR_RETURN(Manifest manifest,
                          ReadManifest(path, "copy it beside the part, or record that part again"));
-        if (manifest.checksum.empty() || ChecksumOfFilm(path) != manifest.checksum)
+        if (manifest.checksum.empty() ||
+            ChecksumOfFrames(path, manifest.first, manifest.end) != manifest.checksum)
         {
             return Error{ErrorKind::Unusable, path.string(),
                          "does not match its manifest " + ManifestPath(path).string(),

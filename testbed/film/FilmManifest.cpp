@@ -11,7 +11,7 @@ namespace boxreel
 {
 
 FilmManifest::FilmManifest(const RecordOptions& options, const FilmPlan& plan)
-    : m_options(options), m_plan(plan),
+    : m_options(options), m_plan(plan), m_first(FileOfFrame(options.output, plan.frames.First())),
       m_isKept(HasManifest(options, plan)), m_manifest{.version = BOXREEL_VERSION,
                                                        .command = CommandOfFilm(options.arguments),
                                                        .framesPerSecond = plan.film.framesPerSecond,
@@ -26,10 +26,16 @@ FilmManifest::FilmManifest(const RecordOptions& options, const FilmPlan& plan)
 
 Result<bool> FilmManifest::FindLeft()
 {
-    const std::filesystem::path part = PartPath(m_options.output);
+    const std::filesystem::path part = PartPath(m_first);
     std::error_code ignored;
     const bool isLeft = std::filesystem::exists(ManifestPath(part), ignored) ||
                         std::filesystem::exists(part, ignored);
+    if (m_options.film.resume && !isLeft && std::filesystem::exists(m_first, ignored))
+    {
+        return Error{ErrorKind::Unusable, m_first.string(),
+                     "already exists, and no stopped film is left to continue",
+                     "choose another name, or start again with --force"};
+    }
     if (!m_options.film.resume || !isLeft)
     {
         return false;
@@ -59,7 +65,7 @@ Result<void> FilmManifest::Note(std::int64_t number, const b2World& world)
     {
         return {};
     }
-    const std::filesystem::path part = PartPath(m_options.output);
+    const std::filesystem::path part = PartPath(m_first);
     const std::string state = StateHashText(world);
     const auto left = m_left.states.find(number);
     if (left != m_left.states.end() && left->second != state)
@@ -77,8 +83,8 @@ Result<void> FilmManifest::Complete(std::int64_t end, const b2World& world)
 {
     m_manifest.end = end;
     m_manifest.states[end] = StateHashText(world);
-    m_manifest.checksum = ChecksumOfFilm(m_options.output);
-    return WriteManifest(m_options.output, m_manifest);
+    m_manifest.checksum = ChecksumOfFrames(m_options.output, m_manifest.first, end);
+    return WriteManifest(m_first, m_manifest);
 }
 
 void FilmManifest::Remove() const
@@ -86,7 +92,7 @@ void FilmManifest::Remove() const
     std::error_code ignored;
     if (m_isKept)
     {
-        std::filesystem::remove(ManifestPath(PartPath(m_options.output)), ignored);
+        std::filesystem::remove(ManifestPath(PartPath(m_first)), ignored);
     }
 }
 

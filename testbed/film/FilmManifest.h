@@ -37,6 +37,7 @@ public:
 private:
     const RecordOptions& m_options;
     const FilmPlan& m_plan;
+    std::filesystem::path m_first; // the film, or its first picture
     bool m_isKept;
     Manifest m_manifest;
     Manifest m_left; // of the run before

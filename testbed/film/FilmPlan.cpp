@@ -106,18 +106,20 @@ Result<FilmPlan> PlanFilm(const RecordOptions& options)
 Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
 {
     std::error_code ignored;
-    if (!HasManifest(options, plan) || !std::filesystem::is_regular_file(options.output, ignored))
+    const std::filesystem::path first = FileOfFrame(options.output, plan.frames.First());
+    if (!HasManifest(options, plan) || !std::filesystem::is_regular_file(first, ignored))
     {
         return false;
     }
     const std::string remedy = "record that part again with --force, or choose another name";
-    ASSIGN_OR_RETURN(const Manifest there, ReadManifest(options.output, remedy));
+    ASSIGN_OR_RETURN(const Manifest there, ReadManifest(first, remedy));
     std::string difference = DifferenceFromAsked(there, options, plan);
     if (difference.empty() && there.end != plan.frames.Last() + 1)
     {
         difference = FramesOf(there);
     }
-    if (difference.empty() && ChecksumOfFilm(options.output) != there.checksum)
+    if (difference.empty() &&
+        ChecksumOfFrames(options.output, there.first, there.end) != there.checksum)
     {
         difference = "it is truncated or modified";
     }
@@ -135,10 +137,11 @@ Result<void> CheckManifestPaths(const RecordOptions& options, const FilmPlan& pl
     {
         return {};
     }
-    std::vector<std::filesystem::path> films{PartPath(options.output)};
+    const std::filesystem::path first = FileOfFrame(options.output, plan.frames.First());
+    std::vector<std::filesystem::path> films{PartPath(first)};
     if (options.length.range)
     {
-        films.push_back(options.output); // a whole film has none
+        films.push_back(first); // a whole film has none
     }
     for (const std::filesystem::path& film : films)
     {

@@ -5,6 +5,7 @@
 #include <base/Bytes.h>
 #include <base/ReadWhole.h>
 #include <options/Values.h>
+#include <recorder/VideoWriter.h>
 
 #include <algorithm>
 #include <array>
@@ -108,6 +109,41 @@ bool IsSound(const Manifest& manifest)
            manifest.frameCount >= manifest.end;
 }
 
+/// The checksum of files behind each other.
+class FileSum
+{
+public:
+    /// False if the file is not readable.
+    bool Add(const std::filesystem::path& path)
+    {
+        std::error_code ignored;
+        std::ifstream file(path, std::ios::binary);
+        if (!std::filesystem::is_regular_file(path, ignored))
+        {
+            return false;
+        }
+        while (file)
+        {
+            file.read(m_buffer.data(), std::streamsize(m_buffer.size()));
+            const std::size_t count = std::size_t(file.gcount());
+            m_checksum = ChecksumOf({reinterpret_cast<const std::uint8_t*>(m_buffer.data()), count},
+                                    m_checksum);
+            m_size += count;
+        }
+        return file.eof() && !file.bad();
+    }
+
+    std::string Text() const
+    {
+        return HexText(m_checksum) + " of " + std::to_string(m_size) + " bytes";
+    }
+
+private:
+    std::vector<char> m_buffer = std::vector<char>(std::size_t(1) << 20);
+    std::uint64_t m_checksum = ChecksumOf(std::span<const std::uint8_t>());
+    std::uint64_t m_size = 0;
+};
+
 } // namespace
 
 std::filesystem::path ManifestPath(const std::filesystem::path& film)
@@ -156,26 +192,23 @@ std::string WriterOfManifest(const std::filesystem::path& film)
     return isOurs ? object["boxreel"].get<std::string>() : "";
 }
 
-std::string ChecksumOfFilm(const std::filesystem::path& film)
+std::string ChecksumOfFrames(const std::filesystem::path& film, std::int64_t first,
+                             std::int64_t end)
 {
-    std::error_code ignored;
-    std::ifstream file(film, std::ios::binary);
-    if (!std::filesystem::is_regular_file(film, ignored) || !file)
+    FileSum sum;
+    for (std::int64_t number = first; number < end; ++number)
     {
-        return "";
+        const std::filesystem::path file = FileOfFrame(film, number);
+        if (number > first && file == film)
+        {
+            break; // all frames are in one
+        }
+        if (!sum.Add(file))
+        {
+            return "";
+        }
     }
-    std::vector<char> buffer(std::size_t(1) << 20);
-    std::uint64_t checksum = ChecksumOf(std::span<const std::uint8_t>());
-    std::uint64_t size = 0;
-    while (file)
-    {
-        file.read(buffer.data(), std::streamsize(buffer.size()));
-        const std::size_t count = std::size_t(file.gcount());
-        checksum =
-            ChecksumOf({reinterpret_cast<const std::uint8_t*>(buffer.data()), count}, checksum);
-        size += count;
-    }
-    return file.bad() ? "" : HexText(checksum) + " of " + std::to_string(size) + " bytes";
+    return sum.Text();
 }
 
 std::vector<std::string> CommandOfFilm(const std::vector<std::string>& arguments)

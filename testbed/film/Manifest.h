@@ -10,8 +10,9 @@
 #include <string>
 #include <vector>
 
-/// The manifest FILE.json beside an incomplete film. It contains the command that makes the film,
-/// and the state of its world where it may be continued or joined to another part. A run that
+/// The manifest FILE.json beside an incomplete film. FILE is its first picture for one of numbered
+/// pictures, so that all its parts may be in one folder. It contains the command that makes the
+/// film, and the state of its world where it may be continued or joined to another part. A run that
 /// continues the film checks that film and simulation are the same. Used by record and merge.
 namespace boxreel
 {
@@ -46,8 +47,10 @@ Result<Manifest> ReadManifest(const std::filesystem::path& film, const std::stri
 /// is not readable as a manifest. Empty if boxreel did not write it.
 std::string WriterOfManifest(const std::filesystem::path& film);
 
-/// Returns the checksum of a film and its size; empty if it is not a readable file.
-std::string ChecksumOfFilm(const std::filesystem::path& film);
+/// Returns the checksum of a film and its size, or of those pictures from `first` to before `end`;
+/// empty if a file is not readable.
+std::string ChecksumOfFrames(const std::filesystem::path& film, std::int64_t first,
+                             std::int64_t end);
 
 /// Returns the command without the options that do not change a frame: its output, its progress
 /// reports, the selected part, and --resume.

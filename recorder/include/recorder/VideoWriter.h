@@ -115,6 +115,9 @@ struct VideoSettings
     StageTimes* stages = nullptr; ///< receives the stage times; null: not timed
 };
 
+/// Returns the file with a frame: of "frames-####.png" its picture, of other films the film.
+std::filesystem::path FileOfFrame(const std::filesystem::path& film, std::int64_t number);
+
 /// Returns the extensions of films, without pictures and standard output: ".mp4" and so on.
 std::vector<std::string> VideoEnds();
 
