@@ -218,8 +218,9 @@ void FindNewContacts(World& world)
 namespace
 {
 
-void ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& old)
+void ComputeManifold(ContactData& c, const b2Transform& bInA)
 {
+    const b2Manifold old = c.manifold;
     const b2Shape& shapeA = *c.FixtureA()->GetShape();
     const b2Shape& shapeB = *c.FixtureB()->GetShape();
     c.radiusA = shapeA.m_radius;
@@ -244,16 +245,25 @@ void ComputeManifold(ContactData& c, const b2Transform& bInA, const b2Manifold& 
     c.flags |= (touching ? kContactMeets : 0u) | (kept ? kContactKept : 0u);
 }
 
-/// Updates the contact without effects on others. `old` receives the previous manifold.
-void ComputeContact(b2Contact& contact, b2Manifold& old)
+void Keep(const b2Manifold& manifold, b2Manifold* old)
+{
+    if (old != nullptr)
+    {
+        *old = manifold;
+    }
+}
+
+/// Updates the contact without effects on others. `old`, if there is one, receives the previous
+/// manifold unless the shapes stay apart.
+void ComputeContact(b2Contact& contact, b2Manifold* old)
 {
     ContactData& c = Data(contact);
     c.flags = (c.flags | kContactComputed) & ~std::uint32_t(kContactApart);
     const b2Transform bInA = RelativeTransform(Data(*c.bodyA), Data(*c.bodyB));
-    old = c.manifold;
     // A touching contact that has hardly moved still touches, so fixtures and boxes are not read.
     if (IsKept(c, bInA))
     {
+        Keep(c.manifold, old);
         return;
     }
     // So are those of shapes that are still apart, unless a box has changed.
@@ -267,7 +277,8 @@ void ComputeContact(b2Contact& contact, b2Manifold& old)
     }
     if (!stayApart)
     {
-        ComputeManifold(c, bInA, old);
+        Keep(c.manifold, old);
+        ComputeManifold(c, bInA);
     }
 }
 
@@ -340,14 +351,13 @@ bool ComputeContacts(World& world)
     world.attention.resize(world.awakeContacts.size());
     ParallelFor(world.threads.get(), int32(world.awakeContacts.size()), kContactGrain,
                 [&](int32 begin, int32 end) {
-                    b2Manifold unused;
                     for (int32 i = begin; i < end; ++i)
                     {
                         ReadAhead(world.awakeContacts, std::size_t(i));
                         b2Contact& contact = *world.awakeContacts[std::size_t(i)];
                         Data(contact).oldIndex = i;
                         ComputeContact(contact,
-                                       keepOld ? world.oldManifolds[std::size_t(i)] : unused);
+                                       keepOld ? &world.oldManifolds[std::size_t(i)] : nullptr);
                         world.attention[std::size_t(i)] = NeedsAttention(world, contact);
                     }
                 });
@@ -368,7 +378,7 @@ void FinishContacts(World& world)
         const bool computed = (c.flags & kContactComputed) != 0;
         if (!computed)
         {
-            ComputeContact(*contact, old);
+            ComputeContact(*contact, world.listener != nullptr ? &old : nullptr);
         }
         if ((c.flags & kContactApart) != 0)
         {
@@ -395,7 +405,7 @@ void FinishContactsInNeed(World& world)
         ContactData& c = Data(*contact);
         if ((c.flags & kContactComputed) == 0)
         {
-            ComputeContact(*contact, old);
+            ComputeContact(*contact, world.listener != nullptr ? &old : nullptr);
         }
         if ((c.flags & kContactApart) == 0)
         {
@@ -448,7 +458,7 @@ void UpdateContact(World& world, b2Contact& contact)
     const b2Manifold old = c.manifold;
     if (!IsKept(c, bInA) && !StayApart(c, bInA))
     {
-        ComputeManifold(c, bInA, old);
+        ComputeManifold(c, bInA);
     }
     FinishContact(world, contact, old);
 }
