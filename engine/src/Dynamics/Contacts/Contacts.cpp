@@ -483,10 +483,7 @@ void DestroyContact(World& world, b2Contact& contact)
     }
     if (c.awakeIndex != -1)
     {
-        b2Contact* last = world.awakeContacts.back();
-        world.awakeContacts[std::size_t(c.awakeIndex)] = last;
-        Data(*last).awakeIndex = c.awakeIndex;
-        world.awakeContacts.pop_back();
+        RemoveFromAwake(world, c);
     }
     world.pairs.Erase(c.proxyA->proxyId, c.proxyB->proxyId);
     RemoveEdge(Data(*c.bodyA).contactList, c.edgeA);

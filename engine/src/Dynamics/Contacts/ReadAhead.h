@@ -19,16 +19,6 @@ inline void Prefetch([[maybe_unused]] const void* memory)
 #endif
 }
 
-/// Prefetches a later contact, without its bodies.
-inline void ReadContactAhead(const Array<b2Contact*>& contacts, std::size_t present)
-{
-    constexpr std::size_t ahead = 12;
-    if (present + ahead < contacts.size())
-    {
-        Prefetch(&Data(*contacts[present + ahead]).bodyA);
-    }
-}
-
 /// Prefetches a later contact, and the bodies of a nearer one.
 inline void ReadAhead(const Array<b2Contact*>& contacts, std::size_t present)
 {

@@ -4,7 +4,6 @@
 #include "../Contacts/Boxes.h"
 #include "../Contacts/Contacts.h"
 #include "../Contacts/Narrowphase.h"
-#include "../Contacts/ReadAhead.h"
 #include "../Contacts/Sweeps.h"
 #include "../Energy/EnergyGuard.h"
 #include "../Islands/Sleep.h"
@@ -182,7 +181,12 @@ void ContinuousCollision::FindImpactTimes()
                     SearchCounts counts;
                     for (auto i = std::size_t(begin); i < std::size_t(end); ++i)
                     {
-                        ReadContactAhead(contacts, i);
+                        // Contacts are not read either if none of the bodies is an obstacle.
+                        if (m_world.awakeObstacles[i] == 0 && !m_world.hasBullets)
+                        {
+                            m_memory.times[i] = kNoObstacle;
+                            continue;
+                        }
                         ContactData& c = Data(*contacts[i]);
                         if (m_world.stepComplete && c.toiCount != 0)
                         {

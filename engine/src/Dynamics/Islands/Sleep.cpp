@@ -69,6 +69,27 @@ void UpdateActivity(World& world, b2Body& body)
     }
 }
 
+void RemoveFromAwake(World& world, ContactData& c)
+{
+    const auto index = std::size_t(c.awakeIndex);
+    b2Contact* last = world.awakeContacts.back();
+    world.awakeContacts[index] = last;
+    world.awakeObstacles[index] = world.awakeObstacles.back();
+    Data(*last).awakeIndex = c.awakeIndex;
+    world.awakeContacts.pop_back();
+    world.awakeObstacles.pop_back();
+    c.awakeIndex = -1;
+}
+
+void NoteObstacles(World& world)
+{
+    world.awakeObstacles.clear();
+    for (b2Contact* contact : world.awakeContacts)
+    {
+        world.awakeObstacles.push_back((Data(*contact).flags & kContactObstacle) != 0);
+    }
+}
+
 void UpdateActivity(World& world, b2Contact& contact)
 {
     ContactData& c = Data(contact);
@@ -81,14 +102,11 @@ void UpdateActivity(World& world, b2Contact& contact)
         c.awakeIndex = int32(world.awakeContacts.size());
         c.gap = 0.0f;
         world.awakeContacts.push_back(&contact);
+        world.awakeObstacles.push_back((c.flags & kContactObstacle) != 0);
     }
     else if (!awake && c.awakeIndex != -1)
     {
-        b2Contact* last = world.awakeContacts.back();
-        world.awakeContacts[std::size_t(c.awakeIndex)] = last;
-        Data(*last).awakeIndex = c.awakeIndex;
-        world.awakeContacts.pop_back();
-        c.awakeIndex = -1;
+        RemoveFromAwake(world, c);
         // A listener let a body sleep before the contact's turn in the present update has come:
         // then it has none.
         ForgetUpdate(world, c);

@@ -26,6 +26,10 @@ void PutToSleep(World& world, int32 island);
 void UpdateActivity(World& world, b2Body& body);
 void UpdateActivity(World& world, b2Contact& contact);
 void UpdateActivity(World& world, b2Joint& joint);
+/// Takes the contact out of the list of awake ones.
+void RemoveFromAwake(World& world, ContactData& c);
+/// Notes which contacts of that list have an obstacle, after the list was read.
+void NoteObstacles(World& world);
 /// Undoes the first part of an update, where a callback has left no place for the second.
 void ForgetUpdate(World& world, ContactData& c);
 /// Wakes bodies in contact with, or joined to, a moving body.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/b2Snapshot.h>
 
+#include "../Islands/Sleep.h"
 #include "BodyState.h"
 #include "ContactState.h"
 #include "JointState.h"
@@ -65,11 +66,12 @@ void VisitWorld(Archive& archive, World& world)
     // Data of the program is kept: owner, filters, listeners, drawing, profile and threads. Counts
     // follow from the lists, pairs from the contacts; the rest is scratch.
     auto& [owner, settings, allocator, proxies, pairs, graph, islands, awakeBodies, awakeContacts,
-           oldManifolds, attention, solver, subSteps, energyGuard, impacts, threads, bodyList,
-           jointList, contactList, bodyCount, jointCount, gearCount, inactiveCount, contactCount,
-           bodyNumber, jointNumber, defaultFilter, filter, listener, destructionListener, debugDraw,
-           lastSubSteps, inverseStep, stepNumber, profile, contactManager, profiling, stepComplete,
-           locked, forcesApplied, hasBullets, filtersChanged, directionReversed] = world;
+           awakeObstacles, oldManifolds, attention, solver, subSteps, energyGuard, impacts, threads,
+           bodyList, jointList, contactList, bodyCount, jointCount, gearCount, inactiveCount,
+           contactCount, bodyNumber, jointNumber, defaultFilter, filter, listener,
+           destructionListener, debugDraw, lastSubSteps, inverseStep, stepNumber, profile,
+           contactManager, profiling, stepComplete, locked, forcesApplied, hasBullets,
+           filtersChanged, directionReversed] = world;
     archive(settings, bodyNumber, jointNumber, inactiveCount);
     archive.Within(lastSubSteps, 1, kMaxSubSteps);
     archive(inverseStep, stepNumber, stepComplete, forcesApplied, hasBullets, filtersChanged,
@@ -84,6 +86,7 @@ void VisitWorld(Archive& archive, World& world)
     SnapshotAccess::Visit(archive, graph);
     if (archive.IsSound())
     {
+        NoteObstacles(world); // which follow from the contacts
         VisitSolver(archive, world);
     }
 }

@@ -61,6 +61,7 @@ public:
 
     Array<b2Body*> awakeBodies;      ///< kinematic and dynamic bodies
     Array<b2Contact*> awakeContacts; ///< contacts with an awake body that is not static
+    Array<uint8> awakeObstacles;     ///< of each of these: true if one of its bodies is not dynamic
     Array<b2Manifold> oldManifolds;  ///< their manifolds before the current update
     Array<uint8> attention; ///< by index: true if the second phase of the update is required
     // Scratch of the stages of a step, reused in every step.
