@@ -106,10 +106,13 @@ bool Containment::IsConcerned(const ContactData& c)
 bool Containment::Hold(ImpactJoints& joints)
 {
     bool any = false;
-    for (b2Contact* contact : m_world.awakeContacts)
+    for (std::size_t i = 0; i < m_world.awakeContacts.size(); ++i)
     {
-        const ContactData& c = Data(*contact);
-        any = (IsConcerned(c) && Hold(c, joints)) || any;
+        if (m_world.awakeObstacles[i] != 0)
+        {
+            const ContactData& c = Data(*m_world.awakeContacts[i]);
+            any = (IsConcerned(c) && Hold(c, joints)) || any;
+        }
     }
     return any;
 }
