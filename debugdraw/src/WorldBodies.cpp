@@ -84,6 +84,11 @@ std::string Shortened(const std::string& given, double room)
     return shown + "...";
 }
 
+bool IsOlder(const b2Body* a, const b2Body* b)
+{
+    return a->GetNumber() < b->GetNumber();
+}
+
 double RoomIn(const View& view)
 {
     return view.camera.width - kBeside;
@@ -94,6 +99,7 @@ struct Label
     Vec2 place; // [m]
     std::string name;
     std::uint32_t owner = kNoOwner;
+    bool needsShape = false; ///< only while a shape of the owner is near the picture
 };
 
 /// Returns the pixel with kOffEdge between it and the middle between two pixels.
@@ -166,7 +172,7 @@ void AddWishes(const std::vector<Label>& labels, DrawList& list)
     {
         list.owner = label.owner;
         list.AddText(label.place, label.name, ColorRole::Ink);
-        list.items.back().size = 1.0f;
+        list.items.back().size = label.needsShape ? 2.0f : 1.0f;
     }
     list.owner = kNoOwner;
 }
@@ -188,6 +194,8 @@ void AddLabels(const std::vector<Label>& labels, const View& view, DrawList& lis
 void AddBodyNames(const b2World& world, const View& view, const BodyNames& names, DrawList& list)
 {
     std::vector<Label> labels;
+    const std::vector<const b2Body*> anywhere =
+        view.zoom > 1.0 ? BodiesSeenAnywhere(world) : std::vector<const b2Body*>();
     for (const b2Body* body : SeenBodies(world, view, kFarthestShape))
     {
         if (view.Shows(CenterOf(*body)))
@@ -197,8 +205,8 @@ void AddBodyNames(const b2World& world, const View& view, const BodyNames& names
             const bool hasName = named != names.end() && !named->second.empty();
             labels.push_back(
                 {CenterOf(*body),
-                 Shortened(hasName ? named->second : std::to_string(number), RoomIn(view)),
-                 number});
+                 Shortened(hasName ? named->second : std::to_string(number), RoomIn(view)), number,
+                 !std::binary_search(anywhere.begin(), anywhere.end(), body, IsOlder)});
         }
     }
     AddLabels(labels, view, list);

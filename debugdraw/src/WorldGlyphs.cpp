@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,7 @@ private:
     {
         return m_view.Shows(From(a), From(b), kReach);
     }
+    void SetSize(std::size_t count, double size);
     void AddMotor(GlyphPen& pen, bool enabled, float32 speed);
     void AddPins(const b2Vec2& a, const b2Vec2& b);
     void AddStop(GlyphPen& pen, float32 distance, bool exists);
@@ -185,18 +187,32 @@ void GlyphWriter::Add(const b2DistanceJoint& joint)
     }
     GlyphPen pen = PenAt(a, b - a);
     const double length = pen.Of(From(b)).x;
-    if (joint.IsSpring() && length >= kShortSpring)
-    {
-        pen.Zigzag({}, {length, 0.0}, kSpring);
-    }
-    else
+    const bool isLong = joint.IsSpring() && length >= kShortSpring;
+    const bool hasBoth = joint.IsSpring() && m_view.zoom > 1.0; // a viewer chooses
+    if (hasBoth || !isLong)
     {
         pen.Line({0.0, -2.5}, {length, -2.5});
         pen.Line({0.0, 2.5}, {length, 2.5});
+        SetSize(2, hasBoth ? -kShortSpring : 0.0);
+    }
+    if (hasBoth || isLong)
+    {
+        const std::size_t before = m_list.items.size();
+        pen.Zigzag({}, {length, 0.0}, kSpring);
+        SetSize(m_list.items.size() - before, hasBoth ? kShortSpring : 0.0);
     }
     AddStop(pen, joint.GetMinLength(), joint.GetMinLength() > b2_linearSlop);
     AddStop(pen, joint.GetMaxLength(), joint.GetMaxLength() < b2_maxFloat);
     AddPins(a, b);
+}
+
+/// Of the last items.
+void GlyphWriter::SetSize(std::size_t count, double size)
+{
+    for (DrawItem& item : std::span(m_list.items).last(count))
+    {
+        item.size = float(size);
+    }
 }
 
 // The rope is tangent to the outer side of the wheel.
@@ -457,11 +473,14 @@ void AddAnchors(const b2Joint& joint, const View& view, double zoom, std::vector
 {
     constexpr double kSlightly = 1.0 + 1.0 / 64.0;
     DrawList glyph;
-    GlyphWriter writer(view, glyph);
+    View own = view;
+    own.zoom = zoom;
+    GlyphWriter writer(own, glyph);
     writer.Add(joint);
     for (const double factor : {zoom, kSlightly})
     {
         View near = ViewOfEverything(view.camera);
+        near.zoom = zoom;
         near.camera.pixelsPerMeter *= factor;
         DrawList enlarged;
         GlyphWriter(near, enlarged, writer.LastDashes()).Add(joint);

@@ -53,12 +53,8 @@ std::vector<const b2Body*> AwakeBodies(const b2World& world)
     return bodies;
 }
 
-std::vector<const b2Body*> SeenBodies(const b2World& world, const View& view, double reachPixels)
+std::vector<const b2Body*> BodiesSeenAnywhere(const b2World& world)
 {
-    if (!view.area)
-    {
-        return AllBodies(world);
-    }
     if (world.GetInactiveBodyCount() > 0)
     {
         return AllBodies(world); // inactive bodies are in no tree
@@ -69,6 +65,17 @@ std::vector<const b2Body*> SeenBodies(const b2World& world, const View& view, do
         bodies.push_back(joint->GetBodyA());
         bodies.push_back(joint->GetBodyB());
     }
+    Sort(bodies);
+    return bodies;
+}
+
+std::vector<const b2Body*> SeenBodies(const b2World& world, const View& view, double reachPixels)
+{
+    if (!view.area || world.GetInactiveBodyCount() > 0)
+    {
+        return AllBodies(world);
+    }
+    std::vector<const b2Body*> bodies = BodiesSeenAnywhere(world);
     const float reach = static_cast<float>(reachPixels / view.camera.pixelsPerMeter);
     b2AABB area;
     area.lowerBound.Set(view.area->lower.x - reach, view.area->lower.y - reach);

@@ -15,6 +15,9 @@ namespace boxreel
 /// it. A sleeping body without joints is skipped if none of its shapes is near the picture.
 std::vector<const b2Body*> SeenBodies(const b2World& world, const View& view, double reachPixels);
 
+/// Returns the bodies that SeenBodies has wherever their shapes are, oldest first.
+std::vector<const b2Body*> BodiesSeenAnywhere(const b2World& world);
+
 /// Returns the bodies that can move and are awake, oldest first.
 std::vector<const b2Body*> AwakeBodies(const b2World& world);
 

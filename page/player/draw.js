@@ -9,6 +9,7 @@ const kSquareEnd = Math.PI / 4;  // of a line, in half widths
 const kTextLine = 15, kTextSize = 15 * 2048 / 2384, kTextAscent = 12; // [px]
 const kFontFamily = '"DejaVu Sans", sans-serif';
 
+const kFarthestShape = 1000; // of a name, see WorldBodies.cpp [px]
 const kShortest = 1.5; // shorter arrows are not drawn, as in films [px]
 // Lengths of arrow heads, by layer [px].
 const kHeads = {[kImpulses]: 7, [kFriction]: 7, [kVelocities]: 9, [kForces]: 9};
@@ -40,6 +41,7 @@ class Painter {
       if (!look.hidden.has(this.film.styles[track.style])) this.drawTrack(track, frame.numbers, at);
       at += track.form.numbers;
     }
+    this.wishes = this.wishes.filter(wish => !wish.needsShape || this.hasShapeNear(wish, frame));
     this.drawNames(this.wishes.filter(wish => wish.owner >= 0));
     this.drawNames(this.wishes.filter(wish => wish.owner < 0));
     this.end(canvas);
@@ -85,10 +87,27 @@ class Painter {
     }
     this.drawItem(item, points, track);
   }
-  addWish({text}, points, track) {
-    const [x, y] = this.fromMiddle(points, 2), letters = this.film.texts[text];
-    const width = this.widthOf(letters) / this.look.ratio;
-    this.wishes.push({x, y, width, owner: track.owner, text: letters, stroke: this.look.theme.strokes[track.style]});
+  addWish({text, size}, points, track) {
+    const {view, ratio, theme} = this.look, letters = this.film.texts[text];
+    // As films, which compute with floats of the world: far from its origin that is a pixel.
+    const worldX = Math.fround(view.x + (points[0] - 0.5 * this.width) / view.scale);
+    const worldY = Math.fround(view.y + (0.5 * this.height - points[1]) / view.scale);
+    this.wishes.push({x: (worldX - view.x) * view.scale / ratio, y: (worldY - view.y) * view.scale / ratio,
+                      width: this.widthOf(letters) / ratio, owner: track.owner, text: letters, stroke: theme.strokes[track.style],
+                      needsShape: size > 1});
+  }
+  // Bodies that rest have names only while a shape of theirs is near the picture.
+  hasShapeNear({owner}, frame) {
+    const {view, ratio} = this.look, reach = kFarthestShape * ratio;
+    let isNear = false;
+    eachShape(this.film, frame, (item, points, body) => {
+      if (body !== owner || isNear) return;
+      const size = item.kind === kCircle || item.kind === kSolidCircle ? Math.abs(item.size) : 0;
+      const {left, bottom, right, top} = boundsOf(points.subarray(0, item.kind === kSolidCircle ? 2 : points.length));
+      isNear = (right + size - view.x) * view.scale >= -0.5 * this.width - reach && (left - size - view.x) * view.scale <= 0.5 * this.width + reach &&
+               (top + size - view.y) * view.scale >= -0.5 * this.height - reach && (bottom - size - view.y) * view.scale <= 0.5 * this.height + reach;
+    });
+    return isNear;
   }
   // Pixels of CSS from the middle of the canvas, y up, as labels are placed.
   fromMiddle(points, count) {
@@ -119,7 +138,7 @@ class Painter {
   }
   drawNames(wishes) {
     if (wishes.length === 0) return;
-    const {ratio, theme} = this.look, width = this.width / ratio, height = this.height / ratio;
+    const {ratio, theme, view} = this.look, width = this.width / ratio, height = this.height / ratio, scale = view.scale / ratio;
     const obstacles = new LabelObstacles(width, height);
     for (const thing of this.things) obstacles.add(thing);
     const toCanvas = (x, y) => [ratio * (0.5 * width + x), ratio * (0.5 * height - y)];
@@ -131,7 +150,13 @@ class Painter {
         const points = [x, y, ...spot.tie];
         this.things.push({role: kSign, form: kLinesForm, owner, points, ...boundsOf(points)});
       }
-      const left = offEdge(0.5 * width + spot.x - 0.5 * wishes[i].width), top = offEdge(0.5 * height - spot.y - 0.5 * kTextLine);
+      // Its corner in the world, rounded as films round it.
+      const cornerX = Math.fround(Math.fround(view.x + spot.x / scale) - 0.5 * wishes[i].width / scale);
+      const cornerY = Math.fround(Math.fround(view.y + spot.y / scale) + 0.5 * kTextLine / scale);
+      let left = 0.5 * width + (cornerX - view.x) * scale, top = 0.5 * height - (cornerY - view.y) * scale;
+      const safeLeft = offEdge(left), safeTop = offEdge(top);
+      if (safeLeft !== left) left = 0.5 * width + (Math.fround(view.x + (safeLeft - 0.5 * width) / scale) - view.x) * scale;
+      if (safeTop !== top) top = 0.5 * height - (Math.fround(view.y + (0.5 * height - safeTop) / scale) - view.y) * scale;
       this.text([ratio * left, ratio * top], text, stroke);
       this.things.push({role: kLabel, form: kBoxForm, owner, left: left - 0.5 * width, bottom: 0.5 * height - top - kTextLine,
                         right: left - 0.5 * width + wishes[i].width, top: 0.5 * height - top});
@@ -143,12 +168,18 @@ class Painter {
     if (item.kind === kCircle) item = {...item, size: item.size * this.labelScale};
     else if (item.kind !== kPoint) {
       const count = points.length / 2;
+      if (item.kind === kSegment && !this.isForm(item, points.subarray(count))) return;
       for (let i = 0; i < count && this.labelScale !== 1; ++i) {
         points[i] = points[count + i] + this.labelScale * (points[i] - points[count + i]);
       }
       points = points.subarray(0, count);
     }
     this.drawItem(item, points, track);
+  }
+  // Springs have two forms: lines, of a size below 0, and behind them a zigzag, from a length on [px].
+  isForm({size}, ends) {
+    if (size < 0) this.spring = lengthOf(ends) / this.look.ratio;
+    return size === 0 || (size < 0 ? this.spring < -size : this.spring >= size);
   }
   // A shaft, and behind it its head: a triangle, or two lines from its tip where it is open. An arrow
   // that is short has a smaller head, and one as long as its head no shaft.

@@ -86,9 +86,20 @@ TEST_F(WorldBodies, StayAtWhatTheyNameForViewers)
     view.zoom = 64.0;
     AddBodyNames(scene.world, view, {{1, "anvil"}}, list);
     ASSERT_EQ(list.items.size(), 2u);
-    EXPECT_EQ(list.items[1].size, 1.0f);
+    EXPECT_EQ(list.items[1].size, 1.0f) << "it is awake";
     EXPECT_EQ(list.points[list.items[1].first], (Vec2{7.5f, 2.0f}));
     EXPECT_EQ(list.texts[list.items[1].text], "anvil");
+}
+
+TEST_F(WorldBodies, SayToViewersWhichNeedAShapeInView)
+{
+    scene.Body(b2_staticBody, 1.0f, 1.0f);
+    View view = ViewOfEverything(camera);
+    view.zoom = 64.0;
+    AddBodyNames(scene.world, view, {}, list);
+    ASSERT_EQ(list.items.size(), 3u);
+    EXPECT_EQ(list.items[0].size, 1.0f);
+    EXPECT_EQ(list.items[2].size, 2.0f);
 }
 
 TEST_F(WorldBodies, CutLongNamesBetweenLetters)

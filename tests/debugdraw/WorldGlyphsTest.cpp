@@ -239,13 +239,20 @@ TEST_F(WorldGlyphs, HaveAnchorsThatKeepTheirSizeWhenEnlarged)
     Join(spring);
     Join(b2WeldJointDef());
     Join(b2MotorJointDef()); // with dashes, of which there are more when it is enlarged
-    const DrawList film = Glyphs();
+    const auto glyphsForViewers = [this] {
+        View view = ViewOfEverything(camera);
+        view.zoom = 64.0;
+        DrawList glyphs;
+        AddJointGlyphs(scene.world, view, glyphs);
+        return glyphs;
+    };
+    const DrawList film = glyphsForViewers();
     const std::vector<Vec2> anchors =
         JointGlyphAnchors(scene.world, ViewOfEverything(camera), 64.0);
     ASSERT_EQ(anchors.size(), film.points.size());
     const double zoom = 3.0;
     camera.pixelsPerMeter *= zoom;
-    const DrawList enlarged = Glyphs();
+    const DrawList enlarged = glyphsForViewers();
     std::size_t compared = 0;
     // Up to the dashes.
     for (; compared < 80 && compared < film.points.size(); ++compared)
@@ -256,6 +263,29 @@ TEST_F(WorldGlyphs, HaveAnchorsThatKeepTheirSizeWhenEnlarged)
         EXPECT_NEAR(w.y + (p.y - w.y) / zoom, enlarged.points[compared].y, 1e-5) << compared;
     }
     EXPECT_EQ(compared, 80u);
+}
+
+TEST_F(WorldGlyphs, HaveBothFormsOfASpringForViewers)
+{
+    b2DistanceJointDef spring;
+    spring.Initialize(a, b, b2Vec2(0.0f, 0.0f), b2Vec2(3.0f, 0.0f));
+    spring.frequencyHz = 2.0f;
+    Join(spring);
+    std::map<float, int> counts; // of lines, by size
+    View view = ViewOfEverything(camera);
+    view.zoom = 64.0;
+    DrawList list;
+    AddJointGlyphs(scene.world, view, list);
+    for (const DrawItem& item : list.items)
+    {
+        counts[item.size] += item.kind == DrawKind::Segment ? 1 : 0;
+    }
+    EXPECT_EQ(counts[-14.0f], 2) << "while it is short";
+    EXPECT_GT(counts[14.0f], 6) << "from then on";
+    for (const DrawItem& item : Glyphs().items)
+    {
+        EXPECT_TRUE(item.kind != DrawKind::Segment || item.size == 0.0f);
+    }
 }
 
 TEST_F(WorldGlyphs, AreOmittedOutsideThePicture)

@@ -66,8 +66,8 @@ struct DrawItem
     std::uint32_t first = 0;             ///< index of the first in DrawList::points
     std::uint32_t owner = kNoOwner;      ///< the body it belongs to; kNoOwner: none
     std::uint32_t text = 0;              ///< Text only: index into DrawList::texts
-    float size = 0.0f; ///< radius or length of axes [m], or diameter of a point [px]; of a text
-                       ///< above 0 where its point is what it names, and a viewer places it
+    float size = 0.0f; ///< radius or length of axes [m], or diameter of a point [px]; for viewers
+                       ///< that zoom, see View::zoom
     Color color;       ///< colour of lines, fill or letters in the classic theme
     ColorRole role = ColorRole::None;             ///< role of the colour
     Paint Asked() const { return {color, role}; } ///< colour and role

@@ -17,8 +17,11 @@ struct View
     Camera camera;            ///< defines the pixels of arrows, glyphs and text
     std::optional<Rect> area; ///< visible area with a margin [m]; none: everything
     /// A viewer may enlarge the items by this factor, at least 1. Arrows that are legible at that
-    /// size are collected. Above 1, names are at what they name with a size of 1 (DrawItem::size):
-    /// where there is room beside it depends on the viewer's view.
+    /// size are collected. Above 1, what depends on the viewer's view is left to it:
+    /// - Names are at what they name and not where there is room beside it. Their DrawItem::size is
+    ///   1, or 2 where they have a place only while a shape of their owner is near the picture.
+    /// - Springs have both forms. The size of their lines is the length from which the spring is a
+    ///   zigzag [px], or below 0 in the form of shorter ones.
     double zoom = 1.0;
 
     /// True if something inside the box [m], or up to `reachPixels` beside it, may be visible.
