@@ -119,6 +119,14 @@ def outputs(benchmark: Benchmark, cases: list[Result], options: argparse.Namespa
     return pictures
 
 
+def show_pictures(options: argparse.Namespace, build: Path) -> None:
+    """Measures the default cases of drawing and of comparing pictures, and prints their tables."""
+    for benchmark in map(BENCHMARKS.get, TEXTS["record"]["pictures"]):
+        cases = [one for one in benchmark.cases(build) if not one.get("onlyNamed")]
+        results = measured(benchmark, build, cases, argparse.Namespace(**{**vars(options), "peers": None}))
+        print(f"\n{(against.Against() if options.against else benchmark).text(results)}", end="")
+
+
 def perform(options: argparse.Namespace) -> None:
     """Lists or measures cases, or reads their results; prints, writes and draws them."""
     build = Path(os.environ.get("BOXREEL_BUILD_DIR") or Path(__file__).resolve().parents[2] / "build" / "release")
@@ -127,6 +135,8 @@ def perform(options: argparse.Namespace) -> None:
     else:
         benchmark = BENCHMARKS[options.benchmark]
         kind, known = KINDS["against"] if options.against else benchmark, benchmark.cases(build)
+    if getattr(options, "pictures", False) and options.json is not None:
+        raise Problem("--json holds one benchmark; leave out --pictures, or measure `render` and `golden` on their own")
     cases = choose(known, options)
     pictures = outputs(kind, cases, options)
     if options.list:
@@ -139,6 +149,8 @@ def perform(options: argparse.Namespace) -> None:
     print(data if options.json == "-" else shown, end="")
     if options.json not in (None, "-"):
         write_whole(Path(options.json), data.encode())
+    if getattr(options, "pictures", False):
+        show_pictures(options, build)
     for path, (part, theme) in pictures.items():
         if part in drawn:
             write_whole(path, charts.draw(drawn[part], theme, path.suffix[1:]))

@@ -2,7 +2,9 @@
 """The command: options, errors, files, show, --against, signals, and charts."""
 from __future__ import annotations
 
+import contextlib
 import importlib.util
+import io
 import json
 import os
 import signal
@@ -14,6 +16,7 @@ from unittest import mock
 
 from support import ENGINE, HERE, BuildCase, engine_line
 
+import bench
 from runner import common
 
 PEER = ENGINE.replace("boxreel 1", "Box2D 2.4.1").replace('"cpu": 0.002', '"cpu": 0.008')
@@ -56,6 +59,30 @@ class Command(BuildCase):
         self.assertEqual(self.calls()[0].split()[-4:], ["run", "rain", "1", "4"])
         [result] = json.loads((self.folder / "a.json").read_text(encoding="utf-8"))["results"]  # snow is only named
         self.assertEqual((result["subSteps"], result["reached"]), (4, {}))
+
+    def test_measures_pictures_with_films_in_one_run(self) -> None:
+        class Fake(common.Benchmark):
+            """Measures nothing."""
+            def __init__(self, name: str) -> None:
+                self.name = name
+
+            def cases(self, build: object) -> list[dict]:
+                return [{"case": self.name, "what": ""}, {"case": "slow", "what": "", "onlyNamed": True}]
+
+            def measure(self, build: object, case: dict, options: object, work: object) -> dict:
+                return case
+
+            def judge(self, result: dict) -> None:
+                pass
+
+            def text(self, results: list[dict]) -> str:
+                return f"{self.name}: {[one['case'] for one in results]}\n"
+
+        fakes = {name: Fake(name) for name in ("record", "render", "golden")}
+        with mock.patch.dict(bench.BENCHMARKS, fakes), contextlib.redirect_stdout(io.StringIO()) as output:
+            self.assertEqual(bench.main(["record", "--pictures"]), 0)
+            self.assertEqual(bench.main(["record", "--pictures", "--json", "-"]), 1)
+        self.assertEqual(output.getvalue().split("\n\n"), ["record: ['record']", "render: ['render']", "golden: ['golden']\n"])
 
     def test_reads_what_it_wrote(self) -> None:
         self.assertEqual(self.bench("engine", "snow", "--json", "a.json").returncode, 0)
