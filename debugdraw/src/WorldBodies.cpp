@@ -89,6 +89,31 @@ bool IsOlder(const b2Body* a, const b2Body* b)
     return a->GetNumber() < b->GetNumber();
 }
 
+/// True if a shape is at most kFarthestShape beside the picture. The boxes of the tree, in which
+/// SeenBodies looks, are larger.
+bool HasShapeNear(const b2Body& body, const Camera& camera)
+{
+    const Rect picture = camera.VisibleArea();
+    const auto reach = float(kFarthestShape / camera.pixelsPerMeter);
+    b2AABB area;
+    area.lowerBound.Set(picture.lower.x - reach, picture.lower.y - reach);
+    area.upperBound.Set(picture.upper.x + reach, picture.upper.y + reach);
+    for (const b2Fixture* fixture = body.GetFixtureList(); fixture; fixture = fixture->GetNext())
+    {
+        const b2Shape& shape = *fixture->GetShape();
+        for (int32 child = 0; child < shape.GetChildCount(); ++child)
+        {
+            b2AABB box;
+            shape.ComputeAABB(&box, body.GetTransform(), child);
+            if (b2TestOverlap(area, box))
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 double RoomIn(const View& view)
 {
     return view.camera.width - kBeside;
@@ -194,11 +219,13 @@ void AddLabels(const std::vector<Label>& labels, const View& view, DrawList& lis
 void AddBodyNames(const b2World& world, const View& view, const BodyNames& names, DrawList& list)
 {
     std::vector<Label> labels;
-    const std::vector<const b2Body*> anywhere =
-        view.zoom > 1.0 ? BodiesSeenAnywhere(world) : std::vector<const b2Body*>();
+    const std::vector<const b2Body*> anywhere = BodiesSeenAnywhere(world);
     for (const b2Body* body : SeenBodies(world, view, kFarthestShape))
     {
-        if (view.Shows(CenterOf(*body)))
+        const bool needsShape =
+            !std::binary_search(anywhere.begin(), anywhere.end(), body, IsOlder);
+        if (view.Shows(CenterOf(*body)) &&
+            (!needsShape || !view.area || HasShapeNear(*body, view.camera)))
         {
             const auto number = static_cast<std::uint32_t>(body->GetNumber());
             const auto named = names.find(number);
@@ -206,7 +233,7 @@ void AddBodyNames(const b2World& world, const View& view, const BodyNames& names
             labels.push_back(
                 {CenterOf(*body),
                  Shortened(hasName ? named->second : std::to_string(number), RoomIn(view)), number,
-                 !std::binary_search(anywhere.begin(), anywhere.end(), body, IsOlder)});
+                 needsShape});
         }
     }
     AddLabels(labels, view, list);

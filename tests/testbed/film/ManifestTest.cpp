@@ -96,7 +96,7 @@ TEST_F(ManifestFile, ChangesChecksumWhenFilmChanges)
 {
     const auto checksum = [this](const std::string& bytes) {
         std::ofstream(m_folder / "a.mkv") << bytes;
-        return ChecksumOfFilm(m_folder / "a.mkv");
+        return ChecksumOfFrames(m_folder / "a.mkv", 0, 1);
     };
     std::string film(3'000'000, 'x'); // more than is read at once
     const std::string whole = checksum(film);
@@ -105,8 +105,8 @@ TEST_F(ManifestFile, ChangesChecksumWhenFilmChanges)
     EXPECT_NE(checksum(film), whole);
     film[2'999'999] = 'x';
     EXPECT_EQ(checksum(film), whole);
-    EXPECT_EQ(ChecksumOfFilm(m_folder / "none.mkv"), "");
-    EXPECT_EQ(ChecksumOfFilm(m_folder.Path()), "");
+    EXPECT_EQ(ChecksumOfFrames(m_folder / "none.mkv", 0, 1), "");
+    EXPECT_EQ(ChecksumOfFrames(m_folder.Path(), 0, 1), "");
 }
 
 TEST(Manifest, OmitsOptionsThatChangeNoFrame)
