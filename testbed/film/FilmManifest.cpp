@@ -46,12 +46,11 @@ Result<bool> FilmManifest::FindLeft()
                      "wait for it"};
     }
     ASSIGN_OR_RETURN(Manifest left, ReadManifest(part, "start again with --force"));
-    const std::string difference = DifferenceOf(left, m_manifest);
-    if (!difference.empty() || left.first != m_manifest.first)
+    const std::string difference = DifferenceFromAsked(left, m_options, m_plan);
+    if (!difference.empty())
     {
         return Error{ErrorKind::Unusable, part.string(),
-                     "belongs to another film (" +
-                         (difference.empty() ? "it begins at another frame" : difference) + ")",
+                     "belongs to another film (" + difference + ")",
                      "use the same command, or start again with --force"};
     }
     m_left = std::move(left);

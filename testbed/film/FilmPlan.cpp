@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "FilmPlan.h"
-#include "Manifest.h"
 
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
@@ -35,15 +34,10 @@ std::string FramesOf(const Manifest& manifest)
            std::to_string(manifest.end - 1);
 }
 
-/// Returns the difference between this manifest's film and the requested one, as a clause. Empty if
-/// they are the same film, or the same with another length.
-std::string DifferenceFromAsked(const Manifest& there, const RecordOptions& options,
-                                const FilmPlan& plan)
+bool IsThere(const std::filesystem::path& path)
 {
-    Manifest asked;
-    asked.version = BOXREEL_VERSION;
-    asked.command = CommandOfFilm(options.arguments);
-    return there.first != plan.frames.First() ? FramesOf(there) : DifferenceOf(there, asked);
+    std::error_code ignored;
+    return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
 }
 
 /// Why the manifest of `film` may not be replaced; an empty problem: it may.
@@ -70,11 +64,31 @@ Error WhyManifestStays(const std::filesystem::path& film, const RecordOptions& o
         return because("was written by another build and cannot be read", remedy);
     }
     const std::string difference = DifferenceFromAsked(*manifest, options, plan);
-    return difference.empty() ? because("", "")
-                              : because("belongs to another film (" + difference + ")", remedy);
+    if (difference.empty())
+    {
+        return because("", "");
+    }
+    const bool isStopped = film == PartPath(FileOfFrame(options.output, plan.frames.First()));
+    return because("belongs to another film (" + difference + ")",
+                   isStopped ? "continue that film with its own command and --resume, choose "
+                               "another name, or start again with --force"
+                             : remedy);
 }
 
 } // namespace
+
+std::string DifferenceFromAsked(const Manifest& there, const RecordOptions& options,
+                                const FilmPlan& plan)
+{
+    Manifest asked;
+    asked.version = BOXREEL_VERSION;
+    asked.command = CommandOfFilm(options.arguments);
+    const std::string difference = DifferenceOf(there, asked);
+    const FrameRange& frames = plan.frames;
+    const bool areSame =
+        frames.IsWhole() && there.first == frames.First() && there.end == frames.Last() + 1;
+    return difference.empty() && !areSame ? FramesOf(there) : difference;
+}
 
 Result<FilmPlan> PlanFilm(const RecordOptions& options)
 {
@@ -114,10 +128,6 @@ Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
     const std::string remedy = "record that part again with --force, or choose another name";
     ASSIGN_OR_RETURN(const Manifest there, ReadManifest(first, remedy));
     std::string difference = DifferenceFromAsked(there, options, plan);
-    if (difference.empty() && there.end != plan.frames.Last() + 1)
-    {
-        difference = FramesOf(there);
-    }
     if (difference.empty() &&
         ChecksumOfFrames(options.output, there.first, there.end) != there.checksum)
     {
@@ -145,11 +155,7 @@ Result<void> CheckManifestPaths(const RecordOptions& options, const FilmPlan& pl
     }
     for (const std::filesystem::path& film : films)
     {
-        std::error_code ignored;
-        const std::filesystem::path manifest = ManifestPath(film);
-        const bool isThere =
-            std::filesystem::exists(std::filesystem::symlink_status(manifest, ignored));
-        Error why = isThere ? WhyManifestStays(film, options, plan) : Error{};
+        Error why = IsThere(ManifestPath(film)) ? WhyManifestStays(film, options, plan) : Error{};
         if (!why.problem.empty())
         {
             return why;

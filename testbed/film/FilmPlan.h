@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "Manifest.h"
 #include "RecordOptions.h"
 
 /// Selects the frames of a recording and their encoding. Writes nothing.
@@ -18,6 +19,11 @@ struct FilmPlan
 
 /// Unusable when the options contradict each other.
 Result<FilmPlan> PlanFilm(const RecordOptions& options);
+
+/// Returns the difference between this manifest's film and the requested one, as a clause. Empty if
+/// both have the same command and the same frames.
+std::string DifferenceFromAsked(const Manifest& there, const RecordOptions& options,
+                                const FilmPlan& plan);
 
 /// True if the requested part exists and is complete. An Error (Unusable) if the file is another
 /// film, or does not match its manifest.

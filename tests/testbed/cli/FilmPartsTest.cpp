@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <map>
 
 namespace boxreel
 {
@@ -15,7 +16,27 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-using FilmParts = FilmFixture;
+class FilmParts : public FilmFixture
+{
+protected:
+    std::map<std::string, std::string> Contents() const
+    {
+        std::map<std::string, std::string> contents;
+        for (const std::string& name : folder.Names())
+        {
+            contents[name] = ReadBytes(folder / name);
+        }
+        return contents;
+    }
+
+    void Clear() const
+    {
+        for (const std::string& name : folder.Names())
+        {
+            std::filesystem::remove(folder / name);
+        }
+    }
+};
 
 TEST_F(FilmParts, RefusesPartsThatDifferFromManifest)
 {
@@ -161,6 +182,54 @@ TEST_F(FilmParts, KeepsManifestOfOtherFilmsAndBuilds)
     EXPECT_THAT(folder.Names(), ElementsAre("v.mkv", "v.mkv.json"));
     std::filesystem::remove(folder / "v.mkv");
     EXPECT_EQ(make("tumbler", {"--frame-range", "0-19"}).code, 0) << "they are of this film";
+}
+
+TEST_F(FilmParts, ResumesOnlyTheFramesThatWereStopped)
+{
+    struct Case
+    {
+        std::vector<std::string> stopped;
+        std::vector<std::string> asked;
+        std::string first;
+    };
+    const Case cases[] = {
+        {{"--frame-range", "100-9999999"}, {"--frame-range", "100-120"}, "100"},
+        {{"--frame-range", "100-9999999"}, {"--frame-range", "100,9999999"}, "100"},
+        {{}, {"--frame-range", "0-20"}, "0"},
+    };
+    const std::pair<std::string, std::string> films[] = {{"z.mp4", "z.part.mp4.json"},
+                                                         {"z.apng", "z.part.apng.json"},
+                                                         {"z.webp", "z.part.webp.json"},
+                                                         {"z-#######.png", ""}};
+    for (const auto& [film, manifest] : films)
+    {
+        for (const Case& c : cases)
+        {
+            SCOPED_TRACE(film + " " + c.asked.back());
+            std::vector<std::string> record{"record",  "tumbler", "--fps",    "20",
+                                            "--size",  "32x18",   "-o",       film,
+                                            "--group", "50",      "--frames", "10000000"};
+            std::vector<std::string> again = record;
+            record.insert(record.end(), c.stopped.begin(), c.stopped.end());
+            const Outcome stopped = RunBoxreel(record, folder.Path(), [&](int process) {
+                StopAfterGroups(process, SIGTERM, 200);
+            });
+            ASSERT_EQ(stopped.code, 75) << stopped.errors;
+            const std::map<std::string, std::string> before = Contents();
+            again.insert(again.end(), c.asked.begin(), c.asked.end());
+            again.emplace_back("--resume");
+            const Outcome refused = Run(again);
+            EXPECT_EQ(refused.code, 1);
+            EXPECT_THAT(refused.errors, AllOf(HasSubstr(".part."), HasSubstr(" " + c.first + " "),
+                                              HasSubstr("9999999)")));
+            if (!manifest.empty() && c.asked.back() != "100,9999999")
+            {
+                ExpectRefused(refused, manifest);
+            }
+            EXPECT_TRUE(Contents() == before) << "nothing is changed";
+            Clear();
+        }
+    }
 }
 
 } // namespace

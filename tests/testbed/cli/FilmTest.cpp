@@ -38,6 +38,18 @@ protected:
         EXPECT_TRUE(frame);
         return frame ? *frame : Frame();
     }
+
+    /// Makes a complete part the file of a stopped run, whose manifest has the planned end.
+    void LeaveAsStopped(const std::string& film, const std::string& part, const std::string& end,
+                        const std::string& planned) const
+    {
+        std::filesystem::rename(folder / film, folder / part);
+        std::string manifest = ReadBytes(folder / (film + ".json"));
+        const std::size_t at = manifest.find(end);
+        ASSERT_NE(at, std::string::npos);
+        std::ofstream(folder / (part + ".json")) << manifest.replace(at, end.size(), planned);
+        std::filesystem::remove(folder / (film + ".json"));
+    }
 };
 
 TEST_F(Film, KeepsFilmWhenCameraTargetIsMissing)
@@ -362,9 +374,7 @@ TEST_F(Film, EqualsWholeAnimationWhenResumedOrJoined)
         EXPECT_EQ(Decode("film" + kind), Decode("whole" + kind));
         // The file of a run that was stopped after 40 frames.
         ASSERT_EQ(make("c", {"--frame-range", "0-39"}).code, 0);
-        std::filesystem::rename(folder / ("c" + kind), folder / ("left.part" + kind));
-        std::filesystem::rename(folder / ("c" + kind + ".json"),
-                                folder / ("left.part" + kind + ".json"));
+        LeaveAsStopped("c" + kind, "left.part" + kind, "\"end\": 40", "\"end\": 60");
         const Outcome resumed = make("left", {"--resume"});
         ASSERT_EQ(resumed.code, 0) << resumed.errors;
         EXPECT_EQ(Decode("left" + kind), Decode("whole" + kind));
@@ -505,8 +515,7 @@ TEST_F(Film, KeepsPartWhenNoBackendWorks)
                               "a.mkv", "--frame-range", "0-99"});
     ASSERT_EQ(part.code, 0) << part.errors;
     std::filesystem::remove(folder / "film.mkv");
-    std::filesystem::rename(folder / "a.mkv", folder / "film.part.mkv");
-    std::filesystem::rename(folder / "a.mkv.json", folder / "film.part.mkv.json");
+    LeaveAsStopped("a.mkv", "film.part.mkv", "\"end\": 100", "\"end\": 200");
     const TemporaryFolder broken;
     for (const char* library : {"libOSMesa.so.8", "libOSMesa.so.6", "libEGL.so.1"})
     {
@@ -654,7 +663,12 @@ TEST_F(Film, IsFinishedByResumeWhenAllFramesExist)
     }
     ASSERT_GT(count, 0);
     std::string manifest = ReadBytes(folder / manifestName);
-    manifest.replace(manifest.find("\"9999\"") + 1, 4, std::to_string(count));
+    for (const std::string before : {"\n  \"", "\"frames\": ", "\"end\": "})
+    {
+        const std::size_t at = manifest.find(before + "9999");
+        ASSERT_NE(at, std::string::npos) << before;
+        manifest.replace(at + before.size(), 4, std::to_string(count));
+    }
     std::ofstream(folder / manifestName) << manifest;
     const Outcome again = Run(record(std::to_string(count)));
     EXPECT_EQ(again.code, 0) << again.errors;

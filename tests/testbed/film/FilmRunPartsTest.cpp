@@ -63,6 +63,24 @@ TEST_F(FilmManifestTest, FindsPartOfTheSameFilmOnly)
     EXPECT_EQ(refused.GetError().culprit, (folder / "a.part.mkv").string());
 }
 
+TEST_F(FilmManifestTest, FindsOnlyTheFramesThatWereAsked)
+{
+    options.film.resume = true;
+    options.length.range = *FrameRange::Parse("100-199");
+    const FilmPlan plan = Plan();
+    ASSERT_TRUE(FilmManifest(options, plan).Note(100, world));
+    EXPECT_TRUE(*FilmManifest(options, plan).FindLeft());
+    for (const char* const range : {"100-120", "100-198", "100-150,152-199"})
+    {
+        options.length.range = *FrameRange::Parse(range);
+        const FilmPlan other = Plan();
+        const Result<bool> refused = FilmManifest(options, other).FindLeft();
+        ASSERT_FALSE(refused) << range;
+        EXPECT_EQ(refused.GetError().kind, ErrorKind::Unusable);
+        EXPECT_EQ(refused.GetError().culprit, (folder / "a.part.mkv").string());
+    }
+}
+
 TEST_F(FilmManifestTest, RefusesAnotherStateOfTheSameFrame)
 {
     options.film.resume = true;
