@@ -75,6 +75,27 @@ Error WhyManifestStays(const std::filesystem::path& film, const RecordOptions& o
                              : remedy);
 }
 
+/// Says why `film`, which has no manifest of its own, cannot be skipped. False: its part was
+/// stopped and is to be continued.
+Result<bool> WithoutManifest(const std::filesystem::path& film, const RecordOptions& options,
+                             const FilmPlan& plan)
+{
+    if (!IsThere(ManifestPath(PartPath(film))))
+    {
+        return Error{ErrorKind::Unusable, film.string(),
+                     "already exists, but is not the beginning of a part: it has no manifest " +
+                         ManifestPath(film).filename().string(),
+                     "choose another name, or overwrite it with --force"};
+    }
+    RETURN_IF_ERROR(CheckManifestPaths(options, plan));
+    if (!options.film.resume)
+    {
+        return Error{ErrorKind::Unusable, film.string(), "belongs to a part that was stopped",
+                     "continue it with --resume, or start again with --force"};
+    }
+    return false;
+}
+
 } // namespace
 
 std::string DifferenceFromAsked(const Manifest& there, const RecordOptions& options,
@@ -124,6 +145,10 @@ Result<bool> IsPartDone(const RecordOptions& options, const FilmPlan& plan)
     if (!HasManifest(options, plan) || !std::filesystem::is_regular_file(first, ignored))
     {
         return false;
+    }
+    if (!IsThere(ManifestPath(first)))
+    {
+        return WithoutManifest(first, options, plan);
     }
     const std::string remedy = "record that part again with --force, or choose another name";
     ASSIGN_OR_RETURN(const Manifest there, ReadManifest(first, remedy));

@@ -232,5 +232,55 @@ TEST_F(FilmParts, ResumesOnlyTheFramesThatWereStopped)
     }
 }
 
+TEST_F(FilmParts, NamesPicturesThatSkipDoneCannotCheck)
+{
+    const auto make = [&](std::vector<std::string> more) {
+        std::vector<std::string> command{"record", "tumbler", "--frames", "60",
+                                         "--size", "32x18",   "-o",       "p-##.png"};
+        command.insert(command.end(), more.begin(), more.end());
+        return Run(command);
+    };
+    for (const std::vector<std::string>& parts :
+         {std::vector<std::string>{}, std::vector<std::string>{"--frame-range", "20-59"}})
+    {
+        ASSERT_EQ(make(parts).code, 0);
+        const std::map<std::string, std::string> before = Contents();
+        for (std::vector<std::string> options :
+             {std::vector<std::string>{}, std::vector<std::string>{"--resume"}})
+        {
+            options.insert(options.end(), {"--frame-range", "30-49", "--skip-done"});
+            const Outcome refused = make(options);
+            ExpectRefused(refused, "p-30.png");
+            EXPECT_THAT(refused.errors, AllOf(HasSubstr("manifest"), HasSubstr("--force")));
+        }
+        EXPECT_TRUE(Contents() == before);
+        Clear();
+    }
+}
+
+TEST_F(FilmParts, ContinuesStoppedPicturesWithSkipDoneAndResume)
+{
+    const auto command = [](const std::string& scene, std::vector<std::string> more) {
+        std::vector<std::string> record{"record", scene,          "--frames",      "10000000",
+                                        "--size", "32x18",        "--frame-range", "100-9999999",
+                                        "-o",     "p-#######.png"};
+        record.insert(record.end(), more.begin(), more.end());
+        return record;
+    };
+    const auto stop = [&](int process) { StopAfterGroups(process, SIGTERM, 200); };
+    const std::vector<std::string> farm = command("tumbler", {"--skip-done", "--resume"});
+    ASSERT_EQ(RunBoxreel(farm, folder.Path(), stop).code, 75);
+    const std::map<std::string, std::string> before = Contents();
+    const Outcome advised = Run(command("tumbler", {"--skip-done"}));
+    ExpectRefused(advised, "p-0000100.png");
+    EXPECT_THAT(advised.errors, AllOf(HasSubstr("stopped"), HasSubstr("--resume")));
+    ExpectRefused(Run(command("pyramid", {"--skip-done"})), "p-0000100.part.png.json");
+    EXPECT_TRUE(Contents() == before);
+    const Outcome again = RunBoxreel(farm, folder.Path(),
+                                     [&](int process) { StopAfterGroups(process, SIGTERM, 400); });
+    EXPECT_EQ(again.code, 75) << again.errors;
+    EXPECT_GT(Contents().size(), before.size());
+}
+
 } // namespace
 } // namespace boxreel
