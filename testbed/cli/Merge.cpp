@@ -9,6 +9,7 @@
 #include <base/Terminal.h>
 #include <base/Words.h>
 #include <film/Manifest.h>
+#include <film/PageRun.h>
 #include <film/StopSignals.h>
 #include <recorder/JoinFilms.h>
 
@@ -228,8 +229,15 @@ Result<void> Check(MergeOptions& options)
         return Error{ErrorKind::Unusable, "-o -", "merge writes to a file only",
                      "name a file, such as -o film.mkv"};
     }
+    const bool isPage = IsPage(options.output);
+    if (isPage || Lower(options.output.extension().string()) == ".png")
+    {
+        return Error{ErrorKind::Unusable, "-o " + options.output.string(),
+                     std::string("films cannot be joined to ") + (isPage ? "a page" : "pictures"),
+                     "name a film with the extension of the parts, such as -o film.mp4"};
+    }
     RETURN_IF_ERROR(CheckFilmName(options.output));
-    return {};
+    return CheckVideoPath(options.output, {});
 }
 
 } // namespace boxreel

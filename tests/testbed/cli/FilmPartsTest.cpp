@@ -282,5 +282,17 @@ TEST_F(FilmParts, ContinuesStoppedPicturesWithSkipDoneAndResume)
     EXPECT_GT(Contents().size(), before.size());
 }
 
+TEST_F(FilmParts, RefusesToJoinToPageBeforeReadingParts)
+{
+    for (const char* const part : {"missing.mp4", "page.html"})
+    {
+        const Outcome page = Run({"merge", part, "-o", "m.html"});
+        ExpectRefused(page, "-o m.html");
+        EXPECT_THAT(page.errors, HasSubstr("page"));
+        ExpectRefused(Run({"merge", part, "-o", "m-##.png"}), "-o m-##.png");
+        ExpectRefused(Run({"merge", part, "-o", "m.avi"}), "m.avi");
+    }
+}
+
 } // namespace
 } // namespace boxreel
