@@ -675,56 +675,5 @@ TEST_F(Film, IsFinishedByResumeWhenAllFramesExist)
     EXPECT_EQ(folder.Names().size(), std::size_t(count));
 }
 
-TEST_F(Film, HasPicturesOfAllPartsInOneFolder)
-{
-    const auto record = [&](const char* range, std::vector<std::string> more = {}) {
-        std::vector<std::string> command{"record", "pyramid", "-o",    "a-##.png",      "--frames",
-                                         "9",      "--size",  "32x18", "--frame-range", range};
-        command.insert(command.end(), more.begin(), more.end());
-        return Run(command).code;
-    };
-    EXPECT_EQ(record("0-3"), 0);
-    EXPECT_EQ(record("4-8"), 0);
-    EXPECT_EQ(folder.Names().size(), 9u + 2u) << "a manifest for each";
-    const std::string kept = ReadBytes(folder / "a-04.png");
-    for (const char* const range : {"0-3", "4-8"})
-    {
-        EXPECT_EQ(record(range, {"--skip-done"}), 0) << range;
-        EXPECT_EQ(record(range, {"--resume"}), 1) << range << " is complete";
-        EXPECT_EQ(record(range), 1) << range;
-    }
-    EXPECT_EQ(record("4-7", {"--skip-done"}), 1) << "other frames";
-    std::ofstream(folder / "a-06.png") << "changed";
-    EXPECT_EQ(record("4-8", {"--skip-done"}), 1);
-    EXPECT_EQ(record("0-3", {"--skip-done"}), 0);
-    EXPECT_EQ(record("4-8", {"--force"}), 0);
-    EXPECT_EQ(ReadBytes(folder / "a-04.png"), kept);
-    EXPECT_EQ(Run({"merge", "a-00.png", "a-04.png", "-o", "a.mkv"}).code, 1);
-}
-
-TEST_F(Film, JoinsResumedPart)
-{
-    const std::vector<std::string> record{"record", "tumbler", "--frames",
-                                          "800",    "--size",  "160x90"};
-    const auto part = [&](const char* name, const char* range) {
-        std::vector<std::string> command = record;
-        command.insert(command.end(), {"-o", name, "--frame-range", range});
-        return command;
-    };
-    std::vector<std::string> second = part("b.mkv", "100-699");
-    const Outcome stopped = RunBoxreel(second, folder.Path(), [&](int process) {
-        StopAfterGroups(process, SIGTERM, 300); // 100 of its frames are whole, and more
-    });
-    ASSERT_EQ(stopped.code, 75) << stopped.errors;
-    second.emplace_back("--resume");
-    EXPECT_EQ(Run(second).code, 0);
-    EXPECT_EQ(Run(part("a.mkv", "0-99")).code, 0);
-    EXPECT_EQ(Run(part("c.mkv", "700-799")).code, 0);
-    EXPECT_EQ(Run(part("whole.mkv", "0-799")).code, 0);
-    const Outcome merged = Run({"merge", "a.mkv", "b.mkv", "c.mkv", "-o", "film.mkv"});
-    ASSERT_EQ(merged.code, 0) << merged.errors;
-    EXPECT_TRUE(Decode("film.mkv") == Decode("whole.mkv"));
-}
-
 } // namespace
 } // namespace boxreel
