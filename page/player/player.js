@@ -32,7 +32,9 @@ class Player {
     this.fingers = new Map(); // places of those that are down [CSS px]
     this.linkedAt = -Infinity; // when the address was set [ms]
     this.linkTimer = null; // for the next one
+    this.turn = 0;        // when the player was touched that leads those side by side [ms]
     this.leads = false;   // players beside this one show what it shows
+    this.isLed = false;   // by one of them
     this.build();
     this.listen();
     this.resize();
@@ -82,11 +84,11 @@ class Player {
       this.isAsked = false;
       this.tick(now);
       this.draw();
-      if (this.isPlaying) this.redraw();
+      if (this.isPlaying && !this.isLed) this.redraw();
     });
   }
   tick(now) {
-    if (!this.isPlaying) return;
+    if (!this.isPlaying || this.isLed) return;
     const passed = this.lastTick === null ? 0 : Math.min(now - this.lastTick, 250);
     this.lastTick = now;
     this.place += passed / 1000 * this.film.framesPerSecond * this.speed;
@@ -102,7 +104,7 @@ class Player {
     if (!frame) return; // it is being unpacked
     if (frame !== this.frame) {
       this.frame = frame;
-      this.view.track(frame);
+      if (!this.isLed) this.view.track(frame);
     }
     this.showFollowed();
     const look = {view: this.view.of(frame), ratio: this.ratio, theme: this.film.themes[this.theme], hidden: this.hidden};
@@ -113,7 +115,7 @@ class Player {
   // Quickly where it changes; exactly once it rests, which takes longer.
   paint(frame, look) {
     const {x, y, scale} = look.view;
-    const picture = [this.number, x, y, scale, look.ratio, this.theme, ...this.hidden, "size", this.canvas.width, this.canvas.height].join();
+    const picture = [this.number, x, y, scale, look.ratio, this.theme, ...this.hidden, "size", this.canvas.width, this.canvas.height, this.isPlaying].join();
     if (picture === this.painted) return;
     this.painted = picture;
     clearTimeout(this.exactTimer);
@@ -133,16 +135,40 @@ class Player {
     $("time").setAttribute("aria-valuetext", `${seconds.toFixed(3)} seconds`);
     $("clock").textContent = `${seconds.toFixed(3)} s · frame ${this.number} of ${this.film.frames - 1}`;
   }
+  // Of several players side by side, the one touched last leads. It goes on from what they show.
+  take() {
+    // Clocks may go back; two fingers may come down at once.
+    this.turn = Math.max(Date.now(), this.turn + 1) + Math.random();
+    this.leads = true;
+    if (this.isLed) {
+      this.isLed = false;
+      this.lastTick = null;
+      if (this.frame) this.view.track(this.frame);
+    }
+    this.redraw();
+  }
   // A page that has several players passes the message on to the others.
   lead() {
-    const {own} = this.view;
-    parent.postMessage({number: this.number, own, theme: this.theme, hidden: [...this.hidden]}, "*");
+    const {turn, number, isPlaying, speed, theme} = this, {own, followed} = this.view;
+    const repeat = $("repeat").checked;
+    parent.postMessage({turn, number, isPlaying, speed, repeat, own, followed, theme, hidden: [...this.hidden]}, "*");
   }
-  // Shows what the player that leads shows.
-  match({number, own, theme, hidden}) {
+  // Shows what the player that leads shows. Messages cross: one of a player that leads no more is
+  // answered, so that it learns so. Pages of older programs send no turn, and less.
+  match({turn = this.turn + 1, number, isPlaying = false, speed = this.speed, repeat = $("repeat").checked, own,
+         followed = -1, theme, hidden}) {
+    if (turn < this.turn || (turn === this.turn && !this.isLed)) {
+      if (this.leads) this.lead();
+      return;
+    }
+    this.turn = turn;
     this.leads = false;
-    if (this.isPlaying) this.pause();
-    if (this.view.followed >= 0) this.follow(-1);
+    this.isLed = true;
+    this.isPlaying = isPlaying;
+    this.showPlaying();
+    this.setSpeed(speed);
+    $("repeat").checked = repeat;
+    this.view.follow(followed);
     this.view.own = own;
     this.hidden = new Set(hidden);
     for (const box of $("layers").querySelectorAll("input")) box.checked = !this.hidden.has(Number(box.value));
@@ -217,6 +243,7 @@ class Player {
   setSpeed(speed) {
     this.speed = speed;
     $("speed").value = speed;
+    this.redraw();
   }
   changeSpeed(by) {
     const at = kSpeeds.indexOf(this.speed) + by;
@@ -330,6 +357,7 @@ class Player {
     addEventListener("hashchange", () => this.openLink());
     $("time").addEventListener("input", () => this.pause(Number($("time").value)));
     $("speed").addEventListener("change", () => this.setSpeed(Number($("speed").value)));
+    $("repeat").addEventListener("change", () => this.redraw());
     const onClick = {
       play: () => this.toggle(), back: () => this.step(-1), forward: () => this.step(1),
       closer: () => this.zoom(kZoomStep), farther: () => this.zoom(1 / kZoomStep), reset: () => this.resetView(),
@@ -354,12 +382,15 @@ class Player {
     this.canvas.addEventListener("dblclick", event => this.zoomToContact(...this.inCanvas(this.placeOf(event))));
   }
   listenToOthers() {
-    for (const name of ["pointerdown", "wheel", "keydown", "input"]) {
-      addEventListener(name, () => this.leads = true, {capture: true, passive: true});
+    for (const name of ["pointerdown", "pointermove", "wheel", "keydown", "input", "change", "click"]) {
+      addEventListener(name, event => {
+        if (name !== "pointermove" || event.buttons > 0) this.take();
+      }, {capture: true, passive: true});
     }
     addEventListener("message", event => {
       if (event.source === parent) this.match(event.data);
     });
+    this.lead(); // one that was touched before answers
   }
   toggle() {
     this.isPlaying ? this.pause() : this.play();
