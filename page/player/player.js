@@ -143,7 +143,11 @@ class Player {
     if (this.isLed) {
       this.isLed = false;
       this.lastTick = null;
-      if (this.frame) this.view.track(this.frame);
+      const frame = this.film.frame(this.number, () => this.redraw());
+      if (frame) {
+        this.frame = frame; // it need not be drawn yet
+        this.view.track(frame);
+      }
     }
     this.redraw();
   }
