@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Pages of scenes in Chromium: the pixels of `boxreel shot`, the positions of the draw list, and
 // the controls.
-#include "Base64.h"
-#include "Browser.h"
+#include "PageInBrowser.h"
 
 #include <Box2D/Dynamics/b2Body.h>
 #include <base/AtomicFile.h>
 #include <base/ErrorMacros.h>
 #include <debugdraw/WorldGlyphs.h>
 #include <golden/Compare.h>
-#include <golden/ReportPage.h>
 #include <page/PageWriter.h>
 #include <render/Png.h>
 #include <render/Renderer.h>
@@ -28,121 +26,6 @@ namespace
 
 using testing::HasSubstr;
 using testing::Not;
-
-// As the page shows a resting picture on a screen of one pixel per CSS pixel.
-constexpr const char* kDrawScript = R"(
-function drawExactly(player, frame, view, hidden) {
-  return drawBy(player.exactPainter, frame, view, hidden);
-}
-function drawDense(player, frame) { // on a screen of two pixels per CSS pixel
-  const {x, y, scale} = player.film.viewOf(frame);
-  return drawBy(player.exactPainter, frame, {x, y, scale: 2 * scale}, new Set(), 2);
-}
-function drawPlaying(player, frame) {
-  return drawBy(player.painter, frame);
-}
-function drawBy(painter, frame, view = painter.film.viewOf(frame), hidden = new Set(), ratio = 1) {
-  const {film} = painter;
-  const picture = document.createElement("canvas");
-  picture.width = ratio * film.width;
-  picture.height = ratio * film.height;
-  painter.draw(picture, frame, {view, ratio, theme: film.themes[0], hidden});
-  return picture.toDataURL().split(",")[1];
-}
-function leave(text) {
-  const results = document.createElement("pre");
-  results.textContent = `\nBEGIN\n${text}\nEND\n`;
-  document.body.append(results);
-}
-)";
-
-class PageInBrowser : public testing::Test
-{
-protected:
-    void SetUp() override
-    {
-        if (browser.empty())
-        {
-            GTEST_SKIP() << "Chromium is not installed; install it with: apt install chromium";
-        }
-    }
-
-    /// Opens a scene as `record` does for a page that zooms so far, or as `shot` does for 1.
-    static Result<SceneSession> Open(const std::string& scene, const std::string& layers,
-                                     double zoom)
-    {
-        SceneLook look;
-        look.collectEverything = zoom > 1.0;
-        look.zoom = zoom;
-        look.layers = *ParseLayers("--draw", layers);
-        Result<SceneSource> source = OpenScene(scene);
-        return OpenSession(std::move(*source), look);
-    }
-
-    /// Writes a page of the scene, up to a step, and keeps the lists that `shot` draws of that.
-    std::string PageOf(const std::string& scene, const std::string& layers, int lastFrame,
-                       const Theme& theme = Theme::Classic())
-    {
-        Result<SceneSession> session = Open(scene, layers, kPageZoom);
-        Result<SceneSession> shot = Open(scene, layers, 1.0);
-        EXPECT_TRUE(session && shot);
-        const std::filesystem::path path = folder / (scene + ".html");
-        PageSettings settings;
-        settings.overwrite = true;
-        settings.theme = theme;
-        Result<PageWriter> writer = PageWriter::Open(path, settings);
-        EXPECT_TRUE(writer);
-        for (int frame = 0; frame <= lastFrame; ++frame)
-        {
-            session->AdvanceTo(frame);
-            FrameContent filmed;
-            session->Fill(filmed);
-            std::vector<PageBody> bodies;
-            for (const b2Body* b = session->World().GetBodyList(); b != nullptr; b = b->GetNext())
-            {
-                bodies.push_back({std::uint32_t(b->GetNumber()),
-                                  {b->GetPosition().x, b->GetPosition().y},
-                                  b->GetAngle(),
-                                  "body " + std::to_string(b->GetNumber()),
-                                  {b->GetLinearVelocity().x, b->GetLinearVelocity().y},
-                                  b->GetAngularVelocity()});
-            }
-            last = bodies;
-            EXPECT_TRUE(writer->Append(
-                filmed.list, filmed.camera, bodies,
-                JointGlyphAnchors(session->World(), ViewOfEverything(filmed.camera), kPageZoom)));
-            shot->AdvanceTo(frame);
-            content = {};
-            shot->Fill(content);
-        }
-        zoomed = Nearer(*shot);
-        EXPECT_TRUE(writer->Close());
-        return ReadBytes(path);
-    }
-
-    /// The same moment, nearer and aside.
-    FrameContent Nearer(SceneSession& shot) const
-    {
-        FrameContent nearer;
-        shot.LookAt({float(content.camera.centerX) + 1.53f, float(content.camera.centerY) + 0.57f},
-                    3.0 * content.camera.pixelsPerMeter);
-        shot.Fill(nearer);
-        return nearer;
-    }
-
-    std::string Run(const std::string& page, const std::string& script)
-    {
-        const Outcome outcome = LoadInChromium(browser, page, kDrawScript + script, folder);
-        EXPECT_THAT(outcome.errors, Not(HasSubstr("CONSOLE")));
-        return ResultsOf(outcome);
-    }
-
-    const std::string browser = Chromium();
-    TemporaryFolder folder;
-    FrameContent content;       // of the last frame
-    FrameContent zoomed;        // of the same, nearer and aside
-    std::vector<PageBody> last; // of the last frame
-};
 
 struct Shown
 {
@@ -576,130 +459,6 @@ TEST_F(PageInBrowser, FindsContactsWithoutTheirLayer)
     EXPECT_NEAR(x, -0.5, 0.03) << results;
     EXPECT_NEAR(y, 0.0, 0.03) << results;
     EXPECT_EQ(nothing, "null") << "the middle of a box touches nothing";
-}
-
-class TwoPages : public PageInBrowser
-{
-protected:
-    /// Runs a script in a report of two worlds, whose windows are `left` and `right`.
-    std::string RunBoth(const std::string& script)
-    {
-        FilmStrip strip;
-        strip.width = 16;
-        strip.height = 9;
-        strip.expectedPage = PageOf("dominos", "shapes,joints,contacts", 120);
-        const std::size_t head = strip.expectedPage.find("</head>");
-        EXPECT_NE(head, std::string::npos);
-        // Chromium hardly ever draws while its time is virtual, so frames come from a timer, and
-        // the canvases keep their sizes: by chance, only one would learn of another.
-        strip.expectedPage.insert(head, R"(<script>
-window.requestAnimationFrame = draw => setTimeout(() => draw(performance.now()), 16);
-window.ResizeObserver = class { observe() {} };
-</script>)");
-        strip.actualPage = strip.expectedPage;
-        ReportedMoment moment;
-        moment.shown.name = "dominos/2s";
-        moment.shown.status = "pixels";
-        moment.shown.json = R"({"name":"dominos/2s","status":"pixels"})";
-        const Result<std::string> report = ReportPage({moment}, {{"dominos/2s", strip}});
-        EXPECT_TRUE(report);
-        return Run(*report, R"(
-(async () => {
-  const lines = [];
-  const check = (what, is) => lines.push(`${is ? "right" : "WRONG"} ${what}`);
-  const soon = () => new Promise(done => setTimeout(done, 300));
-  document.body.dispatchEvent(new KeyboardEvent("keydown", {key: "p", bubbles: true}));
-  const windows = [...document.querySelectorAll("iframe")].map(frame => frame.contentWindow);
-  check("two players", windows.length === 2);
-  const ready = window => window.document.querySelector("#clock")?.textContent;
-  for (let i = 0; i < 20 && !windows.every(ready); ++i) await soon();
-  const [left, right] = windows;
-  const find = (window, what) => window.document.querySelector(what);
-  const picture = window => find(window, "canvas").toDataURL();
-  const key = (window, name, more = {}) => window.dispatchEvent(new window.KeyboardEvent("keydown", {key: name, ...more}));
-  const clocks = () => windows.map(window => find(window, "#clock").textContent).join(" and ");
-)" + script + R"(
-  leave(lines.join("\n"));
-})().catch(error => leave(`WRONG ${error.stack}`));
-)");
-    }
-};
-
-TEST_F(TwoPages, ShowTheSameMomentAndView)
-{
-    const std::string results = RunBoth(R"(
-  key(left, "ArrowRight", {shiftKey: true});
-  await soon(); await soon();
-  check(`the right one shows the moment of the left one: ${clocks()}`, /^1.000 s · frame 60.* and 1.000 s · frame 60/.test(clocks()));
-  key(right, "ArrowRight");
-  key(right, "+"); key(right, "+");
-  await soon(); await soon();
-  check(`the left one shows the moment of the right one: ${clocks()}`, / frame 61 .* frame 61 /.test(clocks()));
-  check("both have the same view", picture(left) === picture(right));
-  key(left, "+");
-  await soon(); await soon();
-  check("a zoom is passed on", picture(left) === picture(right));
-  const box = left.document.querySelector("#layers input");
-  box.dispatchEvent(new left.Event("pointerdown", {bubbles: true}));
-  box.click();
-  await soon(); await soon();
-  check("a layer is passed on", !right.document.querySelector("#layers input").checked && picture(left) === picture(right));
-)");
-    EXPECT_THAT(results, Not(HasSubstr("WRONG")));
-    EXPECT_THAT(results, HasSubstr("right a layer is passed on"));
-}
-
-// Messages of both are then on their way at once.
-TEST_F(TwoPages, ShowTheOneTouchedLastWhileTheOtherPlays)
-{
-    const std::string results = RunBoth(R"(
-  addEventListener("message", event => {
-    const from = windows.indexOf(event.source), message = event.data;
-    event.stopImmediatePropagation();
-    setTimeout(() => windows[1 - from].postMessage(message, "*"), 40);
-  }, true);
-  const wait = time => new Promise(done => setTimeout(done, time));
-  const state = window => [find(window, "#clock").textContent, find(window, "#play").textContent, find(window, "#speed").value,
-    find(window, "#theme").textContent, find(window, "#follow").textContent,
-    ...[...window.document.querySelectorAll("input[type=checkbox]")].map(box => box.checked)].join();
-  const scrub = (window, number) => {
-    find(window, "#time").value = number;
-    find(window, "#time").dispatchEvent(new window.Event("input", {bubbles: true}));
-  };
-  const hide = window => find(window, "#layers input").click();
-  const wheel = window => find(window, "canvas").dispatchEvent(new window.WheelEvent("wheel", {deltaY: -200, clientX: 90, clientY: 70, bubbles: true}));
-  const onKey = name => [name, window => key(window, name)];
-  const ends = [["scrub", window => scrub(window, 30)], onKey("ArrowRight"), onKey("ArrowLeft"), onKey("Home"), onKey(" ")];
-  const goOn = [["wheel", wheel], ["layer", hide], ...["+", "4", "]", "r", "d", "n", "0", "Shift"].map(onKey)];
-  const isPlaying = window => find(window, "#play").textContent !== "▶";
-  for (const [at, [name, act]] of [...ends, ...goOn].entries()) {
-    const [player, touched] = at % 2 ? [left, right] : [right, left];
-    scrub(player, 20);
-    await wait(100);
-    key(player, " ");
-    await wait(150 + 7 * at);
-    const before = clocks();
-    act(touched);
-    await wait(120);
-    if (at >= ends.length) {
-      check(`${name}: both play on: ${before}, ${clocks()}`, windows.every(isPlaying) && clocks() !== before);
-      key(at % 4 < 2 ? player : touched, " ");
-      await wait(100);
-    }
-    await soon();
-    check(`${name}: the same: ${windows.map(state).join(" and ")}`, state(left) === state(right) && !isPlaying(left));
-    check(`${name}: the same picture`, picture(left) === picture(right));
-    if (name === "scrub") check("the moment of the one touched last", / frame 30 .* frame 30 /.test(clocks()));
-    if (name === "n") check("the body that is followed", find(player, "#follow").textContent.startsWith("following body"));
-  }
-  scrub(left, 10);
-  scrub(right, 20);
-  scrub(left, 40); // all on their way
-  await soon();
-  check(`three touches: ${clocks()}`, / frame 40 .* frame 40 /.test(clocks()));
-)");
-    EXPECT_THAT(results, Not(HasSubstr("WRONG")));
-    EXPECT_THAT(results, HasSubstr("right three touches"));
 }
 
 TEST_F(PageInBrowser, ReportsADamagedPage)
