@@ -10,7 +10,6 @@ namespace boxreel
 namespace
 {
 
-constexpr double kDash = 5.0;          // [px]
 constexpr double kHead = 7.0;          // length of an arc's arrow head [px]
 constexpr double kHeadHalfWidth = 3.5; // [px]
 constexpr int kTurns = 8;              // number of half turns of a spring
@@ -96,19 +95,18 @@ void GlyphPen::Lines(std::initializer_list<Point> points)
     }
 }
 
-std::size_t GlyphPen::Dashes(Point from, Point to, std::optional<std::size_t> dashes)
+void GlyphPen::Dashes(Point from, Point to)
 {
     const double length = LengthOf(to - from);
     // An odd number, so that both ends are drawn; very long lines have longer dashes.
     const double wanted = std::min(0.5 * length / kDash, double(kMaxDashes));
     const auto pairs = std::isfinite(wanted) ? static_cast<std::size_t>(wanted) : 0;
-    const std::size_t count = dashes ? 2 * *dashes - 1 : 2 * pairs + 1;
+    const std::size_t count = 2 * pairs + 1;
     for (std::size_t i = 0; i < count; i += 2)
     {
         Line(from + (double(i) / double(count)) * (to - from),
              from + (double(i + 1) / double(count)) * (to - from));
     }
-    return (count + 1) / 2;
 }
 
 void GlyphPen::Circle(Point center, double radius)

@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -63,14 +62,9 @@ std::string Meters(double length)
 class GlyphWriter
 {
 public:
-    /// `dashes`: number of dashes of a joint's dashed line; none: as many as its length asks for.
-    GlyphWriter(const View& view, DrawList& list, std::optional<std::size_t> dashes = std::nullopt)
-        : m_view(view), m_list(list), m_dashes(dashes)
-    {}
+    GlyphWriter(const View& view, DrawList& list) : m_view(view), m_list(list) {}
 
     void Add(const b2Joint& joint);
-    /// Returns the number of dashes in the last dashed line.
-    std::optional<std::size_t> LastDashes() const { return m_lastDashes; }
 
 private:
     GlyphPen PenAt(const b2Vec2& origin, const b2Vec2& xAxis)
@@ -82,6 +76,7 @@ private:
         return m_view.Shows(From(a), From(b), kReach);
     }
     void SetSize(std::size_t count, double size);
+    void AddDashes(GlyphPen& pen, Point from, Point to);
     void AddMotor(GlyphPen& pen, bool enabled, float32 speed);
     void AddPins(const b2Vec2& a, const b2Vec2& b);
     void AddStop(GlyphPen& pen, float32 distance, bool exists);
@@ -102,8 +97,6 @@ private:
 
     const View& m_view;
     DrawList& m_list;
-    std::optional<std::size_t> m_dashes;
-    std::optional<std::size_t> m_lastDashes;
 };
 
 void GlyphWriter::AddMotor(GlyphPen& pen, bool enabled, float32 speed)
@@ -206,6 +199,21 @@ void GlyphWriter::Add(const b2DistanceJoint& joint)
     AddPins(a, b);
 }
 
+/// For viewers one line, of which they draw the dashes that its length asks for.
+void GlyphWriter::AddDashes(GlyphPen& pen, Point from, Point to)
+{
+    if (m_view.zoom > 1.0)
+    {
+        pen.Line(from, to);
+        m_list.items.back().kind = DrawKind::Polygon;
+        SetSize(1, GlyphPen::kDash);
+    }
+    else
+    {
+        pen.Dashes(from, to);
+    }
+}
+
 /// Of the last items.
 void GlyphWriter::SetSize(std::size_t count, double size)
 {
@@ -282,9 +290,9 @@ void GlyphWriter::Add(const b2GearJoint& joint)
     GlyphPen pen = PenAt(a, b - a);
     const double length = pen.Of(From(b)).x;
     const double rim = kGear + kTooth;
-    if (length > 2.0 * rim)
+    if (length > 2.0 * rim || m_view.zoom > 1.0)
     {
-        m_lastDashes = pen.Dashes({rim, 0.0}, {length - rim, 0.0}, m_dashes);
+        AddDashes(pen, {rim, 0.0}, {length - rim, 0.0});
     }
 }
 
@@ -396,7 +404,7 @@ void GlyphWriter::Add(const b2MouseJoint& joint)
         const Point out = GlyphPen::Direction(step);
         pen.Line({3.0 * out.x, 3.0 * out.y}, {11.0 * out.x, 11.0 * out.y});
     }
-    m_lastDashes = pen.Dashes({}, pen.Of(From(held)), m_dashes);
+    AddDashes(pen, {}, pen.Of(From(held)));
     PenAt(held, b2Vec2(1.0f, 0.0f)).Dot({}, kPin);
 }
 
@@ -411,7 +419,8 @@ void GlyphWriter::Add(const b2MotorJoint& joint)
     GlyphPen pen = PenAt(b, b2Vec2(1.0f, 0.0f));
     pen.Dot({}, kPin);
     pen.ArcArrow(kArrowRadius, -4, 12, false);
-    m_lastDashes = PenAt(a, b - a).Dashes({}, {PenAt(a, b - a).Of(From(b)).x, 0.0}, m_dashes);
+    GlyphPen line = PenAt(a, b - a);
+    AddDashes(line, {}, {line.Of(From(b)).x, 0.0});
     PenAt(a, b2Vec2(1.0f, 0.0f)).Circle({}, kPin);
 }
 
@@ -468,7 +477,8 @@ bool HasSameItems(const DrawList& a, const DrawList& b)
 
 /// Adds the anchors of a joint's points. A point at W + d, where d is in pixels, is at W + d / zoom
 /// when the scale is `zoom` times as large. The glyph is drawn at both scales to find W. Where it
-/// has other items there (more dashes), a slightly larger scale does, though rounding counts more.
+/// has other items there (a pulley's rope), a slightly larger scale does, though rounding counts
+/// more.
 void AddAnchors(const b2Joint& joint, const View& view, double zoom, std::vector<Vec2>& anchors)
 {
     constexpr double kSlightly = 1.0 + 1.0 / 64.0;
@@ -483,7 +493,7 @@ void AddAnchors(const b2Joint& joint, const View& view, double zoom, std::vector
         near.zoom = zoom;
         near.camera.pixelsPerMeter *= factor;
         DrawList enlarged;
-        GlyphWriter(near, enlarged, writer.LastDashes()).Add(joint);
+        GlyphWriter(near, enlarged).Add(joint);
         if (!HasSameItems(glyph, enlarged))
         {
             continue;

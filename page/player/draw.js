@@ -9,6 +9,7 @@ const kSquareEnd = Math.PI / 4;  // of a line, in half widths
 const kTextLine = 15, kTextSize = 15 * 2048 / 2384, kTextAscent = 12; // [px]
 const kFontFamily = '"DejaVu Sans", sans-serif';
 
+const kMostDashes = 400;
 const kFarthestShape = 1000; // of a name, see WorldBodies.cpp [px]
 const kShortest = 1.5; // shorter arrows are not drawn, as in films [px]
 // Lengths of arrow heads, by layer [px].
@@ -172,9 +173,21 @@ class Painter {
       for (let i = 0; i < count && this.labelScale !== 1; ++i) {
         points[i] = points[count + i] + this.labelScale * (points[i] - points[count + i]);
       }
+      const anchors = points.subarray(count);
       points = points.subarray(0, count);
+      if (item.kind === kPolygon && item.size > 0) return this.dashes(item.size, points, anchors, track);
     }
     this.drawItem(item, points, track);
+  }
+  // Of a line between signs, which there is only where they leave room for it.
+  dashes(dash, [x0, y0, x1, y1], anchors, track) {
+    const dx = x1 - x0, dy = y1 - y0;
+    if (dx * (anchors[2] - anchors[0]) + dy * (anchors[3] - anchors[1]) < 0) return;
+    const count = 2 * Math.trunc(Math.min(0.5 * Math.hypot(dx, dy) / this.look.ratio / dash, kMostDashes)) + 1;
+    for (let i = 0; i < count; i += 2) {
+      const from = i / count, to = (i + 1) / count;
+      this.drawItem({kind: kSegment, size: 0}, [x0 + from * dx, y0 + from * dy, x0 + to * dx, y0 + to * dy], track);
+    }
   }
   // Springs have two forms: lines, of a size below 0, and behind them a zigzag, from a length on [px].
   isForm({size}, ends) {

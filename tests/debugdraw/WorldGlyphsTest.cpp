@@ -238,7 +238,7 @@ TEST_F(WorldGlyphs, HaveAnchorsThatKeepTheirSizeWhenEnlarged)
     spring.frequencyHz = 2.0f;
     Join(spring);
     Join(b2WeldJointDef());
-    Join(b2MotorJointDef()); // with dashes, of which there are more when it is enlarged
+    Join(b2MotorJointDef()); // with a dashed line, which a viewer draws
     const auto glyphsForViewers = [this] {
         View view = ViewOfEverything(camera);
         view.zoom = 64.0;
@@ -254,15 +254,14 @@ TEST_F(WorldGlyphs, HaveAnchorsThatKeepTheirSizeWhenEnlarged)
     camera.pixelsPerMeter *= zoom;
     const DrawList enlarged = glyphsForViewers();
     std::size_t compared = 0;
-    // Up to the dashes.
-    for (; compared < 80 && compared < film.points.size(); ++compared)
+    for (; compared < film.points.size(); ++compared)
     {
         const Vec2 p = film.points[compared];
         const Vec2 w = anchors[compared];
         EXPECT_NEAR(w.x + (p.x - w.x) / zoom, enlarged.points[compared].x, 1e-5) << compared;
         EXPECT_NEAR(w.y + (p.y - w.y) / zoom, enlarged.points[compared].y, 1e-5) << compared;
     }
-    EXPECT_EQ(compared, 80u);
+    EXPECT_GT(compared, 80u);
 }
 
 TEST_F(WorldGlyphs, HaveBothFormsOfASpringForViewers)

@@ -192,10 +192,11 @@ TEST_P(PageLayers, EqualThoseOfARenderer)
 // have signs of joints without dashes.
 INSTANTIATE_TEST_SUITE_P(Scenes, PageLayers,
                          testing::Values(Moment{"breakable", 100}, Moment{"car", 0},
-                                         Moment{"prismatic", 100}, Moment{"pulleys", 100},
-                                         Moment{"pyramid", 100}, Moment{"rain", 150},
-                                         Moment{"ray-cast", 45}, Moment{"revolute", 100},
-                                         Moment{"sphere-stack", 0}, Moment{"web", 20}),
+                                         Moment{"motor-joint", 75}, Moment{"prismatic", 100},
+                                         Moment{"pulleys", 100}, Moment{"pyramid", 100},
+                                         Moment{"rain", 150}, Moment{"ray-cast", 45},
+                                         Moment{"revolute", 100}, Moment{"sphere-stack", 0},
+                                         Moment{"web", 20}),
                          [](const auto& moment) {
                              std::string name = moment.param.scene;
                              std::erase(name, '-');

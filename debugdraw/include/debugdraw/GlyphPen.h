@@ -5,7 +5,6 @@
 #include <debugdraw/DrawList.h>
 
 #include <initializer_list>
-#include <optional>
 
 /// @file
 /// Draws glyphs at a position and in a direction of the world. Their size is in pixels, so that
@@ -40,9 +39,9 @@ public:
     void Line(Point from, Point to);
     /// Adds lines between consecutive points.
     void Lines(std::initializer_list<Point> points);
-    /// Adds a dashed line with dashes of about 5 px, or with `dashes` of them. Returns their
-    /// number.
-    std::size_t Dashes(Point from, Point to, std::optional<std::size_t> dashes = std::nullopt);
+    static constexpr double kDash = 5.0; ///< length of a dash [px]
+    /// Adds a line with dashes of about kDash.
+    void Dashes(Point from, Point to);
     /// Adds an outline; radius [px].
     void Circle(Point center, double radius);
     /// Adds a filled disc; diameter [px].

@@ -22,6 +22,7 @@ struct View
     ///   1, or 2 where they have a place only while a shape of their owner is near the picture.
     /// - Springs have both forms. The size of their lines is the length from which the spring is a
     ///   zigzag [px], or below 0 in the form of shorter ones.
+    /// - Dashed lines are polygons of two points, whose size is the length of a dash [px].
     double zoom = 1.0;
 
     /// True if something inside the box [m], or up to `reachPixels` beside it, may be visible.
