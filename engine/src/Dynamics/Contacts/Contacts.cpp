@@ -66,18 +66,20 @@ constexpr float32 kStill = 0.1f * b2_linearSlop;
 /// kStill for distances below 0.1 m, the smallest size that the manual advises.
 constexpr float32 kStillShare = 0.005f;
 
+bool IsStill(const BodyData& bodyB, const b2Transform& relative, const b2Transform& bInA)
+{
+    const float32 reach = bodyB.maxExtent;
+    const float32 still = b2Min(kStill, kStillShare * reach);
+    const b2Vec2 moved = b2Abs(bInA.p - relative.p);
+    const float32 turned = b2Max(b2Abs(bInA.q.s - relative.q.s), b2Abs(bInA.q.c - relative.q.c));
+    return b2Max(moved.x, moved.y) + turned * reach <= still;
+}
+
 bool IsKept(const ContactData& c, const b2Transform& bInA)
 {
-    if ((c.flags & kContactKept) == 0 || c.manifold.pointCount == 0) // a listener has emptied it
-    {
-        return false;
-    }
-    const float32 reach = Data(*c.bodyB).maxExtent;
-    const float32 still = b2Min(kStill, kStillShare * reach);
-    const b2Vec2 moved = b2Abs(bInA.p - c.relative.p);
-    const float32 turned =
-        b2Max(b2Abs(bInA.q.s - c.relative.q.s), b2Abs(bInA.q.c - c.relative.q.c));
-    return b2Max(moved.x, moved.y) + turned * reach <= still;
+    return (c.flags & kContactKept) != 0 &&
+           c.manifold.pointCount > 0 && // otherwise a listener has emptied it
+           IsStill(Data(*c.bodyB), c.relative, bInA);
 }
 
 float32 SumOfParts(const b2Vec2& v)
@@ -90,22 +92,49 @@ float32 SumOfParts(const b2Vec2& v)
 constexpr float32 kPathRounding = 0.00001f;
 
 /// True if shapes that were apart still are, because no point has come as far as the gap.
+inline bool StayApart(const BodyData& a, const BodyData& b, float32 gap,
+                      const b2Transform& relative, const b2Transform& bInA)
+{
+    const float32 distance = SumOfParts(relative.p);
+    const float32 reachA = a.maxExtent + SumOfParts(a.localCenter) + distance;
+    const float32 reachB = b.maxExtent + SumOfParts(b.localCenter);
+    const float32 reach = gap > 0.0f ? reachB : reachA;
+    const float32 turned = // twice the sine of half the angle
+        b2Vec2(bInA.q.s - relative.q.s, bInA.q.c - relative.q.c).Length();
+    const float32 path = (bInA.p - relative.p).Length() + turned * reach;
+    const float32 rounding = kPathRounding * (distance + a.maxExtent + b.maxExtent);
+    return path + rounding < b2Abs(gap); // never if there is no gap
+}
+
 bool StayApart(const ContactData& c, const b2Transform& bInA)
 {
-    if (c.gap == 0.0f)
+    return c.gap != 0.0f && StayApart(Data(*c.bodyA), Data(*c.bodyB), c.gap, c.relative, bInA);
+}
+
+bool BoxMoved(const BodyData& a, const BodyData& b)
+{
+    return ((a.flags | b.flags) & std::uint32_t(kBodyBoxMoved)) != 0;
+}
+
+/// True if the update would change nothing, as of most contacts. Then the contact is not read.
+bool IsUnchanged(const PairLook& look, bool hasListener)
+{
+    const bool apart = look.gap != 0.0f;
+    if (!apart && (!look.kept || hasListener))
     {
         return false;
     }
-    const BodyData& a = Data(*c.bodyA);
-    const BodyData& b = Data(*c.bodyB);
-    const float32 distance = SumOfParts(c.relative.p);
-    const float32 reach = c.gap > 0.0f ? b.maxExtent + SumOfParts(b.localCenter)
-                                       : a.maxExtent + SumOfParts(a.localCenter) + distance;
-    const float32 turned = // twice the sine of half the angle
-        b2Vec2(bInA.q.s - c.relative.q.s, bInA.q.c - c.relative.q.c).Length();
-    const float32 path = (bInA.p - c.relative.p).Length() + turned * reach;
-    const float32 rounding = kPathRounding * (distance + a.maxExtent + b.maxExtent);
-    return path + rounding < b2Abs(c.gap);
+    const BodyData& a = *look.bodyA;
+    const BodyData& b = *look.bodyB;
+    const b2Transform bInA = RelativeTransform(a, b);
+    if (!apart)
+    {
+        return IsStill(b, look.relative, bInA) && !WakesNeighbours(a, b);
+    }
+    // Without branches, because which of these decides is unpredictable.
+    const int overlap = b2TestOverlap(look.proxyA->aabb, look.proxyB->aabb);
+    const int stayApart = StayApart(a, b, look.gap, look.relative, bInA);
+    return ((overlap | int(!BoxMoved(a, b))) & stayApart) != 0;
 }
 
 bool IsSame(const b2Manifold& a, const b2Manifold& b)
@@ -218,7 +247,7 @@ void FindNewContacts(World& world)
 namespace
 {
 
-void ComputeManifold(ContactData& c, const b2Transform& bInA)
+void ComputeManifold(World& world, ContactData& c, const b2Transform& bInA)
 {
     const b2Manifold old = c.manifold;
     const b2Shape& shapeA = *c.FixtureA()->GetShape();
@@ -243,6 +272,13 @@ void ComputeManifold(ContactData& c, const b2Transform& bInA)
     const bool kept = touching && !c.IsSensor() && shapeB.GetType() == b2Shape::e_polygon;
     c.flags &= ~std::uint32_t(kContactMeets | kContactKept);
     c.flags |= (touching ? kContactMeets : 0u) | (kept ? kContactKept : 0u);
+    if (c.awakeIndex != -1)
+    {
+        PairLook& look = world.awakeLooks[std::size_t(c.awakeIndex)];
+        look.relative = c.relative;
+        look.gap = c.gap;
+        look.kept = false;
+    }
 }
 
 void Keep(const b2Manifold& manifold, b2Manifold* old)
@@ -255,7 +291,7 @@ void Keep(const b2Manifold& manifold, b2Manifold* old)
 
 /// Updates the contact without effects on others. `old`, if there is one, receives the previous
 /// manifold unless the shapes stay apart.
-void ComputeContact(b2Contact& contact, b2Manifold* old)
+void ComputeContact(World& world, b2Contact& contact, b2Manifold* old)
 {
     ContactData& c = Data(contact);
     c.flags = (c.flags | kContactComputed) & ~std::uint32_t(kContactApart);
@@ -263,14 +299,14 @@ void ComputeContact(b2Contact& contact, b2Manifold* old)
     // A touching contact that has hardly moved still touches, so fixtures and boxes are not read.
     if (IsKept(c, bInA))
     {
+        world.awakeLooks[std::size_t(c.awakeIndex)].kept = true; // so it will probably be again
         Keep(c.manifold, old);
         return;
     }
     // So are those of shapes that are still apart, unless a box has changed.
     const bool stayApart = StayApart(c, bInA);
-    const bool boxMoved =
-        ((Data(*c.bodyA).flags | Data(*c.bodyB).flags) & std::uint32_t(kBodyBoxMoved)) != 0;
-    if ((boxMoved || !stayApart) && !b2TestOverlap(c.proxyA->aabb, c.proxyB->aabb))
+    if ((BoxMoved(Data(*c.bodyA), Data(*c.bodyB)) || !stayApart) &&
+        !b2TestOverlap(c.proxyA->aabb, c.proxyB->aabb))
     {
         c.flags |= kContactApart;
         return;
@@ -278,7 +314,7 @@ void ComputeContact(b2Contact& contact, b2Manifold* old)
     if (!stayApart)
     {
         Keep(c.manifold, old);
-        ComputeManifold(c, bInA);
+        ComputeManifold(world, c, bInA);
     }
 }
 
@@ -314,7 +350,7 @@ void FinishContact(World& world, b2Contact& contact, const b2Manifold& old)
             world.listener->PreSolve(&contact, &old);
             if (!IsSame(before, c.manifold))
             {
-                c.flags &= ~std::uint32_t(kContactKept); // its change lasts for one step
+                ForgetManifold(world, c); // its change lasts for one step
             }
         }
     }
@@ -353,10 +389,17 @@ bool ComputeContacts(World& world)
                 [&](int32 begin, int32 end) {
                     for (int32 i = begin; i < end; ++i)
                     {
-                        ReadAhead(world.awakeContacts, std::size_t(i));
+                        ReadAhead(world, std::size_t(i));
+                        PairLook& look = world.awakeLooks[std::size_t(i)];
+                        look.unchanged = IsUnchanged(look, keepOld);
+                        if (look.unchanged)
+                        {
+                            world.attention[std::size_t(i)] = 0;
+                            continue;
+                        }
                         b2Contact& contact = *world.awakeContacts[std::size_t(i)];
                         Data(contact).oldIndex = i;
-                        ComputeContact(contact,
+                        ComputeContact(world, contact,
                                        keepOld ? &world.oldManifolds[std::size_t(i)] : nullptr);
                         world.attention[std::size_t(i)] = NeedsAttention(world, contact);
                     }
@@ -367,18 +410,25 @@ bool ComputeContacts(World& world)
 // In both of these the list changes during the loop. A removed contact is replaced by the last one.
 // Contacts that wake are appended and updated as well.
 
-void FinishContacts(World& world)
+/// `hasFirstPart`: ComputeContacts has looked at those that were awake then.
+void FinishContacts(World& world, bool hasFirstPart)
 {
     b2Manifold old;
     for (std::size_t i = 0; i < world.awakeContacts.size();)
     {
-        ReadAhead(world.awakeContacts, i);
+        ReadAhead(world, i);
+        const PairLook& look = world.awakeLooks[i];
+        if (hasFirstPart ? look.unchanged : IsUnchanged(look, world.listener != nullptr))
+        {
+            ++i;
+            continue;
+        }
         b2Contact* contact = world.awakeContacts[i];
         ContactData& c = Data(*contact);
         const bool computed = (c.flags & kContactComputed) != 0;
         if (!computed)
         {
-            ComputeContact(*contact, world.listener != nullptr ? &old : nullptr);
+            ComputeContact(world, *contact, world.listener != nullptr ? &old : nullptr);
         }
         if ((c.flags & kContactApart) != 0)
         {
@@ -405,7 +455,7 @@ void FinishContactsInNeed(World& world)
         ContactData& c = Data(*contact);
         if ((c.flags & kContactComputed) == 0)
         {
-            ComputeContact(*contact, world.listener != nullptr ? &old : nullptr);
+            ComputeContact(world, *contact, world.listener != nullptr ? &old : nullptr);
         }
         if ((c.flags & kContactApart) == 0)
         {
@@ -447,8 +497,9 @@ void UpdateContacts(World& world)
         }
     }
     // Without a listener most contacts need only the first part.
-    ComputeContacts(world) && world.listener == nullptr ? FinishContactsInNeed(world)
-                                                        : FinishContacts(world);
+    const bool hasFirstPart = ComputeContacts(world);
+    hasFirstPart&& world.listener == nullptr ? FinishContactsInNeed(world)
+                                             : FinishContacts(world, hasFirstPart);
 }
 
 void UpdateContact(World& world, b2Contact& contact)
@@ -458,7 +509,7 @@ void UpdateContact(World& world, b2Contact& contact)
     const b2Manifold old = c.manifold;
     if (!IsKept(c, bInA) && !StayApart(c, bInA))
     {
-        ComputeManifold(c, bInA);
+        ComputeManifold(world, c, bInA);
     }
     FinishContact(world, contact, old);
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "../State/Access.h"
+#include "../State/World.h"
 
-#include <Box2D/Common/Array.h>
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
@@ -19,19 +19,24 @@ inline void Prefetch([[maybe_unused]] const void* memory)
 #endif
 }
 
-/// Prefetches a later contact, and the bodies of a nearer one.
-inline void ReadAhead(const Array<b2Contact*>& contacts, std::size_t present)
+/// Prefetches a later contact, and the bodies of a nearer one, unless nothing but their places
+/// beside the list is likely to be read.
+inline void ReadAhead(const World& world, std::size_t present)
 {
-    constexpr std::size_t ahead = 12;
-    if (present + ahead < contacts.size())
+    constexpr std::size_t ahead = 24;
+    if (present + ahead >= world.awakeContacts.size())
     {
-        const ContactData& soon = Data(*contacts[present + ahead / 2]);
-        const ContactData& later = Data(*contacts[present + ahead]);
-        Prefetch(&later.bodyA);
-        Prefetch(soon.IsTouching() ? static_cast<const void*>(&soon.manifold) : &soon.proxyA);
-        Prefetch(&Data(*soon.bodyA).pose);
-        Prefetch(&Data(*soon.bodyB).pose);
+        return;
     }
+    const PairLook& later = world.awakeLooks[present + ahead];
+    if (later.gap == 0.0f && !later.kept)
+    {
+        const ContactData& c = Data(*world.awakeContacts[present + ahead]);
+        Prefetch(&c.bodyA);
+        Prefetch(&c.manifold);
+    }
+    Prefetch(later.bodyA);
+    Prefetch(later.bodyB);
 }
 
 } // namespace box2d

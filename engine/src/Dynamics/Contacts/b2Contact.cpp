@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 
+#include "../Islands/Sleep.h"
+#include "../State/Access.h"
 #include "Narrowphase.h"
 
 #include <Box2D/Dynamics/b2Body.h>
+
+b2Manifold* b2Contact::GetManifold()
+{
+    box2d::LookAgain(*box2d::Data(*m_data.bodyA).world, m_data); // it may be about to be changed
+    return &m_data.manifold;
+}
 
 void b2Contact::GetWorldManifold(b2WorldManifold* worldManifold) const
 {
@@ -16,6 +24,7 @@ void b2Contact::SetEnabled(bool flag)
 {
     m_data.flags = flag ? m_data.flags | box2d::kContactEnabled
                         : m_data.flags & ~std::uint32_t(box2d::kContactEnabled);
+    box2d::LookAgain(*box2d::Data(*m_data.bodyA).world, m_data); // it enables the contact again
 }
 
 void b2Contact::SetFriction(float32 friction)

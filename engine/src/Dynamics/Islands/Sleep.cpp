@@ -29,14 +29,22 @@ bool IsMovingPlatform(const BodyData& body)
            (body.linearVelocity != b2Vec2(0.0f, 0.0f) || body.angularVelocity != 0.0f);
 }
 
+void NoteAwake(World& world, const ContactData& c)
+{
+    world.awakeObstacles.push_back((c.flags & kContactObstacle) != 0);
+    const float32 gap = c.IsEnabled() ? c.gap : 0.0f; // otherwise the next update has to enable it
+    world.awakeLooks.push_back(
+        {&Data(*c.bodyA), &Data(*c.bodyB), c.proxyA, c.proxyB, c.relative, gap});
+}
+
 } // namespace
 
 void ForgetUpdate(World& world, ContactData& c)
 {
     if ((c.flags & kContactComputed) != 0)
     {
-        c.flags &= ~std::uint32_t(kContactComputed | kContactApart | kContactKept);
-        c.gap = 0.0f;
+        c.flags &= ~std::uint32_t(kContactComputed | kContactApart);
+        ForgetManifold(world, c);
         c.manifold =
             world.oldManifolds[std::size_t(c.oldIndex)]; // only a listener can be the cause
     }
@@ -75,19 +83,39 @@ void RemoveFromAwake(World& world, ContactData& c)
     b2Contact* last = world.awakeContacts.back();
     world.awakeContacts[index] = last;
     world.awakeObstacles[index] = world.awakeObstacles.back();
+    world.awakeLooks[index] = world.awakeLooks.back();
     Data(*last).awakeIndex = c.awakeIndex;
     world.awakeContacts.pop_back();
     world.awakeObstacles.pop_back();
+    world.awakeLooks.pop_back();
     c.awakeIndex = -1;
 }
 
-void NoteObstacles(World& world)
+void NoteAwakeContacts(World& world)
 {
     world.awakeObstacles.clear();
+    world.awakeLooks.clear();
     for (b2Contact* contact : world.awakeContacts)
     {
-        world.awakeObstacles.push_back((Data(*contact).flags & kContactObstacle) != 0);
+        NoteAwake(world, Data(*contact));
     }
+}
+
+void LookAgain(World& world, const ContactData& c)
+{
+    if (c.awakeIndex != -1)
+    {
+        PairLook& look = world.awakeLooks[std::size_t(c.awakeIndex)];
+        look.gap = 0.0f;
+        look.kept = look.unchanged = false;
+    }
+}
+
+void ForgetManifold(World& world, ContactData& c)
+{
+    c.flags &= ~std::uint32_t(kContactKept);
+    c.gap = 0.0f;
+    LookAgain(world, c);
 }
 
 void UpdateActivity(World& world, b2Contact& contact)
@@ -102,7 +130,7 @@ void UpdateActivity(World& world, b2Contact& contact)
         c.awakeIndex = int32(world.awakeContacts.size());
         c.gap = 0.0f;
         world.awakeContacts.push_back(&contact);
-        world.awakeObstacles.push_back((c.flags & kContactObstacle) != 0);
+        NoteAwake(world, c);
     }
     else if (!awake && c.awakeIndex != -1)
     {

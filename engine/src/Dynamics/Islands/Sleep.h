@@ -28,8 +28,12 @@ void UpdateActivity(World& world, b2Contact& contact);
 void UpdateActivity(World& world, b2Joint& joint);
 /// Takes the contact out of the list of awake ones.
 void RemoveFromAwake(World& world, ContactData& c);
-/// Notes which contacts of that list have an obstacle, after the list was read.
-void NoteObstacles(World& world);
+/// Notes for all contacts of that list what stands beside it, after the list was read.
+void NoteAwakeContacts(World& world);
+/// The next update looks at the contact itself, because its state may have been changed.
+void LookAgain(World& world, const ContactData& c);
+/// Same as above, and it computes the manifold again.
+void ForgetManifold(World& world, ContactData& c);
 /// Undoes the first part of an update, where a callback has left no place for the second.
 void ForgetUpdate(World& world, ContactData& c);
 /// Wakes bodies in contact with, or joined to, a moving body.

@@ -66,9 +66,9 @@ void VisitWorld(Archive& archive, World& world)
     // Data of the program is kept: owner, filters, listeners, drawing, profile and threads. Counts
     // follow from the lists, pairs from the contacts; the rest is scratch.
     auto& [owner, settings, allocator, proxies, pairs, graph, islands, awakeBodies, awakeContacts,
-           awakeObstacles, oldManifolds, attention, solver, subSteps, energyGuard, impacts, threads,
-           bodyList, jointList, contactList, bodyCount, jointCount, gearCount, inactiveCount,
-           contactCount, bodyNumber, jointNumber, defaultFilter, filter, listener,
+           awakeObstacles, awakeLooks, oldManifolds, attention, solver, subSteps, energyGuard,
+           impacts, threads, bodyList, jointList, contactList, bodyCount, jointCount, gearCount,
+           inactiveCount, contactCount, bodyNumber, jointNumber, defaultFilter, filter, listener,
            destructionListener, debugDraw, lastSubSteps, inverseStep, stepNumber, profile,
            contactManager, profiling, stepComplete, locked, forcesApplied, hasBullets,
            filtersChanged, directionReversed] = world;
@@ -86,7 +86,7 @@ void VisitWorld(Archive& archive, World& world)
     SnapshotAccess::Visit(archive, graph);
     if (archive.IsSound())
     {
-        NoteObstacles(world); // which follow from the contacts
+        NoteAwakeContacts(world); // which follow from the contacts
         VisitSolver(archive, world);
     }
 }

@@ -127,8 +127,9 @@ void StepSolver::PrepareContacts()
 
 void StepSolver::WarmStart()
 {
-    ForBlocks(
-        [this](ContactBlock& block, OverlapBlock&) { WarmStartBlock(block, m_context.bodies); });
+    ForEachBlock(Direction::Forward, m_threads, [this](ContactBlocks& blocks, int32 i) {
+        WarmStartBlock(blocks.Contacts(i), m_context.bodies);
+    });
     m_memory.joints.Update(m_world.graph);
     m_memory.joints.Prepare(m_context, m_threads);
 }
@@ -218,7 +219,7 @@ void StepSolver::NoteImpulses()
         const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
         for (b2Contact* contact : m_world.graph.Contacts(color))
         {
-            if (contact->IsEnabled() && contact->GetManifold()->pointCount > 0)
+            if (contact->IsEnabled() && Data(*contact).manifold.pointCount > 0)
             {
                 m_memory.reported.push_back(contact);
             }

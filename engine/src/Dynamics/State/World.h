@@ -33,6 +33,20 @@ struct ImpactMemory;
 struct SolverMemory;
 struct SubStepMemory;
 
+/// What the update of an awake contact reads first, one after the other: of shapes that stay apart,
+/// and of bodies that lie on each other, it reads nothing else. Repeats parts of the ContactData.
+struct PairLook
+{
+    const BodyData* bodyA = nullptr;
+    const BodyData* bodyB = nullptr;
+    const b2FixtureProxy* proxyA = nullptr;
+    const b2FixtureProxy* proxyB = nullptr;
+    b2Transform relative;
+    float32 gap = 0.0f;     ///< or 0; if it is not kept either, the contact itself is updated
+    bool kept = false;      ///< kContactKept, and it was kept at last
+    bool unchanged = false; ///< what the first part of the present update found
+};
+
 class World
 {
 public:
@@ -62,6 +76,7 @@ public:
     Array<b2Body*> awakeBodies;      ///< kinematic and dynamic bodies
     Array<b2Contact*> awakeContacts; ///< contacts with an awake body that is not static
     Array<uint8> awakeObstacles;     ///< of each of these: true if one of its bodies is not dynamic
+    Array<PairLook> awakeLooks;      ///< at each of these
     Array<b2Manifold> oldManifolds;  ///< their manifolds before the current update
     Array<uint8> attention; ///< by index: true if the second phase of the update is required
     // Scratch of the stages of a step, reused in every step.

@@ -309,7 +309,7 @@ void ForgetManifolds(BodyData& body)
 {
     for (b2ContactEdge* edge = body.contactList; edge; edge = edge->next)
     {
-        Data(*edge->contact).flags &= ~std::uint32_t(kContactKept);
+        ForgetManifold(*body.world, Data(*edge->contact));
     }
 }
 

@@ -215,9 +215,7 @@ bool SetShape(World& world, b2Fixture& fixture, const b2Shape& shape)
     ResetProxies(world.proxies, data);
     for (b2ContactEdge* edge = data.contactList; edge; edge = edge->next)
     {
-        ContactData& c = Data(*edge->contact);
-        c.flags &= ~std::uint32_t(kContactKept);
-        c.gap = 0.0f;
+        ForgetManifold(world, Data(*edge->contact));
     }
     return true;
 }
@@ -251,7 +249,7 @@ void UpdateSensor(World& world, b2Fixture& fixture)
         {
             c.flags ^= kContactSensor;
             ForgetUpdate(world, c); // it is to be computed as something else
-            c.flags &= ~std::uint32_t(kContactKept);
+            ForgetManifold(world, c);
             UpdateActivity(world, *edge->contact);
             Wake(world, *c.bodyA);
             Wake(world, *c.bodyB);

@@ -17,8 +17,9 @@ ContactData& Data(b2Contact& contact);
 class b2Contact
 {
 public:
-    /// Returns the manifold in the frames of the bodies; see b2WorldManifold.
-    b2Manifold* GetManifold() { return &m_data.manifold; }
+    /// Returns the manifold in the frames of the bodies; see b2WorldManifold. A change of it counts
+    /// until the next step has ended: call this again before a later change.
+    b2Manifold* GetManifold();
     const b2Manifold* GetManifold() const { return &m_data.manifold; } ///< as above, read-only
     /// Computes the manifold in world coordinates at the bodies' current transforms.
     /// `worldManifold` is not null; it is unchanged if there are no points.
