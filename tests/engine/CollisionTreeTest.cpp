@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -470,4 +471,38 @@ TEST(Tree, ReturnsNothingWhenEmpty)
     tree.ShiftOrigin(b2Vec2(1.0f, 1.0f));
     tree.Validate();
     EXPECT_EQ(Invalid(tree), "");
+}
+
+TEST(BoxQuery, OverlapsWhatTestOverlapDoes)
+{
+    // Every order of equal, smaller and larger bounds, of both signs, and what is not a number.
+    const float values[] = {
+        -1e30f, -1.0f, -0.0f, 0.0f, 1.0f, b2_maxFloat, std::numeric_limits<float>::quiet_NaN()};
+    std::vector<b2AABB> boxes;
+    for (const float left : values)
+    {
+        for (const float right : values)
+        {
+            for (const float bottom : values)
+            {
+                for (const float top : values)
+                {
+                    boxes.push_back({{left, bottom}, {right, top}});
+                }
+            }
+        }
+    }
+    int different = 0;
+    int overlaps = 0;
+    for (const b2AABB& one : boxes)
+    {
+        const box2d::BoxQuery query(one);
+        for (const b2AABB& another : boxes)
+        {
+            different += query.Overlaps(another) != b2TestOverlap(one, another);
+            overlaps += query.Overlaps(another);
+        }
+    }
+    EXPECT_EQ(different, 0);
+    EXPECT_GT(overlaps, 1000);
 }

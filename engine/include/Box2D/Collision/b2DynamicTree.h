@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Box2D/Collision/Internal/BoxQuery.h>
 #include <Box2D/Collision/b2Collision.h>
 #include <Box2D/Common/Array.h>
 #include <Box2D/Common/b2GrowableStack.h>
@@ -192,7 +193,8 @@ void b2DynamicTree::Query(T* callback, const b2AABB& aabb) const
 template <typename Visit>
 void b2DynamicTree::ForEachOverlap(const b2AABB& aabb, Visit&& visit) const
 {
-    if (m_root == b2_nullNode || !b2TestOverlap(m_nodes[m_root].aabb, aabb))
+    const box2d::BoxQuery query(aabb);
+    if (m_root == b2_nullNode || !query.Overlaps(m_nodes[m_root].aabb))
     {
         return;
     }
@@ -213,8 +215,8 @@ void b2DynamicTree::ForEachOverlap(const b2AABB& aabb, Visit&& visit) const
         {
             const int32 first = node.link.child[0];
             const int32 second = node.link.child[1];
-            const bool isFirst = b2TestOverlap(m_nodes[first].aabb, aabb);
-            if (b2TestOverlap(m_nodes[second].aabb, aabb))
+            const bool isFirst = query.Overlaps(m_nodes[first].aabb);
+            if (query.Overlaps(m_nodes[second].aabb))
             {
                 if (isFirst)
                 {
