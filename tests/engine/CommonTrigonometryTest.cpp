@@ -29,9 +29,7 @@ long double WorstSinCosError(float reach, int count)
     {
         const Real angle = static_cast<Real>(random.Real(-reach, reach)) +
                            static_cast<Real>(random.Real(-1.0e-6f, 1.0e-6f));
-        Real s;
-        Real c;
-        box2d::SinCos(angle, &s, &c);
+        const auto [s, c] = box2d::SinCos(angle);
         worst = std::max(worst, Ulps(s, std::sin(static_cast<long double>(angle))));
         worst = std::max(worst, Ulps(c, std::cos(static_cast<long double>(angle))));
     }
@@ -55,22 +53,17 @@ TEST(SinCos, IsWithinTheStatedUlpsInDoublePrecision)
 
 TEST(SinCos, IsExactAtZeroAndAccurateAtQuarterTurns)
 {
-    float s;
-    float c;
-    box2d::SinCos(0.0f, &s, &c);
-    EXPECT_EQ(s, 0.0f);
-    EXPECT_EQ(c, 1.0f);
-    EXPECT_FALSE(std::signbit(s));
-    box2d::SinCos(-0.0f, &s, &c);
-    EXPECT_EQ(s, 0.0f);
-    EXPECT_TRUE(std::signbit(s));
-    EXPECT_EQ(c, 1.0f);
+    for (const float zero : {0.0f, -0.0f})
+    {
+        const auto [s, c] = box2d::SinCos(zero);
+        EXPECT_EQ(s, 0.0f);
+        EXPECT_EQ(std::signbit(s), std::signbit(zero));
+        EXPECT_EQ(c, 1.0f);
+    }
     for (int quarter = -4000; quarter <= 4000; ++quarter)
     {
         const double angle = quarter * 1.5707963267948966;
-        double sd;
-        double cd;
-        box2d::SinCos(angle, &sd, &cd);
+        const auto [sd, cd] = box2d::SinCos(angle);
         EXPECT_LE(Ulps(sd, std::sin(static_cast<long double>(angle))), 3.0L) << quarter;
         EXPECT_LE(Ulps(cd, std::cos(static_cast<long double>(angle))), 3.0L) << quarter;
     }
@@ -80,17 +73,15 @@ TEST(SinCos, StaysOnUnitCircleForHugeAnglesAndIsNanForInfinite)
 {
     for (const float angle : {1.0e7f, -3.0e12f, 3.0e38f})
     {
-        float s;
-        float c;
-        box2d::SinCos(angle, &s, &c);
+        const auto [s, c] = box2d::SinCos(angle);
         EXPECT_NEAR(s * s + c * c, 1.0f, 1.0e-6f) << angle;
     }
-    float s;
-    float c;
-    box2d::SinCos(std::numeric_limits<float>::infinity(), &s, &c);
-    EXPECT_TRUE(std::isnan(s) && std::isnan(c));
-    box2d::SinCos(std::numeric_limits<float>::quiet_NaN(), &s, &c);
-    EXPECT_TRUE(std::isnan(s) && std::isnan(c));
+    for (const float angle :
+         {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()})
+    {
+        const auto [s, c] = box2d::SinCos(angle);
+        EXPECT_TRUE(std::isnan(s) && std::isnan(c));
+    }
 }
 
 // A hash of many results, to detect another compiler or optimisation level with different results.
@@ -100,9 +91,7 @@ TEST(SinCos, HasTheSameBitsEverywhere)
     std::uint64_t hash = 1469598103934665603u;
     for (int i = 0; i < 100000; ++i)
     {
-        double s;
-        double c;
-        box2d::SinCos(static_cast<double>(random.Real(-100.0f, 100.0f)), &s, &c);
+        const auto [s, c] = box2d::SinCos(static_cast<double>(random.Real(-100.0f, 100.0f)));
         const double angle = box2d::Atan2(s + 0.25, c);
         for (const double value : {s, c, angle})
         {

@@ -72,7 +72,8 @@ public:
     void MoveTo(double t)
     {
         m_center = {m_start.x + t * m_velocity.x, m_start.y + t * m_velocity.y};
-        box2d::SinCos(m_startAngle + t * m_spin, &m_q.s, &m_q.c);
+        const auto [sine, cosine] = box2d::SinCos(m_startAngle + t * m_spin);
+        m_q = {sine, cosine};
     }
 
     // Returns the offset of vertex i from the centre, in world axes.

@@ -113,14 +113,12 @@ double TaylorCosine(double x)
 }
 
 template <int terms>
-void SineAndCosine(double angle, double* sine, double* cosine)
+box2d::SineCosine<double> SineAndCosine(double angle)
 {
     // Shortcut for bodies that never rotated. The series give the same.
     if (angle == 0.0)
     {
-        *sine = angle;
-        *cosine = 1.0;
-        return;
+        return {angle, 1.0};
     }
     const Reduced r = TakeQuarterTurnsOff(angle);
     const double s = TaylorSine<terms>(r.angle);
@@ -128,8 +126,7 @@ void SineAndCosine(double angle, double* sine, double* cosine)
     const bool swap = (r.quarter & 1) != 0;
     const double first = swap ? c : s;
     const double second = swap ? s : c;
-    *sine = (r.quarter & 2) != 0 ? -first : first;
-    *cosine = ((r.quarter + 1) & 2) != 0 ? -second : second;
+    return {(r.quarter & 2) != 0 ? -first : first, ((r.quarter + 1) & 2) != 0 ? -second : second};
 }
 
 // Returns the arc tangent of t in [0, 1]. Above tan(pi/8) the identity
@@ -146,28 +143,21 @@ double ArcTangent(double t)
 } // namespace
 
 // Six terms have an error of 1e-14, invisible after rounding to single precision.
-void box2d::SinCos(float angle, float* sine, float* cosine)
+box2d::SineCosine<float> box2d::SinCos(float angle)
 {
-    double s = static_cast<double>(angle);
-    double c;
-    if (angle != 0.0f && std::fabs(angle) <= kSmall)
-    {
-        // Small rotations within a step: no reduction, and fewer terms suffice.
-        c = TaylorCosine<kTermsOfSmall>(s);
-        s = TaylorSine<kTermsOfSmall>(s);
-    }
-    else
-    {
-        SineAndCosine<6>(s, &s, &c);
-    }
-    *sine = static_cast<float>(s);
-    *cosine = static_cast<float>(c);
+    const auto x = static_cast<double>(angle);
+    // Small rotations within a step: no reduction, and fewer terms suffice.
+    const bool small = angle != 0.0f && std::fabs(angle) <= kSmall;
+    const SineCosine<double> exact =
+        small ? SineCosine<double>{TaylorSine<kTermsOfSmall>(x), TaylorCosine<kTermsOfSmall>(x)}
+              : SineAndCosine<6>(x);
+    return {static_cast<float>(exact.sine), static_cast<float>(exact.cosine)};
 }
 
 // The ninth term is 1e-19 of the result.
-void box2d::SinCos(double angle, double* sine, double* cosine)
+box2d::SineCosine<double> box2d::SinCos(double angle)
 {
-    SineAndCosine<9>(angle, sine, cosine);
+    return SineAndCosine<9>(angle);
 }
 
 double box2d::Atan2(double y, double x)

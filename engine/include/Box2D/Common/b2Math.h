@@ -262,7 +262,12 @@ struct b2Rot
     explicit b2Rot(float32 angle) { Set(angle); }
 
     /// Sets the angle [rad], finite.
-    void Set(float32 angle) { box2d::SinCos(angle, &s, &c); }
+    void Set(float32 angle)
+    {
+        const auto [sine, cosine] = box2d::SinCos(angle);
+        s = sine;
+        c = cosine;
+    }
     /// Sets the identity.
     constexpr void SetIdentity() { *this = b2Rot(); }
     /// Returns the angle, -pi to pi [rad].

@@ -11,11 +11,18 @@
 
 namespace box2d
 {
-/// Computes sine and cosine of an angle [rad]. For angles up to a million, the single-precision
+/// Returned in registers: by two pointers they would be written and read again at once.
+template <class T>
+struct SineCosine
+{
+    T sine, cosine;
+};
+
+/// Returns sine and cosine of an angle [rad]. For angles up to a million, the single-precision
 /// form is correct to 0.51 ulp and the double form to 3 ulp. Beyond, the error grows with the
 /// angle. Zero gives exactly 0 and 1; an angle that is not finite gives NaN.
-void SinCos(float angle, float* sine, float* cosine);
-void SinCos(double angle, double* sine, double* cosine);
+SineCosine<float> SinCos(float angle);
+SineCosine<double> SinCos(double angle);
 
 /// Returns the angle of the vector (x, y) [rad], -pi to pi, to 3 ulp. Signs and special cases are
 /// those of std::atan2.

@@ -16,8 +16,8 @@ template <class Archive>
 void Visit(Archive& archive, ContactData& contact)
 {
     auto& [bodyA, bodyB, flags, gap, relative, friction, restitution, tangentSpeed, radiusA,
-           radiusB, toiCount, color, solvedAs, manifold, proxyA, proxyB, awakeIndex, oldIndex,
-           colorIndex, place, lastShare, edgeA, edgeB, prev, next] = contact;
+           radiusB, toiCount, color, solvedAs, manifold, lastShare, proxyA, proxyB, awakeIndex,
+           oldIndex, colorIndex, place, edgeA, edgeB, prev, next] = contact;
     archive(flags, friction, restitution, tangentSpeed, radiusA, radiusB, toiCount);
     archive(manifold, relative, gap, lastShare);
 }

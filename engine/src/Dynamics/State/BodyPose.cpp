@@ -10,9 +10,7 @@ void SynchronizePose(BodyData& body)
 {
     body.pose =
         Pose{WithinReach(body.pose.x), WithinReach(body.pose.y), WithinReach(body.pose.angle)};
-    double sine = 0.0;
-    double cosine = 1.0;
-    SinCos(body.pose.angle, &sine, &cosine);
+    const auto [sine, cosine] = SinCos(body.pose.angle);
     body.rotation.s = float32(sine);
     body.rotation.c = float32(cosine);
     const double lx = body.localCenter.x;

@@ -462,6 +462,10 @@ void SubStepSolver::End()
         FindDeep();
     }
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        if (i + 1 < blocks.Count())
+        {
+            ReadAhead(blocks.Contacts(i + 1));
+        }
         AddToTotals(blocks.Contacts(i), blocks.Totals(i));
         NoteLastShare(blocks.Contacts(i), blocks.Totals(i));
         TakeTotals(blocks.Contacts(i), blocks.Totals(i));

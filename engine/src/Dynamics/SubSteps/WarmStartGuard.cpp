@@ -21,16 +21,18 @@ bool Moves(const SolverBody& body)
     return body.v != b2Vec2_zero || body.w != 0.0f;
 }
 
-/// Calls the function for each contact, with its block, the block's totals, and its lane.
-template <class Function>
-void ForContacts(SolverMemory& solver, Function&& function)
+/// Calls the function for each contact of the wanted blocks, with its block, the block's totals,
+/// and its lane.
+template <class IsWanted, class Function>
+void ForContacts(SolverMemory& solver, IsWanted&& isWanted, Function&& function)
 {
     for (int32 i = 0; i < solver.colorCount; ++i)
     {
         ContactBlocks& blocks = solver.contacts[solver.colors[i]];
         for (int32 k = 0; k < blocks.Count(); ++k)
         {
-            for (int32 lane = 0; lane < blocks.Contacts(k).count; ++lane)
+            const int32 count = isWanted(blocks.Contacts(k)) ? blocks.Contacts(k).count : 0;
+            for (int32 lane = 0; lane < count; ++lane)
             {
                 function(blocks.Contacts(k), blocks.Totals(k), lane);
             }
@@ -80,7 +82,16 @@ void WarmStartGuard::Begin(const World& world, SolverMemory& solver, const Joint
     const AwakeIslands& islands = solver.islands;
     m_before.resize(solver.bodies.size());
     m_islands.assign(std::size_t(islands.Count()), Island());
-    ForContacts(solver, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
+    const bool anyMoves =
+        std::any_of(world.awakeBodies.begin(), world.awakeBodies.end(), [&](const b2Body* body) {
+            const int32 index = Data(*body).SolverIndex();
+            return islands.Of(index) == -1 && Moves(solver.bodies[std::size_t(index)]);
+        });
+    const auto drives = [&](const ContactBlock& block) {
+        return anyMoves || std::any_of(block.tangentSpeed, block.tangentSpeed + block.count,
+                                       [](float32 speed) { return speed != 0.0f; });
+    };
+    ForContacts(solver, drives, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
         const int32 a = islands.Of(block.bodyA[lane]);
         const int32 b = islands.Of(block.bodyB[lane]);
         const bool belt = block.tangentSpeed[lane] != 0.0f;
@@ -159,7 +170,8 @@ void WarmStartGuard::Restore(SolverMemory& solver) const
             solver.bodies[i].w = m_before[i].w;
         }
     }
-    ForContacts(solver, [&](ContactBlock& block, BlockTotals& totals, int32 lane) {
+    const auto all = [](const ContactBlock&) { return true; };
+    ForContacts(solver, all, [&](ContactBlock& block, BlockTotals& totals, int32 lane) {
         if (!HasGained(solver.islands.Of(block.bodyA[lane])) &&
             !HasGained(solver.islands.Of(block.bodyB[lane])))
         {

@@ -167,9 +167,7 @@ void DestroyBody(World& world, b2Body& body)
 void SetTransform(World& world, b2Body& body, const b2Vec2& position, float32 angle)
 {
     BodyData& data = Data(body);
-    double sine = 0.0;
-    double cosine = 1.0;
-    SinCos(double(angle), &sine, &cosine);
+    const auto [sine, cosine] = SinCos(double(angle));
     const double lx = data.localCenter.x;
     const double ly = data.localCenter.y;
     data.pose =

@@ -57,6 +57,9 @@ struct ContactData
     std::int8_t color = -1;    ///< in the constraint graph, -1 when not solved
     std::uint8_t solvedAs = 0; ///< Form() of its last block
     b2Manifold manifold;
+    /// With sub-steps: the fraction of the step's impulse that the last sub-step applied. Negative
+    /// before the first.
+    float32 lastShare = -1.0f;
 
     const b2FixtureProxy* proxyA = nullptr; ///< a child of a fixture of body A
     const b2FixtureProxy* proxyB = nullptr;
@@ -66,9 +69,6 @@ struct ContactData
     std::int32_t oldIndex = 0; ///< index of its manifold before the current update
     std::int32_t colorIndex = -1;
     std::int32_t place = 0; ///< index in the list of a snapshot while it is written or read
-    /// With sub-steps: the fraction of the step's impulse that the last sub-step applied. Negative
-    /// before the first.
-    float32 lastShare = -1.0f;
 
     b2ContactEdge edgeA; ///< in the list of body A
     b2ContactEdge edgeB; ///< in the list of body B
