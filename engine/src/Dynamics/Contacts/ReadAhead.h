@@ -4,20 +4,14 @@
 #include "../State/Access.h"
 #include "../State/World.h"
 
+#include "../../Common/Prefetch.h"
+
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
-/// Prefetching for loops over contacts, which know the following elements in advance. Older
-/// contacts are scattered in memory. Prefetching affects only time.
+/// Prefetching for loops over contacts: older ones are scattered in memory.
 namespace box2d
 {
-
-inline void Prefetch([[maybe_unused]] const void* memory)
-{
-#if defined(__GNUC__)
-    __builtin_prefetch(memory);
-#endif
-}
 
 /// Prefetches a later contact, and the bodies of a nearer one, unless nothing but their places
 /// beside the list is likely to be read.

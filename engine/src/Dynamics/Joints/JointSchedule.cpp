@@ -4,9 +4,11 @@
 #include "../State/Access.h"
 #include "../State/ConstraintGraph.h"
 
+#include "../../Common/Prefetch.h"
 #include "../../Common/ThreadPool.h"
 #include "JointKinds.h"
 
+#include <Box2D/Dynamics/Joints/b2RevoluteJoint.h>
 #include <Box2D/Dynamics/b2Body.h>
 
 #include <algorithm>
@@ -236,6 +238,30 @@ void FillPair(const b2Body& bodyA, const b2Body& bodyB, int lane, int32* a, int3
     movesB = uint8(movesB | int(Moves(masses[2], masses[3])) << lane);
 }
 
+/// Prefetches the joints of a block.
+void ReadAhead(const JointBlock& block)
+{
+    constexpr std::size_t line = 64;
+    for (int lane = 0; lane < block.count; ++lane)
+    {
+        const auto* joint = reinterpret_cast<const char*>(block.joint[lane]);
+        for (std::size_t i = 0; i < sizeof(b2RevoluteJoint); i += line) // others are as large
+        {
+            Prefetch(joint + i);
+        }
+    }
+}
+
+/// Prefetches the bodies of its joints.
+void ReadBodiesAhead(const JointBlock& block)
+{
+    for (int lane = 0; lane < block.count; ++lane)
+    {
+        Prefetch(&Data(*block.joint[lane]->GetBodyA()));
+        Prefetch(&Data(*block.joint[lane]->GetBodyB()));
+    }
+}
+
 } // namespace
 
 void JointSchedule::Fill(JointBlock& block, const SolverContext& context)
@@ -269,7 +295,15 @@ void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
 {
     float32* bodies = reinterpret_cast<float32*>(context.bodies);
     ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock* begin, JointBlock* end) {
-        std::for_each(begin, end, [&](JointBlock& block) { Fill(block, context); });
+        for (JointBlock* block = begin; block != end; ++block)
+        {
+            if (end - block > 2)
+            {
+                ReadAhead(block[2]);
+                ReadBodiesAhead(block[1]);
+            }
+            Fill(*block, context);
+        }
     });
     ForRuns(m_numbers.data(), threads, [&](const JointKernels& kernels, const JointRun& run) {
         kernels.warmStart(run, bodies);
@@ -287,7 +321,14 @@ void JointSchedule::SolveVelocities(const SolverContext& context, ThreadPool* th
 void JointSchedule::StoreImpulses(ThreadPool* threads)
 {
     ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock* begin, JointBlock* end) {
-        std::for_each(begin, end, [&](const JointBlock& block) { Keep(block); });
+        for (const JointBlock* block = begin; block != end; ++block)
+        {
+            if (end - block > 1)
+            {
+                ReadAhead(block[1]);
+            }
+            Keep(*block);
+        }
     });
 }
 
