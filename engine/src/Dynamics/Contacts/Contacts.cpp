@@ -290,8 +290,8 @@ void Keep(const b2Manifold& manifold, b2Manifold* old)
 }
 
 /// Updates the contact without effects on others. `old`, if there is one, receives the previous
-/// manifold unless the shapes stay apart.
-void ComputeContact(World& world, b2Contact& contact, b2Manifold* old)
+/// manifold unless the shapes are apart and stay so; then the result is false.
+bool ComputeContact(World& world, b2Contact& contact, b2Manifold* old)
 {
     ContactData& c = Data(contact);
     c.flags = (c.flags | kContactComputed) & ~std::uint32_t(kContactApart);
@@ -301,7 +301,7 @@ void ComputeContact(World& world, b2Contact& contact, b2Manifold* old)
     {
         world.awakeLooks[std::size_t(c.awakeIndex)].kept = true; // so it will probably be again
         Keep(c.manifold, old);
-        return;
+        return true;
     }
     // So are those of shapes that are still apart, unless a box has changed.
     const bool stayApart = StayApart(c, bInA);
@@ -309,13 +309,14 @@ void ComputeContact(World& world, b2Contact& contact, b2Manifold* old)
         !b2TestOverlap(c.proxyA->aabb, c.proxyB->aabb))
     {
         c.flags |= kContactApart;
-        return;
+        return false;
     }
     if (!stayApart)
     {
         Keep(c.manifold, old);
         ComputeManifold(world, c, bInA);
     }
+    return !stayApart;
 }
 
 /// Handles the consequences of the new manifold.
@@ -389,7 +390,7 @@ bool ComputeContacts(World& world)
                 [&](int32 begin, int32 end) {
                     for (int32 i = begin; i < end; ++i)
                     {
-                        ReadAhead(world, std::size_t(i));
+                        ReadAhead(world, std::size_t(i), std::size_t(end));
                         PairLook& look = world.awakeLooks[std::size_t(i)];
                         look.unchanged = IsUnchanged(look, keepOld);
                         if (look.unchanged)
@@ -398,9 +399,8 @@ bool ComputeContacts(World& world)
                             continue;
                         }
                         b2Contact& contact = *world.awakeContacts[std::size_t(i)];
-                        Data(contact).oldIndex = i;
-                        ComputeContact(world, contact,
-                                       keepOld ? &world.oldManifolds[std::size_t(i)] : nullptr);
+                        b2Manifold* old = keepOld ? &world.oldManifolds[std::size_t(i)] : nullptr;
+                        Data(contact).oldIndex = ComputeContact(world, contact, old) ? i : -1;
                         world.attention[std::size_t(i)] = NeedsAttention(world, contact);
                     }
                 });
@@ -416,7 +416,7 @@ void FinishContacts(World& world, bool hasFirstPart)
     b2Manifold old;
     for (std::size_t i = 0; i < world.awakeContacts.size();)
     {
-        ReadAhead(world, i);
+        ReadAhead(world, i, world.awakeContacts.size());
         const PairLook& look = world.awakeLooks[i];
         if (hasFirstPart ? look.unchanged : IsUnchanged(look, world.listener != nullptr))
         {
@@ -435,7 +435,7 @@ void FinishContacts(World& world, bool hasFirstPart)
             DestroyContact(world, *contact);
             continue;
         }
-        const bool kept = computed && !world.oldManifolds.empty();
+        const bool kept = computed && !world.oldManifolds.empty() && c.oldIndex != -1;
         FinishContact(world, *contact, kept ? world.oldManifolds[std::size_t(c.oldIndex)] : old);
         ++i;
     }

@@ -13,24 +13,25 @@
 namespace box2d
 {
 
-/// Prefetches a later contact, and the bodies of a nearer one, unless nothing but their places
-/// beside the list is likely to be read.
-inline void ReadAhead(const World& world, std::size_t present)
+/// Prefetches the bodies of a later contact and, unless it is likely to be unchanged, the contact.
+/// Up to `end` the calling thread updates; what others write is not asked for.
+inline void ReadAhead(const World& world, std::size_t present, std::size_t end)
 {
     constexpr std::size_t ahead = 24;
-    if (present + ahead >= world.awakeContacts.size())
+    const std::size_t later = present + ahead;
+    if (later >= world.awakeContacts.size())
     {
         return;
     }
-    const PairLook& later = world.awakeLooks[present + ahead];
-    if (later.gap == 0.0f && !later.kept)
+    const PairLook& look = world.awakeLooks[later];
+    if (later >= end || (look.gap == 0.0f && !look.kept))
     {
-        const ContactData& c = Data(*world.awakeContacts[present + ahead]);
+        const ContactData& c = Data(*world.awakeContacts[later]);
         Prefetch(&c.bodyA);
         Prefetch(&c.manifold);
     }
-    Prefetch(later.bodyA);
-    Prefetch(later.bodyB);
+    Prefetch(look.bodyA);
+    Prefetch(look.bodyB);
 }
 
 } // namespace box2d

@@ -7,9 +7,23 @@
 
 #include <Box2D/Dynamics/b2Body.h>
 
+namespace
+{
+
+/// The next update looks at what the program may have changed, or is about to.
+void NoteUserChange(const box2d::ContactData& c)
+{
+    if (c.awakeIndex != -1)
+    {
+        box2d::LookAgain(*box2d::Data(*c.bodyA).world, c);
+    }
+}
+
+} // namespace
+
 b2Manifold* b2Contact::GetManifold()
 {
-    box2d::LookAgain(*box2d::Data(*m_data.bodyA).world, m_data); // it may be about to be changed
+    NoteUserChange(m_data);
     return &m_data.manifold;
 }
 
@@ -24,7 +38,7 @@ void b2Contact::SetEnabled(bool flag)
 {
     m_data.flags = flag ? m_data.flags | box2d::kContactEnabled
                         : m_data.flags & ~std::uint32_t(box2d::kContactEnabled);
-    box2d::LookAgain(*box2d::Data(*m_data.bodyA).world, m_data); // it enables the contact again
+    NoteUserChange(m_data);
 }
 
 void b2Contact::SetFriction(float32 friction)

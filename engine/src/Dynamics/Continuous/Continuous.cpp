@@ -439,6 +439,7 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
     if (!c.IsEnabled() || !c.IsTouching())
     {
         c.flags &= ~std::uint32_t(kContactEnabled); // for the rest of the step
+        LookAgain(m_world, c);
         Restore(backupA);
         Restore(backupB);
         return false;

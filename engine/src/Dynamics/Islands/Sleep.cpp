@@ -45,8 +45,10 @@ void ForgetUpdate(World& world, ContactData& c)
     {
         c.flags &= ~std::uint32_t(kContactComputed | kContactApart);
         ForgetManifold(world, c);
-        c.manifold =
-            world.oldManifolds[std::size_t(c.oldIndex)]; // only a listener can be the cause
+        if (c.oldIndex != -1)
+        {
+            c.manifold = world.oldManifolds[std::size_t(c.oldIndex)]; // a listener is the cause
+        }
     }
 }
 

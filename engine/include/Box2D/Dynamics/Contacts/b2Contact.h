@@ -17,8 +17,12 @@ ContactData& Data(b2Contact& contact);
 class b2Contact
 {
 public:
+    b2Contact() = default;
+    b2Contact(const b2Contact&) = delete;
+    b2Contact& operator=(const b2Contact&) = delete;
+
     /// Returns the manifold in the frames of the bodies; see b2WorldManifold. A change of it counts
-    /// until the next step has ended: call this again before a later change.
+    /// until the next step has ended: call this again before a later change. Not thread-safe.
     b2Manifold* GetManifold();
     const b2Manifold* GetManifold() const { return &m_data.manifold; } ///< as above, read-only
     /// Computes the manifold in world coordinates at the bodies' current transforms.

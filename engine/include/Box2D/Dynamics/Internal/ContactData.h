@@ -66,7 +66,8 @@ struct ContactData
 
     std::int32_t awakeIndex =
         -1; ///< index among the contacts updated each step, -1 when both bodies are at rest
-    std::int32_t oldIndex = 0; ///< index of its manifold before the current update
+    /// Of its manifold before the current update, -1 if the update has left that as it was.
+    std::int32_t oldIndex = -1;
     std::int32_t colorIndex = -1;
     std::int32_t place = 0; ///< index in the list of a snapshot while it is written or read
 
