@@ -130,43 +130,49 @@ TEST_F(KeptManifold, IsRecomputedWhenItsShapeAndMassChange)
     EXPECT_NEAR(box->GetPosition().y, 0.265f, 0.01f);
 }
 
-/// Of two boxes that are apart.
-TEST(ApartContact, IsComputedWhenAShapeGrowsInPlace)
-{
-    Scene scene;
-    scene.world.SetGravity(b2Vec2_zero);
-    scene.world.SetAllowSleeping(false);
-    Scene::AddBox(scene.Body(b2_staticBody, 0.0f, 0.0f), 0.5f, 0.5f);
-    b2Body* box = scene.Box(1.1f, 0.0f);
-    scene.Step(3);
-    ASSERT_NE(box->GetContactList(), nullptr);
-    ASSERT_FALSE(box->GetContactList()->contact->IsTouching());
-    static_cast<b2PolygonShape*>(box->GetFixtureList()->GetShape())->SetAsBox(0.62f, 0.5f);
-    box->ResetMassData();
-    scene.Step(1);
-    ASSERT_NE(box->GetContactList(), nullptr);
-    EXPECT_TRUE(box->GetContactList()->contact->IsTouching());
-}
-
-TEST(ApartContact, IsEnabledAgainInTheNextStep)
-{
-    Scene scene;
-    scene.world.SetGravity(b2Vec2_zero);
-    scene.world.SetAllowSleeping(false);
-    Scene::AddBox(scene.Body(b2_staticBody, 0.0f, 0.0f), 0.5f, 0.5f);
-    b2Body* box = scene.Box(1.1f, 0.0f);
-    scene.Step(3);
-    ASSERT_NE(box->GetContactList(), nullptr);
-    box->GetContactList()->contact->SetEnabled(false);
-    scene.Step(1);
-    EXPECT_TRUE(box->GetContactList()->contact->IsEnabled());
-}
-
 TEST_F(KeptManifold, EndsWhenTheBoxIsLifted)
 {
     box->SetTransform(box->GetPosition() + b2Vec2(0.0f, 0.05f), 0.0f);
     scene.Step(1);
     EXPECT_FALSE(box->GetContactList() != nullptr && box->GetContactList()->contact->IsTouching());
+}
+
+/// The contact of two boxes whose boxes in the tree overlap, and which do not touch.
+class ApartContact : public testing::Test
+{
+protected:
+    ApartContact()
+    {
+        scene.world.SetGravity(b2Vec2_zero);
+        scene.world.SetAllowSleeping(false);
+        Scene::AddBox(scene.Body(b2_staticBody, 0.0f, 0.0f), 0.5f, 0.5f);
+        box = scene.Box(1.1f, 0.0f);
+        scene.Step(3);
+    }
+
+    b2Contact& Contact() { return *scene.world.GetContactList(); }
+
+    Scene scene;
+    b2Body* box = nullptr;
+};
+
+TEST_F(ApartContact, IsComputedWhenAShapeGrowsInPlace)
+{
+    ASSERT_EQ(scene.world.GetContactCount(), 1);
+    ASSERT_FALSE(Contact().IsTouching());
+    static_cast<b2PolygonShape*>(box->GetFixtureList()->GetShape())->SetAsBox(0.62f, 0.5f);
+    box->ResetMassData();
+    scene.Step(1);
+    ASSERT_EQ(scene.world.GetContactCount(), 1);
+    EXPECT_TRUE(Contact().IsTouching());
+}
+
+TEST_F(ApartContact, IsEnabledAgainInTheNextStep)
+{
+    ASSERT_EQ(scene.world.GetContactCount(), 1);
+    Contact().SetEnabled(false);
+    scene.Step(1);
+    EXPECT_TRUE(Contact().IsEnabled());
 }
 
 } // namespace
