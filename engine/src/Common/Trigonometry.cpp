@@ -4,13 +4,17 @@
 // bits do not depend on the C library. The angle is reduced to [-pi/4, pi/4] by subtracting quarter
 // turns (Cody and Waite, Software Manual for the Elementary Functions, 1980). There the Taylor
 // series converges fast.
+#include "TaylorSeries.h"
+
 #include <Box2D/Common/b2Math.h>
 
-#include <array>
 #include <limits>
 
+namespace box2d
+{
 namespace
 {
+
 // pi/2 in three parts. The first two have 33 bits, so that their products with a count of quarter
 // turns below 2^20 are exact in double precision.
 constexpr double kQuarterHigh = 0x1.921fb544p+0;
@@ -19,8 +23,6 @@ constexpr double kQuarterLow = 0x1.3198a2e037073p-69;
 constexpr double kQuartersPerRadian = 0x1.45f306dc9c883p-1; // 2/pi
 constexpr double kTwoPi = 0x1.921fb54442d18p+2;
 constexpr double kHalfPi = 0x1.921fb54442d18p+0;
-constexpr float kSmall = 0.125f;
-constexpr int kTermsOfSmall = 4;   // x^9/9! and x^8/8!: error 1e-15
 constexpr double kLargest = 1.0e6; // maximum angle with an exact reduction
 
 // Adding and subtracting this rounds a double to the nearest integer: above 2^52 adjacent doubles
@@ -51,69 +53,21 @@ Reduced TakeQuarterTurnsOff(double angle)
     return {rest, static_cast<int>(static_cast<std::int64_t>(quarters) & 3)};
 }
 
-constexpr int kMaxTerms = 20;
-typedef std::array<double, kMaxTerms + 1> Series; // element i is the coefficient of x^(2 i)
-
-// Returns 1 - x^2/2! + x^4/4! - ... with first = 0, 1 - x^2/3! + x^4/5! - ... with first = 1.
-constexpr Series AlternatingInverseFactorials(int first)
-{
-    Series series = {1.0};
-    for (int i = 1; i <= kMaxTerms; ++i)
-    {
-        series[i] = -series[i - 1] / ((2 * i + first) * (2 * i + first - 1));
-    }
-    return series;
-}
-
 // Returns 1 - x^2/3 + x^4/5 - ...
 constexpr Series AlternatingInverseOdds()
 {
-    Series series = {1.0};
+    Series series = {{1.0}};
     for (int i = 1; i <= kMaxTerms; ++i)
     {
-        series[i] = (i % 2 == 0 ? 1.0 : -1.0) / (2 * i + 1);
+        series.of[i] = (i % 2 == 0 ? 1.0 : -1.0) / (2 * i + 1);
     }
     return series;
 }
 
-constexpr Series kCosineSeries = AlternatingInverseFactorials(0);
-constexpr Series kSineSeries = AlternatingInverseFactorials(1);
 constexpr Series kArcTangentSeries = AlternatingInverseOdds();
 
-// Sums the terms of a series from x^(2 first) to x^(2 last), smallest first.
-template <int first, int last>
-double Sum(const Series& series, double x2)
-{
-    double sum = series[last];
-    for (int i = last - 1; i >= first; --i)
-    {
-        sum = series[i] + x2 * sum;
-    }
-    for (int i = 0; i < first; ++i)
-    {
-        sum *= x2;
-    }
-    return sum;
-}
-
 template <int terms>
-double TaylorSine(double x)
-{
-    return x + x * Sum<1, terms>(kSineSeries, x * x);
-}
-
-template <int terms>
-double TaylorCosine(double x)
-{
-    // Computes 1 - x^2/2 separately and adds its rounding error.
-    const double x2 = x * x;
-    const double half = 0.5 * x2;
-    const double head = 1.0 - half;
-    return head + (((1.0 - head) - half) + Sum<2, terms>(kCosineSeries, x2));
-}
-
-template <int terms>
-box2d::SineCosine<double> SineAndCosine(double angle)
+SineCosine<double> SineAndCosine(double angle)
 {
     // Shortcut for bodies that never rotated. The series give the same.
     if (angle == 0.0)
@@ -140,14 +94,16 @@ double ArcTangent(double t)
     const double angle = x + x * Sum<1, kMaxTerms>(kArcTangentSeries, x * x);
     return large ? 0.5 * kHalfPi + angle : angle;
 }
+
 } // namespace
+} // namespace box2d
 
 // Six terms have an error of 1e-14, invisible after rounding to single precision.
 box2d::SineCosine<float> box2d::SinCos(float angle)
 {
     const auto x = static_cast<double>(angle);
     // Small rotations within a step: no reduction, and fewer terms suffice.
-    const bool small = angle != 0.0f && std::fabs(angle) <= kSmall;
+    const bool small = angle != 0.0f && std::fabs(angle) <= kSmallAngle;
     const SineCosine<double> exact =
         small ? SineCosine<double>{TaylorSine<kTermsOfSmall>(x), TaylorCosine<kTermsOfSmall>(x)}
               : SineAndCosine<6>(x);

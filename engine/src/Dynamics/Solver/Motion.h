@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../State/Solver.h"
+#include "BodyKick.h"
 
 namespace box2d
 {
@@ -23,5 +23,10 @@ inline constexpr MaxMove kMaxSmallMove = {10.0f * b2_maxTranslation, 40.0f * b2_
 
 /// Moves and rotates a body for `timeStep`, limiting its velocity.
 void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& maximum);
+/// The same for consecutive bodies, with the same bits.
+void MoveByVelocity(SolverBody* bodies, int32 count, float32 timeStep, const MaxMove& maximum);
+
+/// Gives each of consecutive bodies its kick, with the bits of BodyKick::Give.
+void GiveKicks(SolverBody* bodies, const BodyKick* kicks, int32 count, float32 duration);
 
 } // namespace box2d

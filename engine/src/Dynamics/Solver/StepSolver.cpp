@@ -273,9 +273,11 @@ void StepSolver::TurnAsSeen()
 
 void StepSolver::IntegratePositions()
 {
-    ForBodies([this](std::size_t i) {
-        MoveByVelocity(m_memory.bodies[i + 1], m_context.timeStep, kMaxMove);
-    });
+    ParallelFor(m_threads, int32(m_world.awakeBodies.size()), kBodyGrain,
+                [this](int32 begin, int32 end) {
+                    MoveByVelocity(&m_memory.bodies[std::size_t(begin) + 1], end - begin,
+                                   m_context.timeStep, kMaxMove);
+                });
 }
 
 /// Finds bodies that overlap by more than MaxRestOverlap.
@@ -394,24 +396,6 @@ void StepSolver::LetRest()
     {
         PutToSleep(m_world, island);
     }
-}
-
-void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& maximum)
-{
-    const b2Vec2 path = timeStep * body.v;
-    if (path.LengthSquared() > maximum.distance * maximum.distance)
-    {
-        body.v *= maximum.distance / path.Length();
-    }
-    const float32 turn = timeStep * body.w;
-    if (turn * turn > maximum.turn * maximum.turn)
-    {
-        body.w *= maximum.turn / b2Abs(turn);
-    }
-    body.d += timeStep * body.v;
-    const float32 delta = timeStep * body.w;
-    body.angle += delta;
-    body.q = b2Mul(body.q, b2Rot(delta));
 }
 
 } // namespace box2d

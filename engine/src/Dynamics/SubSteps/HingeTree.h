@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "BodyKick.h"
+#include "../Solver/BodyKick.h"
 
 class b2Joint;
 class b2RevoluteJoint;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../State/Solver.h"
-#include "BodyKick.h"
+#include "../Solver/BodyKick.h"
 #include "ContactSystem.h"
 #include "FirstLoads.h"
 #include "JointSystem.h"

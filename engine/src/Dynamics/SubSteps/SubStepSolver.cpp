@@ -258,17 +258,32 @@ bool SubStepSolver::AnyTogether() const
                                   BodyMode::Together) != m_subSteps.modes.end();
 }
 
+template <class Function>
+void SubStepSolver::ForTogether(Function&& function)
+{
+    const Array<BodyMode>& modes = m_subSteps.modes;
+    const auto together = [](BodyMode mode) { return mode == BodyMode::Together; };
+    ParallelFor(m_threads, int32(modes.size()), kBodyGrain, [&](int32 begin, int32 end) {
+        const auto last = modes.begin() + end;
+        for (auto from = modes.begin() + begin; from != last;)
+        {
+            from = std::find_if(from, last, together);
+            const auto to = std::find_if_not(from, last, together);
+            const auto first = std::size_t(from - modes.begin());
+            function(&m_memory.bodies[first + 1], &m_subSteps.kicks[first], int32(to - from));
+            from = to;
+        }
+    });
+}
+
 void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
 {
     JointSystem& joints = m_subSteps.joints;
     SolverContext kick = m_context;
     kick.timeStep = duration;
     joints.Prepare(kick); // before the kick: springs use these velocities
-    ForBodies([&](std::size_t i) {
-        if (m_subSteps.modes[i] == BodyMode::Together)
-        {
-            m_subSteps.kicks[i].Give(m_memory.bodies[i + 1], duration);
-        }
+    ForTogether([&](SolverBody* bodies, const BodyKick* kicks, int32 count) {
+        GiveKicks(bodies, kicks, count, duration);
     });
     WarmStartGuard& guard = m_subSteps.warmStartGuard;
     if (AnyHeld())
@@ -357,11 +372,8 @@ void SubStepSolver::Fly(std::size_t index)
 void SubStepSolver::Drift(float32 timeStep)
 {
     m_subSteps.joints.NotePoses(m_context);
-    ForBodies([&](std::size_t i) {
-        if (m_subSteps.modes[i] == BodyMode::Together)
-        {
-            MoveByVelocity(m_memory.bodies[i + 1], timeStep, kMaxSmallMove);
-        }
+    ForTogether([&](SolverBody* bodies, const BodyKick*, int32 count) {
+        MoveByVelocity(bodies, count, timeStep, kMaxSmallMove);
     });
     m_subSteps.joints.SolvePositions(m_context, timeStep, m_subSteps.kicks.data());
     m_subSteps.joints.NotePoses(m_context);

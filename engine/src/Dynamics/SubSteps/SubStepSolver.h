@@ -28,6 +28,9 @@ public:
     void End();
 
 private:
+    /// Calls the function for ranges of awake bodies that move sub-step by sub-step.
+    template <class Function>
+    void ForTogether(Function&& function);
     bool AnyHeld() const;
     void Bounce();
     void Iterate(int32 iterations);

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "Motion.h"
+#include "MotionLanes.h"
+
+#include "../../Common/WideInstructions.h"
+
+namespace box2d
+{
+
+#if defined(BOX2D_AVX2)
+int32 MoveRowsAvx2(SolverBody* bodies, int32 count, float32 timeStep, const MaxMove& maximum);
+int32 GiveRowsAvx2(SolverBody* bodies, const BodyKick* kicks, int32 count, float32 duration);
+#endif
+
+void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& maximum)
+{
+    const b2Vec2 path = timeStep * body.v;
+    if (path.LengthSquared() > maximum.distance * maximum.distance)
+    {
+        body.v *= maximum.distance / path.Length();
+    }
+    const float32 turn = timeStep * body.w;
+    if (turn * turn > maximum.turn * maximum.turn)
+    {
+        body.w *= maximum.turn / b2Abs(turn);
+    }
+    body.d += timeStep * body.v;
+    const float32 delta = timeStep * body.w;
+    body.angle += delta;
+    body.q = b2Mul(body.q, b2Rot(delta));
+}
+
+void MoveByVelocity(SolverBody* bodies, int32 count, float32 timeStep, const MaxMove& maximum)
+{
+    int32 done = 0;
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        done = MoveRowsAvx2(bodies, count, timeStep, maximum);
+    }
+#endif
+    done += MoveRows<simd::Float4>(bodies + done, count - done, timeStep, maximum);
+    for (; done < count; ++done)
+    {
+        MoveByVelocity(bodies[done], timeStep, maximum);
+    }
+}
+
+void GiveKicks(SolverBody* bodies, const BodyKick* kicks, int32 count, float32 duration)
+{
+    int32 done = 0;
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        done = GiveRowsAvx2(bodies, kicks, count, duration);
+    }
+#endif
+    done += GiveRows<simd::Float4>(bodies + done, kicks + done, count - done, duration);
+    for (; done < count; ++done)
+    {
+        kicks[done].Give(bodies[done], duration);
+    }
+}
+
+} // namespace box2d
