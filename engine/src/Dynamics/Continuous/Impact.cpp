@@ -44,21 +44,22 @@ bool IsWithGround(const ContactData& c)
 
 bool Bounces(const ContactBlock& c)
 {
-    return std::any_of(c.points, c.points + c.pointCount,
-                       [](const PointLanes& p) { return p.bias[0] > 0.0f; });
+    return c.bounces &&
+           std::any_of(c.bias, c.bias + c.pointCount,
+                       [](const float32(&bias)[kBlockLanes]) { return bias[0] > 0.0f; });
 }
 
 /// Position correction then does not move the bodies but these two.
-void HoldOthers(OverlapBlock& o, int32 indexA, int32 indexB)
+void HoldOthers(OverlapBlock& o, MassLanes& masses, int32 indexA, int32 indexB)
 {
     if (o.bodyA[0] != indexA && o.bodyA[0] != indexB)
     {
-        o.invMassA[0] = o.invInertiaA[0] = 0.0f;
+        masses.invMassA[0] = masses.invInertiaA[0] = 0.0f;
         o.movesA = 0;
     }
     if (o.bodyB[0] != indexA && o.bodyB[0] != indexB)
     {
-        o.invMassB[0] = o.invInertiaB[0] = 0.0f;
+        masses.invMassB[0] = masses.invInertiaB[0] = 0.0f;
         o.movesB = 0;
     }
 }
@@ -158,16 +159,12 @@ std::span<ContactBlock> Impact::Impulses() const
     return std::span(m_memory.impulses).first(m_contacts.size());
 }
 
-std::span<OverlapBlock> Impact::Overlaps() const
-{
-    return std::span(m_memory.overlaps).first(m_contacts.size());
-}
-
 /// Returns the depth of a point of an event's contact below the surfaces [m]; negative above. The
 /// skins of polygons and edges are not included.
 float32 Impact::DepthOf(std::size_t contact, int32 point) const
 {
-    const OverlapConstraint o = OverlapOf(m_memory.overlaps[contact], 0);
+    const OverlapConstraint o =
+        OverlapOf(m_memory.overlaps[contact], m_memory.impulses[contact].masses, 0);
     const ContactData& c = Data(*m_contacts[contact]);
     float32 skins = 0.0f;
     for (const b2Fixture* fixture : {c.FixtureA(), c.FixtureB()})
@@ -214,7 +211,7 @@ double Impact::CorrectBounce(std::size_t index)
     const float32 a = -b2Dot(apart, b2Vec2(c.normalX[0], c.normalY[0]));
     for (int32 k = 0; k < c.pointCount; ++k)
     {
-        float32& bias = c.points[k].bias[0];
+        float32& bias = c.bias[k][0];
         if (bias > 0.0f && a != 0.0f)
         {
             const float32 e = data.restitution;
@@ -222,7 +219,7 @@ double Impact::CorrectBounce(std::size_t index)
             const float32 met =
                 b2Max(v * v - 2.0f * a * m_depths[2 * index + std::size_t(k)], 0.0f);
             const float32 square = b2Max(e * e * met + 2.0f * a * DepthOf(index, k), 0.0f);
-            added += 0.5 * double(c.points[k].normalMass[0] * b2Max(square - bias * bias, 0.0f));
+            added += 0.5 * double(NormalMassOf(c, 0, k) * b2Max(square - bias * bias, 0.0f));
             bias = b2Sqrt(square);
         }
     }
@@ -261,13 +258,17 @@ void Impact::LimitPush(SolverBody& pushed, float32 maxExtent) const
 /// From this contact on.
 void Impact::PushApart(std::size_t first) const
 {
-    const std::span<OverlapBlock> overlaps = Overlaps().subspan(first);
     for (int32 i = 0; i < kImpactPositionIterations; ++i)
     {
         float32 smallest = 0.0f;
-        ForEach(overlaps, DirectionOf(i), [&](const OverlapBlock& block) {
-            smallest = b2Min(smallest, SolveBlock(block, m_context.bodies, {b2_toiBaugarte}));
-        });
+        for (std::size_t k = first; k < m_contacts.size(); ++k)
+        {
+            const std::size_t at =
+                DirectionOf(i) == Direction::Forward ? k : m_contacts.size() - 1 - (k - first);
+            smallest =
+                b2Min(smallest, SolveBlock(m_memory.overlaps[at], m_memory.impulses[at].masses,
+                                           m_context.bodies, {b2_toiBaugarte}));
+        }
         if (smallest >= -1.5f * b2_linearSlop)
         {
             break;
@@ -287,9 +288,9 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
     NoteDepths();
     const int32 indexA = Data(bodyA).SolverIndex();
     const int32 indexB = Data(bodyB).SolverIndex();
-    for (OverlapBlock& block : Overlaps())
+    for (std::size_t i = 0; i < m_contacts.size(); ++i)
     {
-        HoldOthers(block, indexA, indexB);
+        HoldOthers(m_memory.overlaps[i], m_memory.impulses[i].masses, indexA, indexB);
     }
     PushApart(0);
     PushApart(m_ground);
@@ -390,7 +391,7 @@ void Impact::BounceLess(double maximum)
     Prepare();
     for (ContactBlock& c : Impulses())
     {
-        c.points[0].bias[0] = c.points[1].bias[0] = 0.0f;
+        c.bounces = false;
     }
     Sweep();
     const double energy = KineticEnergyOfAll();

@@ -44,7 +44,6 @@ private:
     void LoadBodies();
     void Prepare();
     std::span<ContactBlock> Impulses() const;
-    std::span<OverlapBlock> Overlaps() const;
     float32 DepthOf(std::size_t contact, int32 point) const;
     void NoteDepths();
     void LimitPush(SolverBody& pushed, float32 maxExtent) const;

@@ -115,8 +115,9 @@ struct BlockPreparer
         return g;
     }
 
-    void CopyImpulses(PointLanes& p, int i) const
+    void CopyImpulses(int i) const
     {
+        PointLanes& p = block.points[i];
         const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
         const F zero = F::Set(0.0f);
         const F maximum = F::Set(b2_maxFloat);
@@ -135,9 +136,10 @@ struct BlockPreparer
         F invMassA, invInertiaA, invMassB, invInertiaB;
     };
 
-    void FillPoint(PointLanes& p, const Bodies& bodies, const Vector<F>& normal,
-                   const Vector<F>& armA, const Vector<F>& armB) const
+    void FillPoint(int i, const Bodies& bodies, const Vector<F>& normal, const Vector<F>& armA,
+                   const Vector<F>& armB) const
     {
+        PointLanes& p = block.points[i];
         const Vector<F> tangent = {normal.y, -normal.x};
         const F mass = bodies.invMassA + bodies.invMassB;
         const F nA = Cross(armA, normal);
@@ -148,34 +150,19 @@ struct BlockPreparer
         nB.Store(p.normalLeverB + lane);
         tA.Store(p.tangentLeverA + lane);
         tB.Store(p.tangentLeverB + lane);
-        Inverse(mass + bodies.invInertiaA * nA * nA + bodies.invInertiaB * nB * nB)
-            .Store(p.normalMass + lane);
+        if (block.pointCount == 1)
+        {
+            Inverse(mass + bodies.invInertiaA * nA * nA + bodies.invInertiaB * nB * nB)
+                .Store(block.pointMass[1] + lane);
+        }
         Inverse(mass + bodies.invInertiaA * tA * tA + bodies.invInertiaB * tB * tB)
-            .Store(p.tangentMass + lane);
+            .Store(block.pointMass[i] + lane);
         const Vector<F> speed = {
             bodies.b[0] - bodies.b[2] * armB.y - bodies.a[0] + bodies.a[2] * armA.y,
             bodies.b[1] + bodies.b[2] * armB.x - bodies.a[1] - bodies.a[2] * armA.x};
-        BounceSpeed(Dot(speed, normal), At(from.restitution), context).Store(p.bias + lane);
-    }
-
-    void FillCoupling(const Bodies& bodies) const
-    {
-        const PointLanes& p1 = block.points[0];
-        const PointLanes& p2 = block.points[1];
-        const F a1 = At(p1.normalLeverA);
-        const F b1 = At(p1.normalLeverB);
-        const F a2 = At(p2.normalLeverA);
-        const F b2 = At(p2.normalLeverB);
-        const F mass = bodies.invMassA + bodies.invMassB;
-        const F k11 = mass + bodies.invInertiaA * a1 * a1 + bodies.invInertiaB * b1 * b1;
-        const F k22 = mass + bodies.invInertiaA * a2 * a2 + bodies.invInertiaB * b2 * b2;
-        const F k12 = mass + bodies.invInertiaA * a1 * a2 + bodies.invInertiaB * b1 * b2;
-        const F determinant = k11 * k22 - k12 * k12;
-        const auto coupled = Less(k11 * k11, F::Set(kMaxCondition) * determinant);
-        k11.Store(block.k11 + lane);
-        k12.Store(block.k12 + lane);
-        k22.Store(block.k22 + lane);
-        Select(coupled, F::Set(1.0f), F::Set(0.0f)).Store(block.coupled + lane);
+        const F bias = BounceSpeed(Dot(speed, normal), At(from.restitution), context);
+        bias.Store(block.bias[i] + lane);
+        block.bounces = block.bounces || Any(Not(AtLeast(F::Set(0.0f), bias)));
     }
 
     void Prepare() const
@@ -189,20 +176,16 @@ struct BlockPreparer
         Bodies bodies;
         LoadRows(bodyNumbers, kBodyStride, block.bodyA + lane, bodies.a);
         LoadRows(bodyNumbers, kBodyStride, block.bodyB + lane, bodies.b);
-        bodies.invMassA = At(block.invMassA);
-        bodies.invInertiaA = At(block.invInertiaA);
-        bodies.invMassB = At(block.invMassB);
-        bodies.invInertiaB = At(block.invInertiaB);
+        bodies.invMassA = At(block.masses.invMassA);
+        bodies.invInertiaA = At(block.masses.invInertiaA);
+        bodies.invMassB = At(block.masses.invMassB);
+        bodies.invInertiaB = At(block.masses.invInertiaB);
         for (int i = 0; i < block.pointCount; ++i)
         {
-            CopyImpulses(block.points[i], i);
-            FillPoint(block.points[i], bodies, g.normal, g.points[i],
-                      Subtract(g.points[i], offset));
+            CopyImpulses(i);
+            FillPoint(i, bodies, g.normal, g.points[i], Subtract(g.points[i], offset));
         }
-        if (block.pointCount == 2)
-        {
-            FillCoupling(bodies);
-        }
+        block.allCoupled = block.allCoupled && !Any(Not(AreCoupled<F>(block, lane)));
     }
 };
 
@@ -210,6 +193,8 @@ template <class F, OverlapKind kKind>
 void PrepareBlockOf(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
                     const SolverContext& context)
 {
+    block.allCoupled = block.pointCount == 2;
+    block.bounces = false;
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
         BlockPreparer<F, kKind>{from, context, block, overlap, lane}.Prepare();

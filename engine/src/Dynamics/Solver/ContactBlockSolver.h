@@ -25,6 +25,38 @@ struct MotionLanes
     F push, drag;
 };
 
+/// The response of the normal speeds of two points to an impulse at either, see ResponseOf.
+template <class F>
+struct PairResponse
+{
+    F k11, k12, k22;
+
+    PairResponse(const ContactBlock& block, int lane)
+    {
+        const auto at = [lane](const float32* field) { return F::Load(field + lane); };
+        const F a1 = at(block.points[0].normalLeverA);
+        const F b1 = at(block.points[0].normalLeverB);
+        const F a2 = at(block.points[1].normalLeverA);
+        const F b2 = at(block.points[1].normalLeverB);
+        const F invInertiaA = at(block.masses.invInertiaA);
+        const F invInertiaB = at(block.masses.invInertiaB);
+        const F mass = at(block.masses.invMassA) + at(block.masses.invMassB);
+        k11 = mass + invInertiaA * a1 * a1 + invInertiaB * b1 * b1;
+        k12 = mass + invInertiaA * a1 * a2 + invInertiaB * b1 * b2;
+        k22 = mass + invInertiaA * a2 * a2 + invInertiaB * b2 * b2;
+    }
+
+    F Determinant() const { return k11 * k22 - k12 * k12; }
+};
+
+/// True if two points are far enough apart to be solved together.
+template <class F>
+auto AreCoupled(const ContactBlock& block, int lane)
+{
+    const PairResponse<F> k(block, lane);
+    return Less(k.k11 * k.k11, F::Set(kMaxCondition) * k.Determinant());
+}
+
 template <class F>
 struct BlockSolver
 {
@@ -41,10 +73,10 @@ struct BlockSolver
         LoadRows(bodies, kBodyStride, block.bodyA + lane, a);
         LoadRows(bodies, kBodyStride, block.bodyB + lane, b);
         normal = {At(block.normalX), At(block.normalY)};
-        invMassA = At(block.invMassA);
-        invInertiaA = At(block.invInertiaA);
-        invMassB = At(block.invMassB);
-        invInertiaB = At(block.invInertiaB);
+        invMassA = At(block.masses.invMassA);
+        invInertiaA = At(block.masses.invInertiaA);
+        invMassB = At(block.masses.invMassB);
+        invInertiaB = At(block.masses.invInertiaB);
         invMass = invMassA + invMassB;
         const Vector<F> apart = {b[0] - a[0], b[1] - a[1]};
         m.along = apart.x * normal.x + apart.y * normal.y;
@@ -69,6 +101,7 @@ struct BlockSolver
     }
 
     F At(const float32* field) const { return F::Load(field + lane); }
+    F AtOrZero(bool any, const float32* field) const { return any ? At(field) : F::Set(0.0f); }
 
     bool HasChanged() const
     {
@@ -89,14 +122,16 @@ struct BlockSolver
         m.drag = m.drag + tangentImpulse;
     }
 
-    void SolveFriction(PointLanes& p)
+    void SolveFriction(int i)
     {
+        PointLanes& p = block.points[i];
         const F leverA = At(p.tangentLeverA);
         const F leverB = At(p.tangentLeverB);
-        const F slip = m.across + m.wB * leverB - m.wA * leverA - At(block.tangentSpeed);
+        const F slip =
+            m.across + m.wB * leverB - m.wA * leverA - AtOrZero(block.driven, block.tangentSpeed);
         const F limit = At(block.friction) * At(p.normalImpulse);
         const F old = At(p.tangentImpulse);
-        const F total = Max(-limit, Min(old - At(p.tangentMass) * slip, limit));
+        const F total = Max(-limit, Min(old - At(block.pointMass[i]) * slip, limit));
         const F change = total - old;
         m.across = m.across + invMass * change;
         m.wA = m.wA - invInertiaA * leverA * change;
@@ -106,15 +141,19 @@ struct BlockSolver
         total.Store(p.tangentImpulse + lane);
     }
 
-    F NormalSpeed(const PointLanes& p) const
+    /// Returns the normal speed of a point beyond its target.
+    F NormalSpeed(int i) const
     {
-        return m.along + m.wB * At(p.normalLeverB) - m.wA * At(p.normalLeverA);
+        const PointLanes& p = block.points[i];
+        return m.along + m.wB * At(p.normalLeverB) - m.wA * At(p.normalLeverA) -
+               AtOrZero(block.bounces, block.bias[i]);
     }
 
-    void SolvePoint(PointLanes& p)
+    void SolvePoint(int i, F mass)
     {
+        PointLanes& p = block.points[i];
         const F old = At(p.normalImpulse);
-        const F wanted = old - At(p.normalMass) * (NormalSpeed(p) - At(p.bias));
+        const F wanted = old - mass * NormalSpeed(i);
         const F total = Max(wanted, F::Set(0.0f));
         const F change = total - old;
         m.along = m.along + invMass * change;
@@ -126,8 +165,10 @@ struct BlockSolver
     }
 
     /// Sets both impulses.
-    void ChangePair(PointLanes& p1, F old1, F x1, PointLanes& p2, F old2, F x2)
+    void ChangePair(F old1, F x1, F old2, F x2)
     {
+        PointLanes& p1 = block.points[0];
+        PointLanes& p2 = block.points[1];
         const F change1 = x1 - old1;
         const F change2 = x2 - old2;
         m.wA = m.wA - invInertiaA * (At(p1.normalLeverA) * change1 + At(p2.normalLeverA) * change2);
@@ -141,23 +182,22 @@ struct BlockSolver
 
     /// Tries the four cases of EnumerateImpulses from the last to the first. For resting contacts
     /// both points push; if that holds in all lanes, the other cases are skipped.
-    BOX2D_INLINE void SolvePair(PointLanes& p1, PointLanes& p2)
+    BOX2D_INLINE void SolvePair()
     {
         const F zero = F::Set(0.0f);
-        const F k11 = At(block.k11);
-        const F k12 = At(block.k12);
-        const F k22 = At(block.k22);
-        const F old1 = At(p1.normalImpulse);
-        const F old2 = At(p2.normalImpulse);
-        const F b1 = NormalSpeed(p1) - At(p1.bias) - (k11 * old1 + k12 * old2);
-        const F b2 = NormalSpeed(p2) - At(p2.bias) - (k12 * old1 + k22 * old2);
-        const F inverse = F::Set(1.0f) / (k11 * k22 - k12 * k12);
+        const PairResponse<F> response(block, lane);
+        const auto [k11, k12, k22] = response;
+        const F old1 = At(block.points[0].normalImpulse);
+        const F old2 = At(block.points[1].normalImpulse);
+        const F b1 = NormalSpeed(0) - (k11 * old1 + k12 * old2);
+        const F b2 = NormalSpeed(1) - (k12 * old1 + k22 * old2);
+        const F inverse = F::Set(1.0f) / response.Determinant();
         const F both1 = inverse * (k12 * b2 - k22 * b1);
         const F both2 = inverse * (k12 * b1 - k11 * b2);
         const auto both = And(AtLeast(both1, zero), AtLeast(both2, zero));
         if (!Any(Not(both)))
         {
-            return ChangePair(p1, old1, both1, p2, old2, both2);
+            return ChangePair(old1, both1, old2, both2);
         }
         const auto neither = And(AtLeast(b1, zero), AtLeast(b2, zero));
         F x1 = Select(neither, zero, old1);
@@ -170,26 +210,29 @@ struct BlockSolver
         const auto firstOnly = And(AtLeast(first, zero), AtLeast(k12 * first + b2, zero));
         x1 = Select(firstOnly, first, x1);
         x2 = Select(firstOnly, zero, x2);
-        ChangePair(p1, old1, Select(both, both1, x1), p2, old2, Select(both, both2, x2));
+        ChangePair(old1, Select(both, both1, x1), old2, Select(both, both2, x2));
     }
 
     /// Solves some lanes as pairs and others point by point: computes both and selects per lane.
-    BOX2D_NOINLINE void SolveMixed(PointLanes& p1, PointLanes& p2)
+    BOX2D_NOINLINE void SolveMixed()
     {
-        const auto coupled = AtLeast(At(block.coupled), F::Set(1.0f));
+        PointLanes& p1 = block.points[0];
+        PointLanes& p2 = block.points[1];
+        const PairResponse<F> response(block, lane);
+        const auto coupled = AreCoupled<F>(block, lane);
         const MotionLanes<F> before = m;
         const F changesBefore = changes;
         const F old1 = At(p1.normalImpulse);
         const F old2 = At(p2.normalImpulse);
-        SolvePoint(p1);
-        SolvePoint(p2);
+        SolvePoint(0, InverseOrZero(response.k11));
+        SolvePoint(1, InverseOrZero(response.k22));
         const MotionLanes<F> single = m;
         const F single1 = At(p1.normalImpulse);
         const F single2 = At(p2.normalImpulse);
         m = before;
         old1.Store(p1.normalImpulse + lane);
         old2.Store(p2.normalImpulse + lane);
-        SolvePair(p1, p2);
+        SolvePair();
         m.wA = Select(coupled, m.wA, single.wA);
         m.wB = Select(coupled, m.wB, single.wB);
         m.push = Select(coupled, m.push, single.push);
@@ -312,17 +355,15 @@ bool SolveBlock(ContactBlock& block, float32* bodies)
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
         BlockSolver<F> solver(block, lane, bodies);
-        PointLanes& p1 = block.points[0];
-        PointLanes& p2 = block.points[1];
-        solver.SolveFriction(p1);
+        solver.SolveFriction(0);
         if (block.pointCount == 1)
         {
-            solver.SolvePoint(p1);
+            solver.SolvePoint(0, solver.At(block.pointMass[1]));
         }
         else
         {
-            solver.SolveFriction(p2);
-            block.allCoupled ? solver.SolvePair(p1, p2) : solver.SolveMixed(p1, p2);
+            solver.SolveFriction(1);
+            block.allCoupled ? solver.SolvePair() : solver.SolveMixed();
         }
         solver.Store(bodies);
         changed = changed || solver.HasChanged();

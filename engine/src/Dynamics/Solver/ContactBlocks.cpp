@@ -13,6 +13,8 @@
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2WorldCallbacks.h>
 
+#include <bit>
+
 namespace box2d
 {
 
@@ -26,7 +28,8 @@ void KickBlockAvx2(ContactBlock& block, BlockTotals& totals, float32* bodies, fl
 void AddToTotalsAvx2(const ContactBlock& block, BlockTotals& totals);
 void FindErrorsAvx2(const ContactBlock& block, const float32* bodies, float32 sticks, float32* off);
 bool SolveBlockAvx2(ContactBlock& block, float32* bodies);
-float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, PushPace pace);
+float32 SolveOverlapBlockAvx2(const OverlapBlock& block, const MassLanes& masses, float32* bodies,
+                              PushPace pace);
 #endif
 
 namespace
@@ -164,6 +167,7 @@ public:
     {
         m_overlap.count = m_block.count;
         m_block.movesA = m_block.movesB = 0;
+        m_block.driven = false;
         for (int lane = 0; lane < m_block.count; ++lane)
         {
             const ContactData& c = Data(*m_block.contact[lane]);
@@ -192,6 +196,7 @@ private:
         m_overlap.offsetY[lane] = offset.y;
         m_block.friction[lane] = c.friction;
         m_block.tangentSpeed[lane] = c.tangentSpeed;
+        m_block.driven = m_block.driven || std::bit_cast<uint32>(c.tangentSpeed) != 0;
         m_to.restitution[lane] = c.restitution;
         GatherBodies(lane, a, b);
         const bool faceOnB = m_overlap.kind == OverlapKind::FaceB;
@@ -208,10 +213,10 @@ private:
         const float32 inertiaA = a.SolverInvInertia();
         const float32 massB = b.SolverInvMass();
         const float32 inertiaB = b.SolverInvInertia();
-        m_block.invMassA[lane] = m_overlap.invMassA[lane] = massA;
-        m_block.invInertiaA[lane] = m_overlap.invInertiaA[lane] = inertiaA;
-        m_block.invMassB[lane] = m_overlap.invMassB[lane] = massB;
-        m_block.invInertiaB[lane] = m_overlap.invInertiaB[lane] = inertiaB;
+        m_block.masses.invMassA[lane] = massA;
+        m_block.masses.invInertiaA[lane] = inertiaA;
+        m_block.masses.invMassB[lane] = massB;
+        m_block.masses.invInertiaB[lane] = inertiaB;
         m_block.movesA = uint8(m_block.movesA | int(Moves(massA, inertiaA)) << lane);
         m_block.movesB = uint8(m_block.movesB | int(Moves(massB, inertiaB)) << lane);
     }
@@ -236,26 +241,27 @@ private:
         }
     }
 
-    /// Far apart, with infinite mass, at rest.
+    /// Two points of body 0, at rest and far from the other surface. Their distance and masses are
+    /// such that they can be solved together.
     void PadLane(int lane)
     {
         m_block.friction[lane] = m_block.tangentSpeed[lane] = 0.0f;
         m_overlap.offsetX[lane] = m_overlap.offsetY[lane] = 0.0f;
         m_block.bodyA[lane] = m_overlap.bodyA[lane] = 0;
         m_block.bodyB[lane] = m_overlap.bodyB[lane] = 0;
-        m_block.invMassA[lane] = m_overlap.invMassA[lane] = 0.0f;
-        m_block.invInertiaA[lane] = m_overlap.invInertiaA[lane] = 0.0f;
-        m_block.invMassB[lane] = m_overlap.invMassB[lane] = 0.0f;
-        m_block.invInertiaB[lane] = m_overlap.invInertiaB[lane] = 0.0f;
+        m_block.masses.invMassA[lane] = m_block.masses.invInertiaA[lane] = 1.0f;
+        m_block.masses.invMassB[lane] = m_block.masses.invInertiaB[lane] = 0.0f;
         m_to.sineFace[lane] = m_to.sineOther[lane] = 0.0f;
         m_to.cosineFace[lane] = m_to.cosineOther[lane] = 1.0f;
-        m_to.normalX[lane] = m_to.normalY[lane] = 0.0f;
+        m_to.normalX[lane] = 0.0f;
+        m_to.normalY[lane] = 1.0f;
         m_to.referenceX[lane] = m_to.referenceY[lane] = 0.0f;
         m_to.radiusFace[lane] = m_to.radiusOther[lane] = -1.0f;
         m_to.restitution[lane] = 0.0f;
         for (int i = 0; i < 2; ++i)
         {
-            m_to.pointX[i][lane] = m_to.pointY[i][lane] = 0.0f;
+            m_to.pointX[i][lane] = float32(i);
+            m_to.pointY[i][lane] = 0.0f;
             m_to.normalImpulse[i][lane] = m_to.tangentImpulse[i][lane] = 0.0f;
         }
     }
@@ -264,22 +270,6 @@ private:
     OverlapBlock& m_overlap;
     ContactLanes& m_to;
 };
-
-/// After the lanes are computed: unused lanes need a non-zero divisor.
-void FinishCoupling(ContactBlock& block)
-{
-    block.allCoupled = block.pointCount == 2;
-    const int lanes = block.pointCount != 2 ? 0 : IsAlone(block) ? 1 : kBlockLanes;
-    for (int lane = 0; lane < lanes; ++lane)
-    {
-        if (lane >= block.count)
-        {
-            block.k11[lane] = block.k22[lane] = block.coupled[lane] = 1.0f;
-            block.k12[lane] = 0.0f;
-        }
-        block.allCoupled = block.allCoupled && block.coupled[lane] == 1.0f;
-    }
-}
 
 } // namespace
 
@@ -299,20 +289,15 @@ void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContex
     Gatherer(block, overlap, lanes).Gather();
     if (IsAlone(block))
     {
-        PrepareBlock<simd::Float1>(lanes, block, overlap, context);
-        FinishCoupling(block);
-        return;
+        return PrepareBlock<simd::Float1>(lanes, block, overlap, context);
     }
 #if defined(BOX2D_AVX2)
     if (UsesWideInstructions())
     {
-        PrepareBlockAvx2(lanes, block, overlap, context);
-        FinishCoupling(block);
-        return;
+        return PrepareBlockAvx2(lanes, block, overlap, context);
     }
 #endif
     PrepareBlock<simd::Float4>(lanes, block, overlap, context);
-    FinishCoupling(block);
 }
 
 void PrepareAlone(b2Contact& contact, ContactBlock& block, OverlapBlock& overlap,
@@ -404,19 +389,20 @@ bool SolveBlock(ContactBlock& block, SolverBody* bodies)
     return SolveBlock<simd::Float4>(block, Numbers(bodies));
 }
 
-float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, PushPace pace)
+float32 SolveBlock(const OverlapBlock& block, const MassLanes& masses, SolverBody* bodies,
+                   PushPace pace)
 {
     if (IsAlone(block))
     {
-        return SolveOverlapBlock<simd::Float1>(block, Numbers(bodies), pace);
+        return SolveOverlapBlock<simd::Float1>(block, masses, Numbers(bodies), pace);
     }
 #if defined(BOX2D_AVX2)
     if (UsesWideInstructions())
     {
-        return SolveOverlapBlockAvx2(block, Numbers(bodies), pace);
+        return SolveOverlapBlockAvx2(block, masses, Numbers(bodies), pace);
     }
 #endif
-    return SolveOverlapBlock<simd::Float4>(block, Numbers(bodies), pace);
+    return SolveOverlapBlock<simd::Float4>(block, masses, Numbers(bodies), pace);
 }
 
 void StoreImpulses(const ContactBlock& block)
@@ -444,7 +430,7 @@ b2ContactImpulse ImpulseOf(const ContactBlock& block, int lane)
     return impulse;
 }
 
-OverlapConstraint OverlapOf(const OverlapBlock& block, int lane)
+OverlapConstraint OverlapOf(const OverlapBlock& block, const MassLanes& masses, int lane)
 {
     OverlapConstraint o;
     o.offset.Set(block.offsetX[lane], block.offsetY[lane]);
@@ -455,10 +441,10 @@ OverlapConstraint OverlapOf(const OverlapBlock& block, int lane)
         o.points[i].Set(block.pointX[i][lane], block.pointY[i][lane]);
     }
     o.radius = block.radius[lane];
-    o.invMassA = block.invMassA[lane];
-    o.invInertiaA = block.invInertiaA[lane];
-    o.invMassB = block.invMassB[lane];
-    o.invInertiaB = block.invInertiaB[lane];
+    o.invMassA = masses.invMassA[lane];
+    o.invInertiaA = masses.invInertiaA[lane];
+    o.invMassB = masses.invMassB[lane];
+    o.invInertiaB = masses.invInertiaB[lane];
     o.bodyA = block.bodyA[lane];
     o.bodyB = block.bodyB[lane];
     o.pointCount = block.pointCount;
@@ -466,9 +452,10 @@ OverlapConstraint OverlapOf(const OverlapBlock& block, int lane)
     return o;
 }
 
-float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, PushPace pace)
+float32 SolveNearlyOnePoint(const OverlapBlock& block, const MassLanes& masses, int lane,
+                            SolverBody* bodies, PushPace pace)
 {
-    return SolveNearlyOnePoint(OverlapOf(block, lane), bodies, pace);
+    return SolveNearlyOnePoint(OverlapOf(block, masses, lane), bodies, pace);
 }
 
 } // namespace box2d

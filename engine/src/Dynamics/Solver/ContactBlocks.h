@@ -18,40 +18,65 @@ struct SnapshotAccess;
 
 inline constexpr int kBlockLanes = 8;
 
+struct MassLanes
+{
+    float32 invMassA[kBlockLanes], invInertiaA[kBlockLanes];
+    float32 invMassB[kBlockLanes], invInertiaB[kBlockLanes];
+};
+
 /// The levers are the moments about the centres of mass of a unit impulse at the point [m]: arm x
-/// direction. The tangent is the normal rotated clockwise. The masses are effective masses, the
-/// bias is the target separation speed from restitution [m/s].
+/// direction. The tangent is the normal rotated clockwise.
 struct PointLanes
 {
     float32 normalLeverA[kBlockLanes], normalLeverB[kBlockLanes];
     float32 tangentLeverA[kBlockLanes], tangentLeverB[kBlockLanes];
     float32 normalImpulse[kBlockLanes], tangentImpulse[kBlockLanes];
-    float32 normalMass[kBlockLanes], tangentMass[kBlockLanes];
-    float32 bias[kBlockLanes];
 };
 
-/// The velocity constraints of touching contacts. All lanes have the same number of points. k is
-/// the response of the normal speeds to an impulse at either point. Unused lanes contain zero
-/// impulses between bodies 0, and are never stored; those of a single contact contain anything.
+/// The velocity constraints of touching contacts. All lanes have the same number of points. Passes
+/// over many blocks wait for memory, so the members of one block are few. What follows from others
+/// is computed again, and what few contacts have comes last. Unused lanes contain two points
+/// without impulses on body 0, and are never stored; those of a single contact contain anything.
 struct alignas(kCacheLine) ContactBlock
 {
     int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
     float32 normalX[kBlockLanes], normalY[kBlockLanes];
-    float32 friction[kBlockLanes], tangentSpeed[kBlockLanes];
-    float32 invMassA[kBlockLanes], invInertiaA[kBlockLanes];
-    float32 invMassB[kBlockLanes], invInertiaB[kBlockLanes];
+    MassLanes masses;
     PointLanes points[2];
-    float32 k11[kBlockLanes], k12[kBlockLanes], k22[kBlockLanes];
-    float32 coupled[kBlockLanes]; ///< 1 if the points are coupled, otherwise 0
-    b2Contact* contact[kBlockLanes];
+    /// Effective masses of both tangents; those of the tangent and the normal of a single point.
+    float32 pointMass[2][kBlockLanes];
+    float32 friction[kBlockLanes];
     int32 count; ///< used lanes
     int32 pointCount;
-    bool allCoupled;
+    bool allCoupled;      ///< all lanes have two points that are solved together
+    bool driven;          ///< a tangentSpeed is not zero
+    bool bounces;         ///< a bias is not zero
     uint8 movesA, movesB; ///< bit mask of lanes whose body can move or rotate
+
+    alignas(kCacheLine) b2Contact* contact[kBlockLanes];
+    float32 tangentSpeed[kBlockLanes];
+    float32 bias[2][kBlockLanes]; ///< target separation speed from restitution [m/s]
 };
 
+/// Returns the change of the normal speed at point i by a unit impulse at point k >= i [1/kg].
+inline float32 ResponseOf(const ContactBlock& block, int lane, int i, int k)
+{
+    const MassLanes& m = block.masses;
+    const PointLanes& p = block.points[i];
+    const PointLanes& q = block.points[k];
+    return m.invMassA[lane] + m.invMassB[lane] +
+           m.invInertiaA[lane] * p.normalLeverA[lane] * q.normalLeverA[lane] +
+           m.invInertiaB[lane] * p.normalLeverB[lane] * q.normalLeverB[lane];
+}
+
+/// Returns the effective mass of a point's normal [kg].
+inline float32 NormalMassOf(const ContactBlock& block, int lane, int point)
+{
+    return Inverse(ResponseOf(block, lane, point, point));
+}
+
 /// See OverlapConstraint. All lanes measure in the same way and match the ContactBlock of the same
-/// index. Unused lanes are far apart.
+/// index, which has the masses. Unused lanes are far apart.
 struct alignas(kCacheLine) OverlapBlock
 {
     int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
@@ -60,8 +85,6 @@ struct alignas(kCacheLine) OverlapBlock
     float32 referenceX[kBlockLanes], referenceY[kBlockLanes];
     float32 pointX[2][kBlockLanes], pointY[2][kBlockLanes];
     float32 radius[kBlockLanes];
-    float32 invMassA[kBlockLanes], invInertiaA[kBlockLanes];
-    float32 invMassB[kBlockLanes], invInertiaB[kBlockLanes];
     int32 count; ///< used lanes
     int32 pointCount;
     OverlapKind kind;
@@ -110,6 +133,7 @@ public:
     ContactBlock& Contacts(int32 index) { return m_contacts[std::size_t(index)]; }
     const ContactBlock& Contacts(int32 index) const { return m_contacts[std::size_t(index)]; }
     OverlapBlock& Overlaps(int32 index) { return m_overlaps[std::size_t(index)]; }
+    const OverlapBlock& Overlaps(int32 index) const { return m_overlaps[std::size_t(index)]; }
     /// Valid after ClearTotals.
     BlockTotals& Totals(int32 index) { return m_totals[std::size_t(index)]; }
     void ClearTotals();
@@ -153,15 +177,17 @@ void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sti
 bool SolveBlock(ContactBlock& block, SolverBody* bodies);
 /// One position iteration: moves overlapping bodies apart. Returns the smallest separation that was
 /// met [m].
-float32 SolveBlock(const OverlapBlock& block, SolverBody* bodies, PushPace pace);
+float32 SolveBlock(const OverlapBlock& block, const MassLanes& masses, SolverBody* bodies,
+                   PushPace pace);
 /// Stores the impulses in the manifolds.
 void StoreImpulses(const ContactBlock& block);
 
 /// Returns the impulses of a lane for a listener.
 b2ContactImpulse ImpulseOf(const ContactBlock& block, int lane);
 /// Returns one lane of a block, to measure it.
-OverlapConstraint OverlapOf(const OverlapBlock& block, int lane);
+OverlapConstraint OverlapOf(const OverlapBlock& block, const MassLanes& masses, int lane);
 /// Pushes two nearly coincident points of a lane one after the other.
-float32 SolveNearlyOnePoint(const OverlapBlock& block, int lane, SolverBody* bodies, PushPace pace);
+float32 SolveNearlyOnePoint(const OverlapBlock& block, const MassLanes& masses, int lane,
+                            SolverBody* bodies, PushPace pace);
 
 } // namespace box2d

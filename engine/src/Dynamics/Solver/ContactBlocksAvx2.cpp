@@ -41,9 +41,10 @@ bool SolveBlockAvx2(ContactBlock& block, float32* bodies)
     return SolveBlock<simd::Float8>(block, bodies);
 }
 
-float32 SolveOverlapBlockAvx2(const OverlapBlock& block, float32* bodies, PushPace pace)
+float32 SolveOverlapBlockAvx2(const OverlapBlock& block, const MassLanes& masses, float32* bodies,
+                              PushPace pace)
 {
-    return SolveOverlapBlock<simd::Float8>(block, bodies, pace);
+    return SolveOverlapBlock<simd::Float8>(block, masses, bodies, pace);
 }
 
 } // namespace box2d

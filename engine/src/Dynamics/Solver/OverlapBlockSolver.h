@@ -23,23 +23,20 @@ template <class F>
 struct OverlapSolver
 {
     const OverlapBlock& block;
+    const MassLanes& masses;
     int lane;           // first lane
     F a[4], b[4];       // moved by (0, 1), rotated by sine 2 and cosine 3
     F turnedA, turnedB; // total rotation by this block [rad]
     bool moved = false;
-    F invMassA, invInertiaA, invMassB, invInertiaB;
 
-    OverlapSolver(const OverlapBlock& from, int first, const float32* bodies)
-        : block(from), lane(first)
+    OverlapSolver(const OverlapBlock& from, const MassLanes& massesOf, int first,
+                  const float32* bodies)
+        : block(from), masses(massesOf), lane(first)
     {
         // Loads the last four of a body's eight numbers.
         LoadRows(bodies + 4, kBodyStride, block.bodyA + lane, a);
         LoadRows(bodies + 4, kBodyStride, block.bodyB + lane, b);
         turnedA = turnedB = F::Set(0.0f);
-        invMassA = At(block.invMassA);
-        invInertiaA = At(block.invInertiaA);
-        invMassB = At(block.invMassB);
-        invInertiaB = At(block.invInertiaB);
     }
 
     void Store(float32* bodies) const
@@ -141,9 +138,9 @@ struct OverlapSolver
 
     F Mass(const OverlapLanes<F>& p, const OverlapLanes<F>& q) const
     {
-        return invMassA + invMassB +
-               invInertiaA * Cross(p.armA, p.normal) * Cross(q.armA, q.normal) +
-               invInertiaB * Cross(p.armB, p.normal) * Cross(q.armB, q.normal);
+        return At(masses.invMassA) + At(masses.invMassB) +
+               At(masses.invInertiaA) * Cross(p.armA, p.normal) * Cross(q.armA, q.normal) +
+               At(masses.invInertiaB) * Cross(p.armB, p.normal) * Cross(q.armB, q.normal);
     }
 
     /// Lanes that are not `active`, or whose body cannot rotate, are unchanged.
@@ -164,14 +161,14 @@ struct OverlapSolver
     void Move(M active, const Vector<F>& normal, F impulse, F turnA, F turnB)
     {
         moved = true;
-        const F alongA = invMassA * impulse;
-        const F alongB = invMassB * impulse;
+        const F alongA = At(masses.invMassA) * impulse;
+        const F alongB = At(masses.invMassB) * impulse;
         a[0] = Select(active, a[0] - alongA * normal.x, a[0]);
         a[1] = Select(active, a[1] - alongA * normal.y, a[1]);
         b[0] = Select(active, b[0] + alongB * normal.x, b[0]);
         b[1] = Select(active, b[1] + alongB * normal.y, b[1]);
-        Rotate(a, turnedA, invInertiaA, active, turnA);
-        Rotate(b, turnedB, invInertiaB, active, turnB);
+        Rotate(a, turnedA, At(masses.invInertiaA), active, turnA);
+        Rotate(b, turnedB, At(masses.invInertiaB), active, turnB);
     }
 
     /// Returns the separation before the push.
@@ -186,8 +183,9 @@ struct OverlapSolver
         const auto massless = AtLeast(zero, mass);
         const F one = F::Set(1.0f);
         const F impulse = out * Select(massless, zero, one / Select(massless, one, mass));
-        Move(Not(idle), p.normal, impulse, -invInertiaA * Cross(p.armA, p.normal) * impulse,
-             invInertiaB * Cross(p.armB, p.normal) * impulse);
+        Move(Not(idle), p.normal, impulse,
+             -At(masses.invInertiaA) * Cross(p.armA, p.normal) * impulse,
+             At(masses.invInertiaB) * Cross(p.armB, p.normal) * impulse);
         return p.separation;
     }
 
@@ -218,7 +216,8 @@ struct OverlapSolver
         const auto pushed = And(And(active, Not(single)), solved);
         const F turnA = Cross(p.armA, p.normal) * x1 + Cross(q.armA, q.normal) * x2;
         const F turnB = Cross(p.armB, p.normal) * x1 + Cross(q.armB, q.normal) * x2;
-        Move(pushed, p.normal, x1 + x2, -invInertiaA * turnA, invInertiaB * turnB);
+        Move(pushed, p.normal, x1 + x2, -At(masses.invInertiaA) * turnA,
+             At(masses.invInertiaB) * turnB);
         return Min(p.separation, q.separation);
     }
 
@@ -259,12 +258,13 @@ float32 SmallestOf(F numbers, float32 smallest)
 }
 
 template <class F, OverlapKind kKind>
-float32 SolveOverlapPairs(const OverlapBlock& block, float32* bodies, PushPace pace)
+float32 SolveOverlapPairs(const OverlapBlock& block, const MassLanes& masses, float32* bodies,
+                          PushPace pace)
 {
     float32 smallest = 0.0f;
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
-        OverlapSolver<F> solver(block, lane, bodies);
+        OverlapSolver<F> solver(block, masses, lane, bodies);
         F nearlyOne;
         F separation = solver.template PushPair<kKind>(pace, nearlyOne);
         const auto alone = AtLeast(nearlyOne, F::Set(1.0f));
@@ -279,7 +279,7 @@ float32 SolveOverlapPairs(const OverlapBlock& block, float32* bodies, PushPace p
                 if (lanes[i] == 1.0f)
                 {
                     const float32 found = SolveNearlyOnePoint(
-                        block, lane + i, reinterpret_cast<SolverBody*>(bodies), pace);
+                        block, masses, lane + i, reinterpret_cast<SolverBody*>(bodies), pace);
                     smallest = found < smallest ? found : smallest;
                 }
             }
@@ -290,12 +290,13 @@ float32 SolveOverlapPairs(const OverlapBlock& block, float32* bodies, PushPace p
 }
 
 template <class F, OverlapKind kKind>
-float32 SolveOverlapPoints(const OverlapBlock& block, float32* bodies, PushPace pace)
+float32 SolveOverlapPoints(const OverlapBlock& block, const MassLanes& masses, float32* bodies,
+                           PushPace pace)
 {
     float32 smallest = 0.0f;
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
-        OverlapSolver<F> solver(block, lane, bodies);
+        OverlapSolver<F> solver(block, masses, lane, bodies);
         smallest = SmallestOf(solver.template PushPoint<kKind>(pace), smallest);
         solver.Store(bodies);
     }
@@ -303,19 +304,20 @@ float32 SolveOverlapPoints(const OverlapBlock& block, float32* bodies, PushPace 
 }
 
 template <class F>
-float32 SolveOverlapBlock(const OverlapBlock& block, float32* bodies, PushPace pace)
+float32 SolveOverlapBlock(const OverlapBlock& block, const MassLanes& masses, float32* bodies,
+                          PushPace pace)
 {
     const bool pair = block.pointCount == 2;
     switch (block.kind)
     {
     case OverlapKind::FaceA:
-        return pair ? SolveOverlapPairs<F, OverlapKind::FaceA>(block, bodies, pace)
-                    : SolveOverlapPoints<F, OverlapKind::FaceA>(block, bodies, pace);
+        return pair ? SolveOverlapPairs<F, OverlapKind::FaceA>(block, masses, bodies, pace)
+                    : SolveOverlapPoints<F, OverlapKind::FaceA>(block, masses, bodies, pace);
     case OverlapKind::FaceB:
-        return pair ? SolveOverlapPairs<F, OverlapKind::FaceB>(block, bodies, pace)
-                    : SolveOverlapPoints<F, OverlapKind::FaceB>(block, bodies, pace);
+        return pair ? SolveOverlapPairs<F, OverlapKind::FaceB>(block, masses, bodies, pace)
+                    : SolveOverlapPoints<F, OverlapKind::FaceB>(block, masses, bodies, pace);
     default:
-        return SolveOverlapPoints<F, OverlapKind::Centers>(block, bodies, pace);
+        return SolveOverlapPoints<F, OverlapKind::Centers>(block, masses, bodies, pace);
     }
 }
 

@@ -183,7 +183,8 @@ float32 StepSolver::SolveOverlaps(Direction direction, PushPace pace)
         for (int32 i = 0; i < end - begin; ++i)
         {
             const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
-            found = b2Min(found, SolveBlock(blocks.Overlaps(index), m_context.bodies, pace));
+            found = b2Min(found, SolveBlock(blocks.Overlaps(index), blocks.Contacts(index).masses,
+                                            m_context.bodies, pace));
         }
         float32 before = smallest.load(std::memory_order_relaxed);
         while (found < before && !smallest.compare_exchange_weak(before, found))
@@ -287,14 +288,15 @@ void StepSolver::FindDeep()
     deep.assign(m_world.awakeBodies.size() + 1, 0);
     ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
         const OverlapBlock& block = blocks.Overlaps(i);
+        const MassLanes& masses = blocks.Contacts(i).masses;
         // A rate of 0 only measures.
-        if (SolveBlock(block, m_context.bodies, {0.0f}) >= -kMinRestOverlap)
+        if (SolveBlock(block, masses, m_context.bodies, {0.0f}) >= -kMinRestOverlap)
         {
             return;
         }
         for (int32 lane = 0; lane < block.count; ++lane)
         {
-            const OverlapConstraint o = OverlapOf(block, lane);
+            const OverlapConstraint o = OverlapOf(block, masses, lane);
             const float32 maximum = MaxRestOverlap(o.radius);
             for (int32 point = 0; point < o.pointCount; ++point)
             {

@@ -40,9 +40,8 @@ public:
         }
         const float32 more = 1.0f + restitution;
         float32 x[2] = {};
-        if (count == 2 && m_block.coupled[m_lane] != 0.0f && speeds[0] < 0.0f && speeds[1] < 0.0f &&
-            EnumerateImpulses(m_block.k11[m_lane], m_block.k12[m_lane], m_block.k22[m_lane],
-                              more * speeds[0], more * speeds[1], x[0], x[1]))
+        if (count == 2 && speeds[0] < 0.0f && speeds[1] < 0.0f &&
+            SolvePair(more * speeds[0], more * speeds[1], x))
         {
             Push(0, x[0]);
             Push(1, x[1]);
@@ -52,7 +51,7 @@ public:
             for (int32 i = 0; i < count; ++i)
             {
                 const float32 coming = b2Max(-NormalSpeed(i), 0.0f);
-                x[i] = more * coming * m_block.points[i].normalMass[m_lane];
+                x[i] = more * coming * NormalMassOf(m_block, m_lane, i);
                 Push(i, x[i]);
             }
         }
@@ -76,6 +75,15 @@ private:
         return b2Dot(m_b.v - m_a.v, b2Cross(m_normal, 1.0f)) + m_b.w * p.tangentLeverB[m_lane] -
                m_a.w * p.tangentLeverA[m_lane] - m_block.tangentSpeed[m_lane];
     }
+    /// False if the points are too close to be solved together.
+    bool SolvePair(float32 wanted1, float32 wanted2, float32 (&x)[2]) const
+    {
+        const float32 k11 = ResponseOf(m_block, m_lane, 0, 0);
+        const float32 k12 = ResponseOf(m_block, m_lane, 0, 1);
+        const float32 k22 = ResponseOf(m_block, m_lane, 1, 1);
+        return k11 * k11 < kMaxCondition * (k11 * k22 - k12 * k12) &&
+               EnumerateImpulses(k11, k12, k22, wanted1, wanted2, x[0], x[1]);
+    }
     void Push(int32 i, float32 impulse)
     {
         const PointLanes& p = m_block.points[i];
@@ -87,7 +95,8 @@ private:
     {
         const PointLanes& p = m_block.points[i];
         const float32 limit = m_block.friction[m_lane] * impulse;
-        const float32 drag = b2Clamp(-TangentSpeed(i) * p.tangentMass[m_lane], -limit, limit);
+        const float32 drag =
+            b2Clamp(-TangentSpeed(i) * m_block.pointMass[i][m_lane], -limit, limit);
         Apply(drag, b2Cross(m_normal, 1.0f), p.tangentLeverA[m_lane], p.tangentLeverB[m_lane]);
         m_totals.tangent[i][m_lane] += drag;
     }
@@ -95,13 +104,13 @@ private:
     {
         if ((m_block.movesA >> m_lane & 1) != 0)
         {
-            m_a.v -= (m_block.invMassA[m_lane] * impulse) * direction;
-            m_a.w -= m_block.invInertiaA[m_lane] * leverA * impulse;
+            m_a.v -= (m_block.masses.invMassA[m_lane] * impulse) * direction;
+            m_a.w -= m_block.masses.invInertiaA[m_lane] * leverA * impulse;
         }
         if ((m_block.movesB >> m_lane & 1) != 0)
         {
-            m_b.v += (m_block.invMassB[m_lane] * impulse) * direction;
-            m_b.w += m_block.invInertiaB[m_lane] * leverB * impulse;
+            m_b.v += (m_block.masses.invMassB[m_lane] * impulse) * direction;
+            m_b.w += m_block.masses.invInertiaB[m_lane] * leverB * impulse;
         }
     }
 

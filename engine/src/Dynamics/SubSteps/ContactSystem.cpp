@@ -135,7 +135,7 @@ public:
     {
         for (int32 i = 0; i < m_block.pointCount; ++i)
         {
-            rows.laws[i].softness = share / m_block.points[i].normalMass[m_lane];
+            rows.laws[i].softness = share / NormalMassOf(m_block, m_lane, i);
         }
     }
 
@@ -565,8 +565,9 @@ void ContactSystem::SolveOverlaps(SolverMemory& solver, JointSystem& joints,
         float32 smallest = 0.0f;
         for (const Place& place : island.contacts)
         {
-            const OverlapConstraint o =
-                OverlapOf(solver.contacts[place.color].Overlaps(place.block), place.lane);
+            const ContactBlocks& blocks = solver.contacts[place.color];
+            const OverlapConstraint o = OverlapOf(blocks.Overlaps(place.block),
+                                                  blocks.Contacts(place.block).masses, place.lane);
             for (int32 k = 0; k < o.pointCount; ++k)
             {
                 smallest = b2Min(
@@ -593,9 +594,10 @@ void ContactSystem::SolveOverlaps(ContactIsland& island, SolverMemory& solver, J
     {
         const Place& place = island.contacts[i];
         ContactBlocks& blocks = solver.contacts[place.color];
-        FillOverlap(OverlapOf(blocks.Overlaps(place.block), place.lane),
-                    Data(*blocks.Contacts(place.block).contact[place.lane]), context.bodies, pace,
-                    system.Rows(i), system.At(i));
+        const ContactBlock& block = blocks.Contacts(place.block);
+        FillOverlap(OverlapOf(blocks.Overlaps(place.block), block.masses, place.lane),
+                    Data(*block.contact[place.lane]), context.bodies, pace, system.Rows(i),
+                    system.At(i));
     }
     for (std::size_t i = 0; i < island.joints.size(); ++i)
     {

@@ -86,7 +86,8 @@ void FirstLoads::GatherPoint(const World& world, ContactBlock& block, int32 lane
         -(double(block.normalX[lane]) * double(g.x) + double(block.normalY[lane]) * double(g.y)) /
         double(g.Length());
     const bool isUpperB = up > 0.0;
-    if (!(b2Abs(up) > kMinLift) || (isUpperB ? block.invMassB : block.invMassA)[lane] == 0.0f)
+    if (!(b2Abs(up) > kMinLift) ||
+        (isUpperB ? block.masses.invMassB : block.masses.invMassA)[lane] == 0.0f)
     {
         return;
     }

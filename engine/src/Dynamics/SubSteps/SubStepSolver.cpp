@@ -53,15 +53,8 @@ Direction KickDirectionOf(int32 kick, int32 iteration, int32 count, bool turned)
 /// True if a contact of the block must bounce. Its bias is cleared, because Bounce applies it.
 bool TakeBias(ContactBlock& block)
 {
-    bool any = false;
-    for (int32 i = 0; i < block.pointCount; ++i)
-    {
-        for (int32 lane = 0; lane < block.count; ++lane)
-        {
-            any = any || block.points[i].bias[lane] > 0.0f;
-            block.points[i].bias[lane] = 0.0f;
-        }
-    }
+    const bool any = block.bounces;
+    block.bounces = false;
     return any;
 }
 

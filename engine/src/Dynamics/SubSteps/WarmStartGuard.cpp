@@ -87,10 +87,7 @@ void WarmStartGuard::Begin(const World& world, SolverMemory& solver, const Joint
             const int32 index = Data(*body).SolverIndex();
             return islands.Of(index) == -1 && Moves(solver.bodies[std::size_t(index)]);
         });
-    const auto drives = [&](const ContactBlock& block) {
-        return anyMoves || std::any_of(block.tangentSpeed, block.tangentSpeed + block.count,
-                                       [](float32 speed) { return speed != 0.0f; });
-    };
+    const auto drives = [&](const ContactBlock& block) { return anyMoves || block.driven; };
     ForContacts(solver, drives, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
         const int32 a = islands.Of(block.bodyA[lane]);
         const int32 b = islands.Of(block.bodyB[lane]);
