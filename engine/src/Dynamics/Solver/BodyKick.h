@@ -25,15 +25,18 @@ struct Decay
     float32 time; ///< [s]
 };
 
-/// The values of a body for the whole step.
+/// The values of a body for the whole step, next to each other: those of BodyData are far apart.
+/// Acceleration, damping, mass and inertia are 0 unless the body is dynamic.
 struct BodyKick
 {
     b2Vec2 acceleration;                ///< [m/s^2]
     float32 angularAcceleration = 0.0f; ///< [rad/s^2]
     float32 linearDamping = 0.0f, angularDamping = 0.0f;
+    float32 mass = 0.0f, inertia = 0.0f;
+    float32 maxExtent = 0.0f; ///< [m]
 
     BodyKick() = default;
-    BodyKick(const BodyData& body, const b2Vec2& gravity)
+    BodyKick(const BodyData& body, const b2Vec2& gravity) : maxExtent(body.maxExtent)
     {
         if (body.IsDynamic())
         {
@@ -41,6 +44,8 @@ struct BodyKick
             angularAcceleration = body.invInertia * body.torque;
             linearDamping = body.linearDamping;
             angularDamping = body.angularDamping;
+            mass = body.mass;
+            inertia = body.inertia;
         }
     }
 

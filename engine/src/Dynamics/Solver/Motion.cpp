@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Motion.h"
 #include "MotionLanes.h"
+#include "OverlapSolver.h"
 
 #include "../../Common/WideInstructions.h"
 
@@ -10,6 +11,8 @@ namespace box2d
 #if defined(BOX2D_AVX2)
 int32 MoveRowsAvx2(SolverBody* bodies, int32 count, float32 timeStep, const MaxMove& maximum);
 int32 GiveRowsAvx2(SolverBody* bodies, const BodyKick* kicks, int32 count, float32 duration);
+int32 FarthestRowsAvx2(const SolverBody* before, const SolverBody* after, const BodyKick* kicks,
+                       int32 count, float32& farthest);
 #endif
 
 void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& maximum)
@@ -60,6 +63,26 @@ void GiveKicks(SolverBody* bodies, const BodyKick* kicks, int32 count, float32 d
     {
         kicks[done].Give(bodies[done], duration);
     }
+}
+
+float32 FarthestPush(const SolverBody* before, const SolverBody* after, const BodyKick* kicks,
+                     int32 count)
+{
+    float32 farthest = 0.0f;
+    int32 done = 0;
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        done = FarthestRowsAvx2(before, after, kicks, count, farthest);
+    }
+#endif
+    done += FarthestRows<simd::Float4>(before + done, after + done, kicks + done, count - done,
+                                       farthest);
+    for (; done < count; ++done)
+    {
+        farthest = b2Max(farthest, PushOf(before[done], after[done], kicks[done].maxExtent));
+    }
+    return farthest;
 }
 
 } // namespace box2d

@@ -29,4 +29,8 @@ void MoveByVelocity(SolverBody* bodies, int32 count, float32 timeStep, const Max
 /// Gives each of consecutive bodies its kick, with the bits of BodyKick::Give.
 void GiveKicks(SolverBody* bodies, const BodyKick* kicks, int32 count, float32 duration);
 
+/// Returns the largest PushOf of consecutive bodies [m].
+float32 FarthestPush(const SolverBody* before, const SolverBody* after, const BodyKick* kicks,
+                     int32 count);
+
 } // namespace box2d

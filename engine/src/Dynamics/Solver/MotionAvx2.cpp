@@ -15,4 +15,10 @@ int32 GiveRowsAvx2(SolverBody* bodies, const BodyKick* kicks, int32 count, float
     return GiveRows<simd::Float8>(bodies, kicks, count, duration);
 }
 
+int32 FarthestRowsAvx2(const SolverBody* before, const SolverBody* after, const BodyKick* kicks,
+                       int32 count, float32& farthest)
+{
+    return FarthestRows<simd::Float8>(before, after, kicks, count, farthest);
+}
+
 } // namespace box2d

@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr int kKickStride = int(sizeof(BodyKick) / sizeof(float32));
+static_assert(kKickStride == 8);
 constexpr int32 kInARow[] = {0, 1, 2, 3, 4, 5, 6, 7};
 
 /// The bits of SinCos. Angles within a step are small; others are computed one by one.
@@ -134,6 +135,35 @@ int32 GiveRows(SolverBody* bodies, const BodyKick* kicks, int32 count, float32 d
         ComputeDecay(t, c[3], left, time);
         v[2] = BoundedLanes(left * v[2] + time * a[2]);
         StoreRows(body, kBodyStride, kInARow, v);
+    }
+    return i;
+}
+
+template <class F>
+int32 FarthestRows(const SolverBody* before, const SolverBody* after, const BodyKick* kicks,
+                   int32 count, float32& farthest)
+{
+    F maximum = F::Set(farthest);
+    int32 i = 0;
+    for (; i + F::kLanes <= count; i += F::kLanes)
+    {
+        const auto* const from = reinterpret_cast<const float32*>(before + i);
+        const auto* const to = reinterpret_cast<const float32*>(after + i);
+        F v[4], p[4], d[4], e[4]; // the last of v and p are angles, the first two of d and e places
+        F k[4];                   // the last are extents
+        LoadRows(from, kBodyStride, kInARow, v);
+        LoadRows(to, kBodyStride, kInARow, p);
+        LoadRows(from + 4, kBodyStride, kInARow, d);
+        LoadRows(to + 4, kBodyStride, kInARow, e);
+        LoadRows(reinterpret_cast<const float32*>(kicks + i) + 4, kKickStride, kInARow, k);
+        const F path = Length<F>({e[0] - d[0], e[1] - d[1]}) + Abs(p[3] - v[3]) * k[3];
+        maximum = Max(path, maximum);
+    }
+    float32 lanes[F::kLanes];
+    maximum.Store(lanes);
+    for (const float32 lane : lanes)
+    {
+        farthest = lane > farthest ? lane : farthest;
     }
     return i;
 }

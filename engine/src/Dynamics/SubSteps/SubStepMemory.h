@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../State/Solver.h"
 #include "../Solver/BodyKick.h"
+#include "../State/Solver.h"
 #include "ContactSystem.h"
 #include "FirstLoads.h"
 #include "JointSystem.h"
@@ -29,7 +29,6 @@ struct SubStepMemory
     Array<BodyMode> modes;          ///< by awake body
     Array<BodyKick> kicks;          ///< by awake body
     Array<SolverBody> beforePushes; ///< by solver index: see MoveApart
-    float32 largestExtent = 0.0f;   ///< of the awake bodies [m]
     Array<float32> farthestPushes;  ///< by number of AwakeIslands: maximum of its bodies [m]
 };
 

@@ -101,6 +101,14 @@ void TakeTotals(ContactBlock& block, const BlockTotals& totals)
     }
 }
 
+/// Bodies without joints and contacts move through the step at once, with less cost and rounding.
+BodyMode ModeOf(const BodyData& body)
+{
+    const bool flies = body.IsDynamic() && body.colorMask == 0 && body.jointList == nullptr &&
+                       body.linearDamping == 0.0f && body.angularDamping == 0.0f;
+    return flies ? BodyMode::Flies : BodyMode::Together;
+}
+
 } // namespace
 
 void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
@@ -169,6 +177,7 @@ void SubStepSolver::Begin(int32 count)
     m_memory.bodies.resize(m_world.awakeBodies.size() + 1);
     m_memory.bodies[0] = SolverBody();
     m_subSteps.kicks.resize(m_world.awakeBodies.size());
+    m_subSteps.modes.resize(m_world.awakeBodies.size());
     m_context.bodies = m_memory.bodies.data();
     ForBodies([this](std::size_t i) {
         const BodyData& body = Data(*m_world.awakeBodies[i]);
@@ -177,7 +186,9 @@ void SubStepSolver::Begin(int32 count)
         s.v = body.linearVelocity;
         s.w = body.angularVelocity;
         m_subSteps.kicks[i] = BodyKick(body, m_world.settings.gravity);
+        m_subSteps.modes[i] = ModeOf(body);
     });
+    HoldOverflow();
     PrepareContacts();
     for (int32 i = 0; i < m_memory.colorCount; ++i)
     {
@@ -190,7 +201,6 @@ void SubStepSolver::Begin(int32 count)
     }
     m_subSteps.firstLoads.Find(m_world, m_memory, 0.5f * m_context.timeStep / float32(count));
     Bounce();
-    FindFlying();
     m_context.inverseStep *= float32(count);
     m_subSteps.joints.Update(m_world.graph);
     if (m_memory.colorCount > 0 || !m_subSteps.joints.IsEmpty())
@@ -205,7 +215,7 @@ void SubStepSolver::Begin(int32 count)
         });
     if (AnyHeld())
     {
-        m_subSteps.warmStartGuard.Begin(m_world, m_memory, m_subSteps.joints);
+        m_subSteps.warmStartGuard.Begin(m_memory, m_subSteps.joints);
     }
     m_subSteps.contacts.Begin(m_memory, m_subSteps.joints);
     m_subSteps.joints.ForTreeBodies([this](const BodyData& body) {
@@ -281,14 +291,14 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     WarmStartGuard& guard = m_subSteps.warmStartGuard;
     if (AnyHeld())
     {
-        guard.Note(m_memory);
+        guard.Note(m_memory, m_subSteps.kicks.data());
     }
     joints.WarmStart(kick, share);
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
         KickBlock(blocks.Contacts(i), blocks.Totals(i), m_context.bodies, share, m_kick > 0);
     });
     Iterate(iterations);
-    if (AnyHeld() && guard.HasGained(m_memory, joints))
+    if (AnyHeld() && guard.HasGained(m_memory, m_subSteps.kicks.data(), joints))
     {
         guard.Restore(m_memory);
         joints.StartAgain(kick,
@@ -316,21 +326,9 @@ void SubStepSolver::Iterate(int32 iterations)
     }
 }
 
-/// Bodies without joints and contacts move through the step at once, with less cost and rounding.
-void SubStepSolver::FindFlying()
+/// Contacts in the overflow have no colour, so ModeOf does not see them.
+void SubStepSolver::HoldOverflow()
 {
-    const std::size_t count = m_world.awakeBodies.size();
-    m_subSteps.modes.resize(count);
-    m_subSteps.largestExtent = 0.0f;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        const BodyData& body = Data(*m_world.awakeBodies[i]);
-        m_subSteps.largestExtent = b2Max(m_subSteps.largestExtent, body.maxExtent);
-        const bool flies = body.IsDynamic() && body.colorMask == 0 && body.jointList == nullptr &&
-                           body.linearDamping == 0.0f && body.angularDamping == 0.0f;
-        m_subSteps.modes[i] = flies ? BodyMode::Flies : BodyMode::Together;
-    }
-    // Contacts in the overflow have no colour.
     for (b2Contact* contact : m_world.graph.Contacts(ConstraintGraph::kOverflow))
     {
         for (const b2Body* body : {Data(*contact).bodyA, Data(*contact).bodyB})
@@ -401,23 +399,12 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
     }
 }
 
-/// False if no push exceeds `maximum`, by a bound that reads no body. Nearly always.
-bool SubStepSolver::MayExceed(float32 maximum) const
-{
-    bool any = false;
-    for (std::size_t i = 1; i < m_memory.bodies.size(); ++i)
-    {
-        any = any || PushOf(m_subSteps.beforePushes[i], m_memory.bodies[i],
-                            m_subSteps.largestExtent) > maximum;
-    }
-    return any;
-}
-
 /// Scales all pushes of an island equally, so that no point of its bodies moves further than
 /// `maximum` [m]. Directions are kept, and points that separate still do.
 void SubStepSolver::LimitPushes(float32 maximum)
 {
-    if (!MayExceed(maximum))
+    if (!(FarthestPush(m_subSteps.beforePushes.data() + 1, m_memory.bodies.data() + 1,
+                       m_subSteps.kicks.data(), int32(m_subSteps.kicks.size())) > maximum))
     {
         return;
     }

@@ -34,9 +34,8 @@ private:
     bool AnyHeld() const;
     void Bounce();
     void Iterate(int32 iterations);
-    bool MayExceed(float32 maximum) const;
     void LimitPushes(float32 maximum);
-    void FindFlying();
+    void HoldOverflow();
     void Fly(std::size_t index);
 
     SubStepMemory& m_subSteps;

@@ -77,16 +77,16 @@ void WarmStartGuard::Exempt(int32 island, bool really)
     }
 }
 
-void WarmStartGuard::Begin(const World& world, SolverMemory& solver, const JointSystem& joints)
+void WarmStartGuard::Begin(SolverMemory& solver, const JointSystem& joints)
 {
     const AwakeIslands& islands = solver.islands;
     m_before.resize(solver.bodies.size());
     m_islands.assign(std::size_t(islands.Count()), Island());
-    const bool anyMoves =
-        std::any_of(world.awakeBodies.begin(), world.awakeBodies.end(), [&](const b2Body* body) {
-            const int32 index = Data(*body).SolverIndex();
-            return islands.Of(index) == -1 && Moves(solver.bodies[std::size_t(index)]);
-        });
+    bool anyMoves = false;
+    for (std::size_t i = 1; i < solver.bodies.size(); ++i)
+    {
+        anyMoves = anyMoves || (islands.Of(int32(i)) == -1 && Moves(solver.bodies[i]));
+    }
     const auto drives = [&](const ContactBlock& block) { return anyMoves || block.driven; };
     ForContacts(solver, drives, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
         const int32 a = islands.Of(block.bodyA[lane]);
@@ -110,39 +110,53 @@ void WarmStartGuard::Begin(const World& world, SolverMemory& solver, const Joint
             Exempt(island, islands.Of(index) == -1 && Moves(solver.bodies[std::size_t(index)]));
         }
     });
-    m_members.clear();
-    for (const b2Body* body : world.awakeBodies)
+    m_checksAny = !std::ranges::all_of(m_islands, &Island::exempt);
+}
+
+void WarmStartGuard::AddEnergies(const SolverMemory& solver, const BodyKick* kicks,
+                                 double Island::*sum)
+{
+    int32 last = -1;
+    double energy = 0.0;
+    for (std::size_t i = 1; i < solver.bodies.size(); ++i)
     {
-        const BodyData& data = Data(*body);
-        const int32 island = islands.Of(data.SolverIndex());
-        if (island != -1 && data.IsDynamic() && !m_islands[std::size_t(island)].exempt)
+        const int32 island = solver.islands.Of(int32(i));
+        if (island == -1)
         {
-            m_members.push_back({data.SolverIndex(), island, data.mass, data.inertia});
+            continue;
         }
+        if (island != last)
+        {
+            energy = m_islands[std::size_t(island)].*sum;
+            last = island;
+        }
+        const BodyKick& of = kicks[i - 1];
+        energy += KineticEnergy(solver.bodies[i], double(of.mass), double(of.inertia));
+        m_islands[std::size_t(island)].*sum = energy;
     }
 }
 
-void WarmStartGuard::Note(const SolverMemory& solver)
+void WarmStartGuard::Note(const SolverMemory& solver, const BodyKick* kicks)
 {
     std::copy(solver.bodies.begin(), solver.bodies.end(), m_before.begin());
     for (Island& island : m_islands)
     {
         island.before = island.after = 0.0;
     }
-    for (const Member& m : m_members)
+    if (m_checksAny)
     {
-        m_islands[std::size_t(m.island)].before +=
-            KineticEnergy(solver.bodies[std::size_t(m.body)], double(m.mass), double(m.inertia));
+        AddEnergies(solver, kicks, &Island::before);
     }
 }
 
-bool WarmStartGuard::HasGained(SolverMemory& solver, const JointSystem& joints)
+bool WarmStartGuard::HasGained(SolverMemory& solver, const BodyKick* kicks,
+                               const JointSystem& joints)
 {
-    for (const Member& m : m_members)
+    if (!m_checksAny)
     {
-        m_islands[std::size_t(m.island)].after +=
-            KineticEnergy(solver.bodies[std::size_t(m.body)], double(m.mass), double(m.inertia));
+        return false;
     }
+    AddEnergies(solver, kicks, &Island::after);
     SolverContext start, end;
     start.bodies = m_before.data();
     end.bodies = solver.bodies.data();

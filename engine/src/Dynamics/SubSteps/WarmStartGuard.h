@@ -17,12 +17,12 @@ class WarmStartGuard
 {
 public:
     /// Call once per step, before its first kick, after the awake islands were found.
-    void Begin(const World& world, SolverMemory& solver, const JointSystem& joints);
+    void Begin(SolverMemory& solver, const JointSystem& joints);
     /// After the kick of the bodies, before the warm start.
-    void Note(const SolverMemory& solver);
+    void Note(const SolverMemory& solver, const BodyKick* kicks);
     /// True if an island gained more energy than its motors, springs and kinematic bodies can
     /// supply.
-    bool HasGained(SolverMemory& solver, const JointSystem& joints);
+    bool HasGained(SolverMemory& solver, const BodyKick* kicks, const JointSystem& joints);
     /// For these islands: restores the velocities of Note and resets the impulses of their
     /// contacts.
     void Restore(SolverMemory& solver) const;
@@ -42,19 +42,13 @@ private:
         bool HasGained() const;
     };
 
-    /// A body of an island that is checked.
-    struct Member
-    {
-        int32 body;   ///< solver index
-        int32 island; ///< number of AwakeIslands
-        float32 mass, inertia;
-    };
-
+    /// Adds the kinetic energy of its bodies to this sum of each island.
+    void AddEnergies(const SolverMemory& solver, const BodyKick* kicks, double Island::*sum);
     bool HasGained(int32 island) const;
     void Exempt(int32 island, bool really);
 
     Array<Island> m_islands; // by number of AwakeIslands
-    Array<Member> m_members;
+    bool m_checksAny = false;
     Array<SolverBody> m_before; // by solver index
 };
 
