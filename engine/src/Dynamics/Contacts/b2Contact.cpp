@@ -63,7 +63,7 @@ void b2Contact::SetTangentSpeed(float32 speed)
 {
     if (B2_REQUIRE(b2IsValid(speed), "A contact's tangent speed must be finite."))
     {
-        m_data.tangentSpeed = speed;
+        m_data.SetTangentSpeed(speed);
     }
 }
 

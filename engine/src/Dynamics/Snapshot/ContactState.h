@@ -15,11 +15,12 @@ namespace box2d
 template <class Archive>
 void Visit(Archive& archive, ContactData& contact)
 {
-    auto& [bodyA, bodyB, flags, gap, relative, friction, restitution, tangentSpeed, radiusA,
-           radiusB, toiCount, color, solvedAs, manifold, lastShare, proxyA, proxyB, awakeIndex,
-           oldIndex, colorIndex, place, edgeA, edgeB, prev, next] = contact;
+    auto& [bodyA, bodyB, flags, gap, relative, friction, restitution, lastShare, radiusA, radiusB,
+           toiCount, color, solvedAs, manifold, tangentSpeed, proxyA, proxyB, awakeIndex, oldIndex,
+           colorIndex, place, edgeA, edgeB, prev, next] = contact;
     archive(flags, friction, restitution, tangentSpeed, radiusA, radiusB, toiCount);
     archive(manifold, relative, gap, lastShare);
+    contact.SetTangentSpeed(tangentSpeed);
 }
 
 /// Identified by the proxies whose boxes overlap.

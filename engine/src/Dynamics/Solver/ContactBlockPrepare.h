@@ -118,16 +118,17 @@ struct BlockPreparer
     void CopyImpulses(int i) const
     {
         PointLanes& p = block.points[i];
-        const float32 share = context.warmStarting ? context.stepRatio : 0.0f;
+        const F ratio = F::Set(context.warmStarting ? context.stepRatio : 0.0f);
+        const F share = At(from.share);
         const F zero = F::Set(0.0f);
         const F maximum = F::Set(b2_maxFloat);
         const F normal = At(from.normalImpulse[i]);
         const F tangent = At(from.tangentImpulse[i]);
-        Select(AtLeast(maximum, normal), F::Set(share) * normal, zero)
-            .Store(p.normalImpulse + lane);
-        Select(And(AtLeast(maximum, tangent), AtLeast(tangent, -maximum)), F::Set(share) * tangent,
-               zero)
-            .Store(p.tangentImpulse + lane);
+        const F push = Select(AtLeast(maximum, normal), ratio * normal, zero);
+        const F drag = Select(And(AtLeast(maximum, tangent), AtLeast(tangent, -maximum)),
+                              ratio * tangent, zero);
+        (push * share).Store(p.normalImpulse + lane);
+        (drag * share).Store(p.tangentImpulse + lane);
     }
 
     struct Bodies

@@ -13,8 +13,6 @@
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2WorldCallbacks.h>
 
-#include <bit>
-
 namespace box2d
 {
 
@@ -159,15 +157,16 @@ namespace
 class Gatherer
 {
 public:
-    Gatherer(ContactBlock& block, OverlapBlock& overlap, ContactLanes& lanes)
-        : m_block(block), m_overlap(overlap), m_to(lanes)
+    Gatherer(ContactBlock& block, OverlapBlock& overlap, ContactLanes& lanes,
+             const SolverContext& context)
+        : m_block(block), m_overlap(overlap), m_to(lanes), m_context(context)
     {}
 
     void Gather()
     {
         m_overlap.count = m_block.count;
         m_block.movesA = m_block.movesB = 0;
-        m_block.driven = false;
+        m_block.driven = m_block.fresh = false;
         for (int lane = 0; lane < m_block.count; ++lane)
         {
             const ContactData& c = Data(*m_block.contact[lane]);
@@ -195,8 +194,11 @@ private:
         m_overlap.offsetX[lane] = offset.x;
         m_overlap.offsetY[lane] = offset.y;
         m_block.friction[lane] = c.friction;
-        m_block.tangentSpeed[lane] = c.tangentSpeed;
-        m_block.driven = m_block.driven || std::bit_cast<uint32>(c.tangentSpeed) != 0;
+        const bool driven = (c.flags & kContactDriven) != 0;
+        m_block.tangentSpeed[lane] = driven ? c.tangentSpeed : 0.0f;
+        m_block.driven = m_block.driven || driven;
+        m_block.fresh = m_block.fresh || c.lastShare < 0.0f;
+        m_to.share[lane] = m_context.warmStartsLastShare ? b2Max(c.lastShare, 0.0f) : 1.0f;
         m_to.restitution[lane] = c.restitution;
         GatherBodies(lane, a, b);
         const bool faceOnB = m_overlap.kind == OverlapKind::FaceB;
@@ -257,7 +259,7 @@ private:
         m_to.normalY[lane] = 1.0f;
         m_to.referenceX[lane] = m_to.referenceY[lane] = 0.0f;
         m_to.radiusFace[lane] = m_to.radiusOther[lane] = -1.0f;
-        m_to.restitution[lane] = 0.0f;
+        m_to.restitution[lane] = m_to.share[lane] = 0.0f;
         for (int i = 0; i < 2; ++i)
         {
             m_to.pointX[i][lane] = float32(i);
@@ -269,6 +271,7 @@ private:
     ContactBlock& m_block;
     OverlapBlock& m_overlap;
     ContactLanes& m_to;
+    const SolverContext& m_context;
 };
 
 } // namespace
@@ -286,7 +289,7 @@ void ReadAhead(const ContactBlock& block)
 void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContext& context)
 {
     ContactLanes lanes;
-    Gatherer(block, overlap, lanes).Gather();
+    Gatherer(block, overlap, lanes, context).Gather();
     if (IsAlone(block))
     {
         return PrepareBlock<simd::Float1>(lanes, block, overlap, context);

@@ -51,6 +51,7 @@ struct alignas(kCacheLine) ContactBlock
     bool allCoupled;      ///< all lanes have two points that are solved together
     bool driven;          ///< a tangentSpeed is not zero
     bool bounces;         ///< a bias is not zero
+    bool fresh;           ///< a contact has not been solved with sub-steps yet
     uint8 movesA, movesB; ///< bit mask of lanes whose body can move or rotate
 
     alignas(kCacheLine) b2Contact* contact[kBlockLanes];
@@ -113,6 +114,7 @@ struct alignas(kCacheLine) ContactLanes
     float32 radiusFace[kBlockLanes], radiusOther[kBlockLanes];
     float32 restitution[kBlockLanes];
     float32 normalImpulse[2][kBlockLanes], tangentImpulse[2][kBlockLanes];
+    float32 share[kBlockLanes]; ///< of these impulses that is warm-started
 };
 
 /// The blocks of one colour. The assignment lasts as long as the colour's contacts.

@@ -63,7 +63,7 @@ void FirstLoads::GatherPoints(const World& world, SolverMemory& arrays)
         for (int32 k = 0; k < blocks.Count(); ++k)
         {
             ContactBlock& block = blocks.Contacts(k);
-            for (int32 lane = 0; lane < block.count; ++lane)
+            for (int32 lane = 0; lane < block.count && block.fresh; ++lane)
             {
                 GatherPoint(world, block, lane);
             }

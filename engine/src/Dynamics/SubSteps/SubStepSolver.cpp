@@ -58,22 +58,8 @@ bool TakeBias(ContactBlock& block)
     return any;
 }
 
-/// Scales each contact's impulses to the fraction still applied at the end of the last step: an
-/// impact is over.
-void ScaleToLastShare(ContactBlock& block)
-{
-    for (int32 lane = 0; lane < block.count; ++lane)
-    {
-        const float32 share = b2Max(Data(*block.contact[lane]).lastShare, 0.0f);
-        for (int32 i = 0; i < block.pointCount; ++i)
-        {
-            block.points[i].normalImpulse[lane] *= share;
-            block.points[i].tangentImpulse[lane] *= share;
-        }
-    }
-}
-
-/// Stores that fraction. As in a kick's start, it includes half of the last kick's change.
+/// Stores the fraction of each contact's impulses that the end of the step applied: an impact is
+/// over. As in a kick's start, it includes half of the last kick's change.
 void NoteLastShare(const ContactBlock& block, const BlockTotals& totals)
 {
     for (int32 lane = 0; lane < block.count; ++lane)
@@ -173,6 +159,7 @@ void SubStepSolver::Begin(int32 count)
     const float32 wholeRatio = m_context.stepRatio;
     // From the last half kick to the first.
     m_context.stepRatio *= wereSmall ? float32(m_world.lastSubSteps) / float32(count) : toHalfKick;
+    m_context.warmStartsLastShare = wereSmall;
     m_world.lastSubSteps = count;
     m_memory.bodies.resize(m_world.awakeBodies.size() + 1);
     m_memory.bodies[0] = SolverBody();
@@ -193,11 +180,6 @@ void SubStepSolver::Begin(int32 count)
     for (int32 i = 0; i < m_memory.colorCount; ++i)
     {
         m_memory.contacts[m_memory.colors[i]].ClearTotals();
-    }
-    if (wereSmall)
-    {
-        ForEachBlock(Direction::Forward, m_threads,
-                     [](ContactBlocks& blocks, int32 i) { ScaleToLastShare(blocks.Contacts(i)); });
     }
     m_subSteps.firstLoads.Find(m_world, m_memory, 0.5f * m_context.timeStep / float32(count));
     Bounce();

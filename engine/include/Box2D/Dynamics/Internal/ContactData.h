@@ -35,6 +35,7 @@ enum ContactFlag : std::uint32_t
     kContactMeets = 1u << 7,    ///< the shapes touch
     kContactKept = 1u << 8,     ///< the manifold stays valid while the bodies do not move
     kContactObstacle = 1u << 9, ///< one of the bodies is not dynamic
+    kContactDriven = 1u << 10,  ///< the tangent speed is not zero
 };
 
 struct ContactData
@@ -50,16 +51,16 @@ struct ContactData
     b2Transform relative; ///< transform of body B in A's frame when the manifold was computed
     float32 friction = 0.0f;
     float32 restitution = 0.0f;
-    float32 tangentSpeed = 0.0f; ///< of a conveyor belt [m/s]
-    float32 radiusA = 0.0f;      ///< radius of the skin at the last update [m]
+    /// With sub-steps: the fraction of the step's impulse that the last sub-step applied. Negative
+    /// before the first.
+    float32 lastShare = -1.0f;
+    float32 radiusA = 0.0f; ///< radius of the skin at the last update [m]
     float32 radiusB = 0.0f;
     std::int16_t toiCount = 0; ///< times of impact handled in this step
     std::int8_t color = -1;    ///< in the constraint graph, -1 when not solved
     std::uint8_t solvedAs = 0; ///< Form() of its last block
     b2Manifold manifold;
-    /// With sub-steps: the fraction of the step's impulse that the last sub-step applied. Negative
-    /// before the first.
-    float32 lastShare = -1.0f;
+    float32 tangentSpeed = 0.0f; ///< of a conveyor belt [m/s]
 
     const b2FixtureProxy* proxyA = nullptr; ///< a child of a fixture of body A
     const b2FixtureProxy* proxyB = nullptr;
@@ -83,6 +84,11 @@ struct ContactData
         const bool solved = (flags & kContactEnabled) != 0 && manifold.pointCount > 0;
         return solved ? std::uint8_t(2 * int(manifold.type) + manifold.pointCount)
                       : std::uint8_t(0);
+    }
+    void SetTangentSpeed(float32 speed)
+    {
+        tangentSpeed = speed;
+        flags = speed != 0.0f ? flags | kContactDriven : flags & ~std::uint32_t(kContactDriven);
     }
     b2Fixture* FixtureA() const { return proxyA->fixture; }
     b2Fixture* FixtureB() const { return proxyB->fixture; }
