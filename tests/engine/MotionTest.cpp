@@ -41,7 +41,12 @@ public:
             body.angle = Real(1.0f);
             body.d = b2Vec2(Real(0.1f), Real(0.1f));
             body.q = b2Rot(body.angle);
+            if (m_random() % 6 == 0)
+            {
+                body.q = b2Rot(-0.0f);
+            }
             body.v.x = m_random() % 50 == 0 ? std::numeric_limits<float32>::infinity() : body.v.x;
+            body.v.y = m_random() % 50 == 0 ? std::numeric_limits<float32>::quiet_NaN() : body.v.y;
             bodies.push_back(body);
             BodyKick kick;
             kick.acceleration = b2Vec2(Real(10.0f), Real(1e12f));
@@ -62,8 +67,13 @@ private:
     std::mt19937 m_random;
 };
 
+/// A step discards what is not finite, and the bits of NaN depend on the processor.
 bool HaveSameBits(const SolverBody& a, const SolverBody& b)
 {
+    if (!IsFinite(a) && !IsFinite(b))
+    {
+        return true;
+    }
     using Bits = std::array<std::byte, sizeof(SolverBody)>;
     return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
