@@ -49,7 +49,8 @@ bool Bounces(const ContactBlock& c)
                        [](const float32(&bias)[kBlockLanes]) { return bias[0] > 0.0f; });
 }
 
-/// Position correction then does not move the bodies but these two.
+/// Position correction then moves only these two bodies. Blocks must be prepared again before
+/// velocities are solved.
 void HoldOthers(OverlapBlock& o, MassLanes& masses, int32 indexA, int32 indexB)
 {
     if (o.bodyA[0] != indexA && o.bodyA[0] != indexB)

@@ -50,7 +50,7 @@ struct alignas(kCacheLine) ContactBlock
     int32 pointCount;
     bool allCoupled;      ///< all lanes have two points that are solved together
     bool driven;          ///< a tangentSpeed is not zero
-    bool bounces;         ///< a bias is not zero
+    bool bounces;         ///< a bias is not zero; if false, they are ignored
     bool fresh;           ///< a contact has not been solved with sub-steps yet
     uint8 movesA, movesB; ///< bit mask of lanes whose body can move or rotate
 

@@ -80,7 +80,7 @@ float32 FarthestPush(const SolverBody* before, const SolverBody* after, const Bo
                                        farthest);
     for (; done < count; ++done)
     {
-        farthest = b2Max(farthest, PushOf(before[done], after[done], kicks[done].maxExtent));
+        farthest = b2Max(PushOf(before[done], after[done], kicks[done].maxExtent), farthest);
     }
     return farthest;
 }

@@ -79,8 +79,8 @@ struct SolverContext
     float32 inverseStep = 0.0f;   ///< [1/s]
     float32 stepRatio = 1.0f; ///< this step's length divided by the last one's, for warm starting
     bool warmStarting = true; ///< that of the settings; false at impacts
-    /// True if the last step had sub-steps: contacts' impulses are then those of all of it, and
-    /// only their last share still acts.
+    /// True in a step with sub-steps after another: the contacts' impulses are those of all of the
+    /// last step, and only their last share still acts.
     bool warmStartsLastShare = false;
 };
 

@@ -50,7 +50,7 @@ Direction KickDirectionOf(int32 kick, int32 iteration, int32 count, bool turned)
     return ((kick + 1) / 2 % 2 == 1) == turned ? Direction::Forward : Direction::Backward;
 }
 
-/// True if a contact of the block must bounce. Its bias is cleared, because Bounce applies it.
+/// True if a contact of the block must bounce. Its bias is ignored then, because Bounce applies it.
 bool TakeBias(ContactBlock& block)
 {
     const bool any = block.bounces;
@@ -255,7 +255,8 @@ void SubStepSolver::ForTogether(Function&& function)
             from = std::find_if(from, last, together);
             const auto to = std::find_if_not(from, last, together);
             const auto first = std::size_t(from - modes.begin());
-            function(&m_memory.bodies[first + 1], &m_subSteps.kicks[first], int32(to - from));
+            function(m_memory.bodies.data() + first + 1, m_subSteps.kicks.data() + first,
+                     int32(to - from));
             from = to;
         }
     });

@@ -3,7 +3,6 @@
 
 #include "../Solver/SolverMemory.h"
 #include "../State/Access.h"
-#include "../State/World.h"
 
 #include <algorithm>
 

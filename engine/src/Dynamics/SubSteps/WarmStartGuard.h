@@ -11,7 +11,6 @@ namespace box2d
 {
 
 struct SolverMemory;
-class World;
 
 class WarmStartGuard
 {
