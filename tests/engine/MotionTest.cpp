@@ -131,10 +131,16 @@ TEST(Motion, FindsTheFarthestPush)
         UseWideInstructions(wide);
         for (int32 count = 0; count <= 40; ++count)
         {
-            const RandomBodies before(1, count), after(2, count);
+            const RandomBodies before(1, count);
+            RandomBodies after(2, count);
             float32 farthest = 0.0f;
             for (std::size_t i = 0; i < std::size_t(count); ++i)
             {
+                if (i % 9 == 8) // ignored, wherever it stands
+                {
+                    after.bodies[i].d.x = std::numeric_limits<float32>::quiet_NaN();
+                    continue;
+                }
                 farthest = b2Max(
                     farthest, PushOf(before.bodies[i], after.bodies[i], before.kicks[i].maxExtent));
             }
