@@ -23,6 +23,9 @@ bool IsPushed(const BodyData& body)
     return IsListed(body) && body.IsDynamic();
 }
 
+/// Initial capacity of the lists of awake contacts, to avoid repeated growth in small worlds.
+constexpr std::size_t kFirstRoom = 64;
+
 bool IsMovingPlatform(const BodyData& body)
 {
     return body.mobility == Mobility::Kinematic &&
@@ -131,6 +134,9 @@ void UpdateActivity(World& world, b2Contact& contact)
     {
         c.awakeIndex = int32(world.awakeContacts.size());
         c.gap = 0.0f;
+        MakeRoom(world.awakeContacts, kFirstRoom);
+        MakeRoom(world.awakeObstacles, kFirstRoom);
+        MakeRoom(world.awakeLooks, kFirstRoom);
         world.awakeContacts.push_back(&contact);
         NoteAwake(world, c);
     }
