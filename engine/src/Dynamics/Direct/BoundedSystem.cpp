@@ -24,6 +24,13 @@ constexpr double kBurst = 30.0;
 /// Slower speeds before count as this one [m/s]: from rest any speed would be a burst. From 0.01 to
 /// 100 no test fails, and only the gaps of chains at a post change (docs/notes/tuned-constants.md).
 constexpr double kMinSpeedBefore = 1.0;
+/// Work of rigid rows with a target speed, such as limits, that is still plausible, as a multiple
+/// of the marked kinetic energy and of that of all bodies at the target speed. A body of mass m at
+/// v that gets the speed s takes m (v + s) s of work, at most 3 times their sum; levers need some
+/// more. Where a contact and a limit contradict each other, the work was 1e4 times as large.
+constexpr double kMaxWork = 10.0;
+/// Larger bounds of impulses are none [Ns].
+constexpr double kEndless = 1e29;
 
 /// Limits with a smaller relative difference are equal.
 constexpr double kSameLimit = 0.01;
@@ -163,6 +170,7 @@ void BoundedSystem::Mark(const SolverContext& context)
     m_markedBodies = m_before;
     m_markedEnergy = Energy(context);
     m_markedFastest = Fastest(context);
+    m_markedKinetic = KineticEnergyOfAll(context);
 }
 
 void BoundedSystem::KeepIfBetter(const SolverContext& context)
@@ -205,7 +213,36 @@ double BoundedSystem::FastestGiven(const SolverContext& context) const
 
 bool BoundedSystem::HasBurst(const SolverContext& context) const
 {
-    return Fastest(context) > kBurst * b2Max(m_markedFastest, kMinSpeedBefore);
+    return Fastest(context) > kBurst * b2Max(m_markedFastest, kMinSpeedBefore) || HasEndlessWork();
+}
+
+/// The work of springs, motors and friction is bounded, that of platforms is not counted here.
+bool BoundedSystem::HasEndlessWork() const
+{
+    double work = 0.0;
+    double fastest = 0.0;
+    for (std::size_t i = 0; i < m_items.size(); ++i)
+    {
+        const Item& item = m_items[i];
+        const JointRows& rows = m_system.Rows(i);
+        for (int32 row = 0; row < rows.rows; ++row)
+        {
+            const double impulse = item.impulse.at[row];
+            const double bound = impulse > 0.0 ? item.maximum.at[row] : -item.minimum.at[row];
+            if (rows.laws[row].softness == 0.0f && bound > kEndless)
+            {
+                work += impulse * item.speeds.at[row];
+                fastest = impulse != 0.0 ? b2Max(fastest, std::abs(item.speeds.at[row])) : fastest;
+            }
+        }
+    }
+    double mass = 0.0; // and inertias, for target speeds are those of lines or of angles
+    for (const BodyData* body : m_system.Bodies())
+    {
+        const double invInertia = body->SolverInvInertia();
+        mass += 1.0 / double(body->SolverInvMass()) + (invInertia > 0.0 ? 1.0 / invInertia : 0.0);
+    }
+    return work > kMaxWork * (m_markedKinetic + 0.5 * mass * fastest * fastest);
 }
 
 /// Returns the maximum speed of all points of the bodies, and of all prescribed speeds and those
@@ -324,23 +361,24 @@ double BoundedSystem::ShareWithin() const
     return share;
 }
 
-/// Returns the function that the correct impulses minimize: the energy of the bodies minus the work
-/// of belts and platforms.
-double BoundedSystem::Energy(const SolverContext& context) const
+double BoundedSystem::KineticEnergyOfAll(const SolverContext& context) const
 {
     double sum = 0.0;
     for (const BodyData* body : m_system.Bodies())
     {
         const SolverBody& s = context.bodies[body->SolverIndex()];
-        const double x = s.v.x;
-        const double y = s.v.y;
-        const double w = s.w;
-        sum += 0.5 * (x * x + y * y) / double(body->SolverInvMass());
-        if (body->SolverInvInertia() > 0.0f)
-        {
-            sum += 0.5 * w * w / double(body->SolverInvInertia());
-        }
+        const double invInertia = body->SolverInvInertia();
+        sum += KineticEnergy(s, 1.0 / double(body->SolverInvMass()),
+                             invInertia > 0.0 ? 1.0 / invInertia : 0.0);
     }
+    return sum;
+}
+
+/// Returns the function that the correct impulses minimize: the energy of the bodies minus the work
+/// of belts and platforms.
+double BoundedSystem::Energy(const SolverContext& context) const
+{
+    double sum = KineticEnergyOfAll(context);
     for (std::size_t i = 0; i < m_items.size(); ++i)
     {
         const JointRows& rows = m_system.Rows(i);

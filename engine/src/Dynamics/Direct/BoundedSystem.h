@@ -43,8 +43,9 @@ public:
     /// no minimum.
     void Mark(const SolverContext& context);
     void KeepIfBetter(const SolverContext& context);
-    /// True if speeds are far above all marked or target speeds: rows contradict each other, and
-    /// the energy decreases without bound.
+    /// True if speeds are far above all marked or target speeds, or target speeds do far more work
+    /// than the bodies could take: rows contradict each other, and the energy decreases without
+    /// bound.
     bool HasBurst(const SolverContext& context) const;
     void GoBack(const SolverContext& context);
     /// Returns the maximum speed that a body with infinite mass, such as a platform, gives to a row
@@ -57,7 +58,9 @@ private:
     bool Move(const SolverContext& context, double share);
     bool MoveItem(std::size_t index, double share, Vector3& change);
     double ShareWithin() const;
+    double KineticEnergyOfAll(const SolverContext& context) const;
     double Energy(const SolverContext& context) const;
+    bool HasEndlessWork() const;
     double Fastest(const SolverContext& context) const;
     void Save(const SolverContext& context);
     void Restore(const SolverContext& context);
@@ -68,7 +71,7 @@ private:
     Array<Item> m_marked;
     Array<SolverBody> m_markedBodies;
     double m_energy = 0.0, m_markedEnergy = 0.0;
-    double m_markedFastest = 0.0;
+    double m_markedFastest = 0.0, m_markedKinetic = 0.0;
 };
 
 } // namespace box2d
