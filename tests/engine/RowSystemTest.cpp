@@ -295,4 +295,44 @@ TEST(BoundedSystem, LimitsImpulsesToTheirMaximum)
     EXPECT_NEAR(column.frame.bodies[3].v.y, column.frame.bodies[1].v.y, 1e-6f);
 }
 
+/// A contact that keeps two balls apart and, where wanted, a limit that brings them together.
+void FindWhetherItBursts(bool contradicts, bool& bursts, double& impulse)
+{
+    Frame frame(2);
+    frame.Join(0, 1, b2_pi / 2.0f);
+    frame.Join(0, 1, b2_pi / 2.0f);
+    frame.bodies[1] = frame.bodies[2] = SolverBody();
+    frame.bodies[1].v.Set(0.0f, 1.0f);
+    BoundedSystem system;
+    Elimination elimination;
+    system.Build(frame.sides, 16, elimination);
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+        system.Rows(i) = frame.rows[i];
+        system.At(i) = BoundedSystem::Item();
+    }
+    system.At(0).maximum.at[1] = 1e30;
+    system.At(0).active = contradicts ? 2 : 0;
+    system.At(1).minimum.at[1] = -1e30;
+    system.At(1).speeds.at[1] = -2.0;
+    system.At(1).active = 2;
+    system.Mark(frame.context);
+    system.Minimize(frame.context, contradicts ? 1e-9 : 1e9);
+    bursts = system.HasBurst(frame.context);
+    system.KeepIfBetter(frame.context);
+    impulse = system.At(1).impulse.at[1];
+}
+
+TEST(BoundedSystem, RejectsALimitThatContradictsAContact)
+{
+    bool bursts = false;
+    double impulse = 0.0;
+    FindWhetherItBursts(true, bursts, impulse);
+    EXPECT_TRUE(bursts);
+    EXPECT_EQ(impulse, 0.0);
+    FindWhetherItBursts(false, bursts, impulse);
+    EXPECT_FALSE(bursts);
+    EXPECT_LT(impulse, -0.5); // brings them together
+}
+
 } // namespace
