@@ -6,8 +6,7 @@
 #include "../Contacts/ReadAhead.h"
 #include "../State/Access.h"
 #include "../State/World.h"
-#include "ContactBlockPrepare.h"
-#include "OverlapBlockSolver.h"
+#include "BlockKernels.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -17,17 +16,7 @@ namespace box2d
 {
 
 #if defined(BOX2D_AVX2)
-// ContactBlocksAvx2.cpp
-void PrepareBlockAvx2(const ContactLanes& from, ContactBlock& block, OverlapBlock& overlap,
-                      const SolverContext& context);
-void WarmStartBlockAvx2(ContactBlock& block, float32* bodies);
-void KickBlockAvx2(ContactBlock& block, BlockTotals& totals, float32* bodies, float32 share,
-                   bool addsLast);
-void AddToTotalsAvx2(const ContactBlock& block, BlockTotals& totals);
-void FindErrorsAvx2(const ContactBlock& block, const float32* bodies, float32 sticks, float32* off);
-bool SolveBlockAvx2(ContactBlock& block, float32* bodies);
-float32 SolveOverlapBlockAvx2(const OverlapBlock& block, const MassLanes& masses, float32* bodies,
-                              PushPace pace);
+const BlockKernels& BlockKernelsAvx2(); // ContactBlocksAvx2.cpp
 #endif
 
 namespace
@@ -39,6 +28,22 @@ template <class Block>
 bool IsAlone(const Block& block)
 {
     return block.count == 1;
+}
+
+template <class Block>
+const BlockKernels& KernelsOf(const Block& block)
+{
+    if (IsAlone(block))
+    {
+        return kBlockKernels<simd::Float1>;
+    }
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        return BlockKernelsAvx2();
+    }
+#endif
+    return kBlockKernels<simd::Float4>;
 }
 
 float32* Numbers(SolverBody* bodies)
@@ -290,17 +295,7 @@ void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContex
 {
     ContactLanes lanes;
     Gatherer(block, overlap, lanes, context).Gather();
-    if (IsAlone(block))
-    {
-        return PrepareBlock<simd::Float1>(lanes, block, overlap, context);
-    }
-#if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
-    {
-        return PrepareBlockAvx2(lanes, block, overlap, context);
-    }
-#endif
-    PrepareBlock<simd::Float4>(lanes, block, overlap, context);
+    KernelsOf(block).prepare(lanes, block, overlap, context);
 }
 
 void PrepareAlone(b2Contact& contact, ContactBlock& block, OverlapBlock& overlap,
@@ -316,96 +311,35 @@ void PrepareAlone(b2Contact& contact, ContactBlock& block, OverlapBlock& overlap
 
 void WarmStartBlock(ContactBlock& block, SolverBody* bodies)
 {
-    if (IsAlone(block))
-    {
-        return WarmStartBlock<simd::Float1>(block, Numbers(bodies));
-    }
-#if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
-    {
-        return WarmStartBlockAvx2(block, Numbers(bodies));
-    }
-#endif
-    WarmStartBlock<simd::Float4>(block, Numbers(bodies));
+    KernelsOf(block).warmStart(block, Numbers(bodies));
 }
 
 void KickBlock(ContactBlock& block, BlockTotals& totals, SolverBody* bodies, float32 share,
                bool addsLast)
 {
-    if (IsAlone(block))
-    {
-        return KickBlock<simd::Float1>(block, totals, Numbers(bodies), share, addsLast);
-    }
-#if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
-    {
-        return KickBlockAvx2(block, totals, Numbers(bodies), share, addsLast);
-    }
-#endif
-    KickBlock<simd::Float4>(block, totals, Numbers(bodies), share, addsLast);
+    KernelsOf(block).kick(block, totals, Numbers(bodies), share, addsLast);
 }
 
 void AddToTotals(const ContactBlock& block, BlockTotals& totals)
 {
-    if (IsAlone(block))
-    {
-        return AddToTotals<simd::Float1>(block, totals);
-    }
-#if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
-    {
-        return AddToTotalsAvx2(block, totals);
-    }
-#endif
-    AddToTotals<simd::Float4>(block, totals);
+    KernelsOf(block).addToTotals(block, totals);
 }
 
 void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sticks,
                 float32 (&off)[kBlockLanes])
 {
-    if (IsAlone(block))
-    {
-        return FindErrors<simd::Float1>(block, reinterpret_cast<const float32*>(bodies), sticks,
-                                        off);
-    }
-#if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
-    {
-        return FindErrorsAvx2(block, reinterpret_cast<const float32*>(bodies), sticks, off);
-    }
-#endif
-    FindErrors<simd::Float4>(block, reinterpret_cast<const float32*>(bodies), sticks, off);
+    KernelsOf(block).findErrors(block, reinterpret_cast<const float32*>(bodies), sticks, off);
 }
 
 bool SolveBlock(ContactBlock& block, SolverBody* bodies)
 {
-    if (IsAlone(block))
-    {
-        return SolveBlock<simd::Float1>(block, Numbers(bodies));
-    }
-#if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
-    {
-        return SolveBlockAvx2(block, Numbers(bodies));
-    }
-#endif
-    return SolveBlock<simd::Float4>(block, Numbers(bodies));
+    return KernelsOf(block).solve(block, Numbers(bodies));
 }
 
 float32 SolveBlock(const OverlapBlock& block, const MassLanes& masses, SolverBody* bodies,
                    PushPace pace)
 {
-    if (IsAlone(block))
-    {
-        return SolveOverlapBlock<simd::Float1>(block, masses, Numbers(bodies), pace);
-    }
-#if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
-    {
-        return SolveOverlapBlockAvx2(block, masses, Numbers(bodies), pace);
-    }
-#endif
-    return SolveOverlapBlock<simd::Float4>(block, masses, Numbers(bodies), pace);
+    return KernelsOf(block).solveOverlaps(block, masses, Numbers(bodies), pace);
 }
 
 void StoreImpulses(const ContactBlock& block)

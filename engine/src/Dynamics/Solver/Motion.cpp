@@ -9,11 +9,24 @@ namespace box2d
 {
 
 #if defined(BOX2D_AVX2)
-int32 MoveRowsAvx2(SolverBody* bodies, int32 count, float32 timeStep, const MaxMove& maximum);
-int32 GiveRowsAvx2(SolverBody* bodies, const BodyKick* kicks, int32 count, float32 duration);
-int32 FarthestRowsAvx2(const SolverBody* before, const SolverBody* after, const BodyKick* kicks,
-                       int32 count, float32& farthest);
+const MotionKernels& MotionKernelsAvx2(); // MotionAvx2.cpp
 #endif
+
+namespace
+{
+
+const MotionKernels& Widest()
+{
+#if defined(BOX2D_AVX2)
+    if (UsesWideInstructions())
+    {
+        return MotionKernelsAvx2();
+    }
+#endif
+    return kMotionKernels<simd::Float4>;
+}
+
+} // namespace
 
 void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& maximum)
 {
@@ -35,13 +48,7 @@ void MoveByVelocity(SolverBody& body, float32 timeStep, const MaxMove& maximum)
 
 void MoveByVelocity(SolverBody* bodies, int32 count, float32 timeStep, const MaxMove& maximum)
 {
-    int32 done = 0;
-#if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
-    {
-        done = MoveRowsAvx2(bodies, count, timeStep, maximum);
-    }
-#endif
+    int32 done = Widest().move(bodies, count, timeStep, maximum);
     done += MoveRows<simd::Float4>(bodies + done, count - done, timeStep, maximum);
     for (; done < count; ++done)
     {
@@ -51,13 +58,7 @@ void MoveByVelocity(SolverBody* bodies, int32 count, float32 timeStep, const Max
 
 void GiveKicks(SolverBody* bodies, const BodyKick* kicks, int32 count, float32 duration)
 {
-    int32 done = 0;
-#if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
-    {
-        done = GiveRowsAvx2(bodies, kicks, count, duration);
-    }
-#endif
+    int32 done = Widest().give(bodies, kicks, count, duration);
     done += GiveRows<simd::Float4>(bodies + done, kicks + done, count - done, duration);
     for (; done < count; ++done)
     {
@@ -69,13 +70,7 @@ float32 FarthestPush(const SolverBody* before, const SolverBody* after, const Bo
                      int32 count)
 {
     float32 farthest = 0.0f;
-    int32 done = 0;
-#if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
-    {
-        done = FarthestRowsAvx2(before, after, kicks, count, farthest);
-    }
-#endif
+    int32 done = Widest().findFarthest(before, after, kicks, count, farthest);
     done += FarthestRows<simd::Float4>(before + done, after + done, kicks + done, count - done,
                                        farthest);
     for (; done < count; ++done)

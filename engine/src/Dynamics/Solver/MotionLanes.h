@@ -11,6 +11,17 @@
 /// linkage either.
 namespace box2d
 {
+
+/// The functions at one number of lanes. Each handles as many bodies as fill its lanes and returns
+/// their number.
+struct MotionKernels
+{
+    int32 (*move)(SolverBody* bodies, int32 count, float32 timeStep, const MaxMove& maximum);
+    int32 (*give)(SolverBody* bodies, const BodyKick* kicks, int32 count, float32 duration);
+    int32 (*findFarthest)(const SolverBody* before, const SolverBody* after, const BodyKick* kicks,
+                          int32 count, float32& farthest);
+};
+
 namespace
 {
 
@@ -167,6 +178,9 @@ int32 FarthestRows(const SolverBody* before, const SolverBody* after, const Body
     }
     return i;
 }
+
+template <class F>
+constexpr MotionKernels kMotionKernels = {MoveRows<F>, GiveRows<F>, FarthestRows<F>};
 
 } // namespace
 } // namespace box2d
