@@ -337,6 +337,40 @@ TEST(DynamicsContinuous, LetsABodyContinueWhenItsContactIsDisabled)
     EXPECT_EQ(counter.postSolved, 0);
 }
 
+/// Balls that fall side by side, closer than an impact is looked for, and hit the ground at once.
+std::vector<b2Vec2> VelocitiesOfBullets(int count)
+{
+    Scene scene;
+    scene.world.SetSubStepCount(2);
+    scene.Ground()->GetFixtureList()->SetRestitution(1.0f);
+    std::vector<b2Body*> balls;
+    for (int i = 0; i < count; ++i)
+    {
+        b2Body* ball = scene.Ball(float32(i) * (0.2f + 0.4f * b2_linearSlop), 2.0f, 0.1f);
+        ball->SetBullet(true);
+        ball->SetLinearVelocity(b2Vec2(0.0f, -20.0f));
+        balls.push_back(ball);
+    }
+    scene.Step(30);
+    std::vector<b2Vec2> velocities;
+    for (const b2Body* ball : balls)
+    {
+        velocities.push_back(ball->GetLinearVelocity());
+    }
+    return velocities;
+}
+
+TEST(DynamicsContinuous, KeepsVelocitiesWhereNothingIsHit)
+{
+    const b2Vec2 alone = VelocitiesOfBullets(1)[0];
+    EXPECT_GT(alone.y, 10.0f);
+    for (const b2Vec2& velocity : VelocitiesOfBullets(3))
+    {
+        EXPECT_NEAR(velocity.x, 0.0f, 1e-6f);
+        EXPECT_NEAR(velocity.y, alone.y, 1e-4f);
+    }
+}
+
 TEST(DynamicsContinuous, CallsPreSolveOnceForDisabledBulletPair)
 {
     Scene scene(b2Vec2(0.0f, 0.0f));

@@ -102,7 +102,7 @@ private:
     void Advance(BodyData& body, float32 time);
     bool HasNewPath(std::size_t index) const;
     ImpactBackup Save(b2Body& body) const;
-    void Restore(const ImpactBackup& backup);
+    void Restore(const ImpactBackup& backup, float32 time);
 
     World& m_world;
     ImpactMemory& m_memory;
@@ -394,13 +394,14 @@ bool ContinuousCollision::HasNewPath(std::size_t index) const
            data.pose.angle != before.angle;
 }
 
-void ContinuousCollision::Restore(const ImpactBackup& backup)
+/// Takes back that the body was stopped at that time, if it could be. A listener may have changed
+/// its velocity since.
+void ContinuousCollision::Restore(const ImpactBackup& backup, float32 time)
 {
     BodyData& data = Data(*backup.body);
-    if (data.sweepStart != backup.sweepStart)
+    if (backup.sweepStart <= time)
     {
-        data.linearVelocity +=
-            (1.0f - data.sweepStart) * m_timeStep * m_impact.AccelerationOf(data);
+        data.linearVelocity += (1.0f - time) * m_timeStep * m_impact.AccelerationOf(data);
     }
     data.pose = backup.pose;
     data.previous = backup.previous;
@@ -440,8 +441,8 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
     {
         c.flags &= ~std::uint32_t(kContactEnabled); // for the rest of the step
         LookAgain(m_world, c);
-        Restore(backupA);
-        Restore(backupB);
+        Restore(backupA, event.time);
+        Restore(backupB, event.time);
         return false;
     }
     Wake(m_world, bodyA);
@@ -520,7 +521,7 @@ void ContinuousCollision::AddNeighbours(b2Body& body, float32 time)
         {
             if (!known)
             {
-                Restore(backup);
+                Restore(backup, time);
             }
             continue;
         }
