@@ -584,8 +584,10 @@ Array<b2Contact*> TouchingContacts(b2World& world)
 ContactBlocks BlocksOf(const Array<b2Contact*>& contacts, bool sharesBodies)
 {
     ContactBlocks blocks;
-    blocks.Reserve(contacts.size(), sharesBodies);
-    blocks.Sort(contacts, sharesBodies, 200);
+    IslandGroups groups;
+    groups.Join(200);
+    blocks.Reserve(contacts.size(), sharesBodies, groups.Count());
+    blocks.Sort(contacts, sharesBodies, groups, 200);
     blocks.Assign(sharesBodies);
     return blocks;
 }

@@ -6,6 +6,8 @@
 
 #include <Box2D/Dynamics/b2Body.h>
 
+#include <numeric>
+
 namespace box2d
 {
 
@@ -33,6 +35,26 @@ void AwakeIslands::Find(const World& world)
         }
         m_ofBody[std::size_t(data.SolverIndex())] = number;
     }
+}
+
+/// A counting sort.
+void AwakeIslands::SortBodies(World& world)
+{
+    m_next.assign(std::size_t(Count()) + 2, 0);
+    for (std::size_t i = 1; i < m_ofBody.size(); ++i)
+    {
+        ++m_next[std::size_t(m_ofBody[i] + 2)];
+    }
+    std::partial_sum(m_next.begin(), m_next.end(), m_next.begin());
+    m_sorted.resize(world.awakeBodies.size());
+    for (b2Body* body : world.awakeBodies)
+    {
+        BodyData& data = Data(*body);
+        data.awakeIndex = m_next[std::size_t(Of(data.SolverIndex()) + 1)]++;
+        m_sorted[std::size_t(data.awakeIndex)] = body;
+    }
+    world.awakeBodies.swap(m_sorted);
+    ++world.awakeVersion;
 }
 
 } // namespace box2d

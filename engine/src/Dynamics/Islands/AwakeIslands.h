@@ -17,6 +17,9 @@ class AwakeIslands
 public:
     /// Call once per step. The numbers are valid until an island changes.
     void Find(const World& world);
+    /// Brings the awake bodies into the order of the numbers of their islands, those without one
+    /// first. Call after Find; numbers by body are then invalid.
+    void SortBodies(World& world);
 
     int32 Count() const { return int32(m_islands.size()); }
     /// The number of an island of Islands; -1 for one that sleeps or does not exist.
@@ -33,6 +36,8 @@ private:
     Array<int32> m_islands;
     Array<int32> m_numberOf; // by island; -1 except for those of m_islands
     Array<int32> m_ofBody;   // by solver index
+    Array<b2Body*> m_sorted; // scratch
+    Array<int32> m_next;     // scratch: by number plus 1, the place of the next body
 };
 
 } // namespace box2d

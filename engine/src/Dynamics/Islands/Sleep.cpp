@@ -61,11 +61,13 @@ void UpdateActivity(World& world, b2Body& body)
     const bool listed = data.IsAwake() && data.IsActive() && data.mobility != Mobility::Static;
     if (listed && !IsListed(data))
     {
+        ++world.awakeVersion;
         data.awakeIndex = int32(world.awakeBodies.size());
         world.awakeBodies.push_back(&body);
     }
     else if (!listed && IsListed(data))
     {
+        ++world.awakeVersion;
         b2Body* last = world.awakeBodies.back();
         world.awakeBodies[std::size_t(data.awakeIndex)] = last;
         Data(*last).awakeIndex = data.awakeIndex;

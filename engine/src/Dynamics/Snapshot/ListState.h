@@ -16,7 +16,7 @@ template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, Islands& islands)
 {
     // `seenIslands` is empty between steps, and `sleepy` is scratch.
-    auto& [all, free, seenIslands, sleepy, members, stack] = islands;
+    auto& [all, free, seenIslands, sleepy, members, stack, version] = islands;
     constexpr std::size_t leastBytes = 2 * sizeof(int32);
     auto count = int32(all.size());
     archive.Count(count, leastBytes);

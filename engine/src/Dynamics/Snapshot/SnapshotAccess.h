@@ -14,6 +14,7 @@ namespace box2d
 
 class ConstraintGraph;
 class ContactBlocks;
+class IslandGroups;
 class EnergyGuard;
 class Islands;
 class JointSystem;
@@ -54,6 +55,8 @@ struct SnapshotAccess
     static void Visit(Archive& archive, JointSystem& system, const World& world);
     template <class Archive>
     static void Visit(Archive& archive, ContactBlocks& blocks, const World& world, int32 color);
+    template <class Archive>
+    static void Visit(Archive& archive, IslandGroups& groups);
 };
 
 } // namespace box2d

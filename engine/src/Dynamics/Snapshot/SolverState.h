@@ -25,7 +25,8 @@ template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, ContactBlocks& blocks, const World& world, int32 color)
 {
     // Blocks are given out and prepared again.
-    auto& [sorted, buckets, contactBlocks, overlapBlocks, totals, blockCount] = blocks;
+    auto& [sorted, buckets, groupEnds, blockEnds, contactBlocks, overlapBlocks, totals,
+           blockCount] = blocks;
     const ConstraintGraph& graph = world.graph;
     if (graph.ChangeOf(color) == ConstraintGraph::Change::Contacts)
     {
@@ -38,6 +39,24 @@ void SnapshotAccess::Visit(Archive& archive, ContactBlocks& blocks, const World&
         int32 place = Archive::kReads ? 0 : Data(*contact).colorIndex;
         archive.Within(place, 0, int32(contacts.size()) - 1);
         contact = contacts[std::size_t(place)];
+    }
+    if (Archive::kReads)
+    {
+        groupEnds.assign(1, int32(contacts.size())); // as of one group, or it is sorted again
+    }
+}
+
+/// Contacts of several groups are sorted again, from what the snapshot contains.
+template <class Archive>
+void SnapshotAccess::Visit(Archive& archive, IslandGroups& groups)
+{
+    auto& [ends, last, ofBody, lastOf, sizes, order, key, changed, wantsOrder] = groups;
+    bool divided = groups.Count() > 1;
+    archive(divided, wantsOrder);
+    if (Archive::kReads)
+    {
+        ends.assign(divided ? 2 : 1, {-1, -1});
+        order = key = -1;
     }
 }
 
@@ -148,6 +167,7 @@ void VisitSolver(Archive& archive, World& world)
     {
         SnapshotAccess::Visit(archive, world.solver->contacts[color], world, color);
     }
+    SnapshotAccess::Visit(archive, world.solver->groups);
     SnapshotAccess::Visit(archive, *world.energyGuard, world);
     SnapshotAccess::Visit(archive, subSteps.joints, world);
     // Accelerations of freely falling bodies with sub-steps, for the remaining impacts.

@@ -20,7 +20,7 @@ namespace
 /// Increase with every change of the stored data, its order or its meaning. Also when a step uses
 /// the data differently, because recordings that depend on a snapshot then change. Joints and
 /// settings have a number of their own, so that their changes stay in their files.
-constexpr uint32 kVersion = 7 + WorldSettings::kFormat + JointFormats();
+constexpr uint32 kVersion = 8 + WorldSettings::kFormat + JointFormats();
 
 /// The bytes before the content. The line ends in `magic` detect a file transferred as text.
 struct Header
@@ -65,11 +65,11 @@ void VisitWorld(Archive& archive, World& world)
 {
     // Data of the program is kept: owner, filters, listeners, drawing, profile and threads. Counts
     // follow from the lists, pairs from the contacts; the rest is scratch.
-    auto& [owner, settings, allocator, proxies, pairs, graph, islands, awakeBodies, awakeContacts,
-           awakeObstacles, awakeLooks, oldManifolds, attention, solver, subSteps, energyGuard,
-           impacts, threads, bodyList, jointList, contactList, bodyCount, jointCount, gearCount,
-           inactiveCount, contactCount, bodyNumber, jointNumber, defaultFilter, filter, listener,
-           destructionListener, debugDraw, lastSubSteps, inverseStep, stepNumber, profile,
+    auto& [owner, settings, allocator, proxies, pairs, graph, islands, awakeBodies, awakeVersion,
+           awakeContacts, awakeObstacles, awakeLooks, oldManifolds, attention, solver, subSteps,
+           energyGuard, impacts, threads, bodyList, jointList, contactList, bodyCount, jointCount,
+           gearCount, inactiveCount, contactCount, bodyNumber, jointNumber, defaultFilter, filter,
+           listener, destructionListener, debugDraw, lastSubSteps, inverseStep, stepNumber, profile,
            contactManager, profiling, stepComplete, locked, forcesApplied, hasBullets,
            filtersChanged, directionReversed] = world;
     archive(settings, bodyNumber, jointNumber, inactiveCount);

@@ -60,11 +60,14 @@ OverlapKind KindOf(const b2Manifold& manifold)
 
 } // namespace
 
-void ContactBlocks::Reserve(std::size_t contactCount, bool sharesBodies)
+void ContactBlocks::Reserve(std::size_t contactCount, bool sharesBodies, int32 groups)
 {
-    constexpr std::size_t forms = 5; // for each form the last block may be partly empty
+    // For each form the last block of a group may be partly empty.
+    constexpr std::size_t forms = 5;
     const std::size_t maximum =
-        sharesBodies ? contactCount : b2Min(contactCount, contactCount / kBlockLanes + forms);
+        sharesBodies
+            ? contactCount
+            : b2Min(contactCount, contactCount / kBlockLanes + forms * std::size_t(groups));
     if (maximum > m_contacts.size())
     {
         // Reserve, because a growing colour grows step by step.
@@ -99,60 +102,86 @@ int32 ContactBlocks::Add(OverlapKind kind, int32 pointCount)
     return m_count++;
 }
 
-/// By the index of the newer body, approximated by buckets (counting sort).
+/// By group, and by the index of the newer body, approximated by buckets (counting sort). The
+/// bodies of a group follow each other, so the key of both is their sum.
 void ContactBlocks::Sort(const Array<b2Contact*>& contacts, bool sharesBodies,
-                         std::size_t bodyCount)
+                         const IslandGroups& groups, std::size_t bodyCount)
 {
-    const bool few = contacts.size() <= kBlockLanes; // order does not matter
-    if (sharesBodies || few)
+    m_groupEnds.assign(std::size_t(groups.Count()), int32(contacts.size()));
+    const bool few = contacts.size() <= kBlockLanes; // order is irrelevant
+    if (groups.Count() == 1 && (sharesBodies || few))
     {
         std::copy(contacts.begin(), contacts.end(), m_sorted.begin());
         return;
     }
     constexpr std::size_t maximum = 64;
-    const std::size_t buckets = b2Min(maximum, contacts.size() / kBlockLanes + 1);
-    std::size_t ends[maximum] = {};
+    const std::size_t buckets =
+        sharesBodies ? 1 : b2Min(maximum, contacts.size() / kBlockLanes + 1);
+    std::size_t ends[maximum + IslandGroups::kMaxCount] = {};
+    std::size_t groupCounts[IslandGroups::kMaxCount] = {};
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {
         const ContactData& c = Data(*contacts[i]);
         const int32 place = b2Max(Data(*c.bodyA).awakeIndex, Data(*c.bodyB).awakeIndex);
-        m_buckets[i] = uint8(std::size_t(place) * buckets / bodyCount);
+        const auto group = std::size_t(groups.Of(place));
+        m_buckets[i] = uint8(std::size_t(place) * buckets / bodyCount + group);
         ++ends[m_buckets[i]];
+        ++groupCounts[group];
     }
     std::size_t end = 0;
-    for (std::size_t i = 0; i < buckets; ++i)
+    for (std::size_t& next : ends)
     {
         const std::size_t begin = end;
-        end += ends[i];
-        ends[i] = begin;
+        end += next;
+        next = begin;
     }
     for (std::size_t i = 0; i < contacts.size(); ++i)
     {
         m_sorted[ends[m_buckets[i]]++] = contacts[i];
+    }
+    std::size_t groupEnd = 0;
+    for (std::size_t i = 0; i < m_groupEnds.size(); ++i)
+    {
+        groupEnd += groupCounts[i];
+        m_groupEnds[i] = int32(groupEnd);
     }
 }
 
 void ContactBlocks::Assign(bool sharesBodies)
 {
     m_count = 0;
-    int32 open[] = {-1, -1, -1, -1,
-                    -1, -1, -1}; // by form: three kinds of measurement, one or two points
-    for (b2Contact* contact : m_sorted)
+    m_blockEnds.clear();
+    std::size_t next = 0;
+    for (const int32 end : m_groupEnds)
     {
-        ContactData& c = Data(*contact);
-        c.solvedAs = c.Form();
-        if (c.solvedAs == 0)
+        int32 open[] = {-1, -1, -1, -1,
+                        -1, -1, -1}; // by form: three kinds of measurement, one or two points
+        for (; next < std::size_t(end); ++next)
         {
-            continue;
+            ContactData& c = Data(*m_sorted[next]);
+            c.solvedAs = c.Form();
+            if (c.solvedAs == 0)
+            {
+                continue;
+            }
+            int32& last = open[c.solvedAs];
+            if (last == -1 || sharesBodies || Contacts(last).count == kBlockLanes)
+            {
+                last = Add(KindOf(c.manifold), c.manifold.pointCount);
+            }
+            ContactBlock& block = Contacts(last);
+            block.contact[block.count++] = m_sorted[next];
         }
-        int32& last = open[c.solvedAs];
-        if (last == -1 || sharesBodies || Contacts(last).count == kBlockLanes)
-        {
-            last = Add(KindOf(c.manifold), c.manifold.pointCount);
-        }
-        ContactBlock& block = Contacts(last);
-        block.contact[block.count++] = contact;
+        m_blockEnds.push_back(m_count);
     }
+}
+
+BlockRange ContactBlocks::Of(const IslandGroup& group) const
+{
+    const auto number = std::size_t(group.number);
+    return group.number == -1
+               ? BlockRange{0, m_count}
+               : BlockRange{number > 0 ? m_blockEnds[number - 1] : 0, m_blockEnds[number]};
 }
 
 namespace

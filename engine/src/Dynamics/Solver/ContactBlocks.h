@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../State/Solver.h"
+#include "IslandGroups.h"
 #include "OverlapSolver.h"
 
 struct b2ContactImpulse;
@@ -117,21 +118,30 @@ struct alignas(kCacheLine) ContactLanes
     float32 share[kBlockLanes]; ///< of these impulses that is warm-started
 };
 
+/// Blocks from `begin` to before `end`.
+struct BlockRange
+{
+    int32 begin, end;
+};
+
 /// The blocks of one colour. The assignment lasts as long as the colour's contacts.
 class ContactBlocks
 {
 public:
-    /// Sorts the contacts of a colour by their bodies, `bodyCount` in all, so that one thread
-    /// solves neighbours in memory. Contacts that may share bodies keep their order, which is that
-    /// of solving.
-    void Sort(const Array<b2Contact*>& contacts, bool sharesBodies, std::size_t bodyCount);
+    /// Sorts the contacts of a colour by the groups of their bodies and by their bodies,
+    /// `bodyCount` in all, so that one thread solves neighbours in memory. Contacts that may share
+    /// bodies keep their order within a group, which is that of solving.
+    void Sort(const Array<b2Contact*>& contacts, bool sharesBodies, const IslandGroups& groups,
+              std::size_t bodyCount);
     /// Reserves memory for this number of contacts.
-    void Reserve(std::size_t contactCount, bool sharesBodies);
+    void Reserve(std::size_t contactCount, bool sharesBodies, int32 groups);
     /// Assigns each sorted contact that must be solved to a lane in a block of its form; one block
     /// each if they may share bodies. Blocks must be prepared afterwards. Allocates no memory.
     void Assign(bool sharesBodies);
 
     int32 Count() const { return m_count; }
+    /// Returns the first block of a group and the end of its blocks.
+    BlockRange Of(const IslandGroup& group) const;
     ContactBlock& Contacts(int32 index) { return m_contacts[std::size_t(index)]; }
     const ContactBlock& Contacts(int32 index) const { return m_contacts[std::size_t(index)]; }
     OverlapBlock& Overlaps(int32 index) { return m_overlaps[std::size_t(index)]; }
@@ -146,6 +156,8 @@ private:
 
     Array<b2Contact*> m_sorted; // contacts of the colour
     Array<uint8> m_buckets;     // per contact
+    Array<int32> m_groupEnds;   // of the sorted contacts of each group
+    Array<int32> m_blockEnds;   // of the blocks of each group
     Array<ContactBlock> m_contacts;
     Array<OverlapBlock> m_overlaps;
     Array<BlockTotals> m_totals;

@@ -6,6 +6,7 @@
 #include "../State/ConstraintGraph.h"
 #include "../State/Solver.h"
 #include "ContactBlocks.h"
+#include "IslandGroups.h"
 
 namespace box2d
 {
@@ -19,7 +20,8 @@ struct SolverMemory
     int32 colors[ConstraintGraph::kColorCount]; ///< colours with contacts, in the order of solving
     int32 colorCount = 0;
     JointSchedule joints;
-    AwakeIslands islands;       ///< for sub-steps
+    AwakeIslands islands; ///< for sub-steps and groups
+    IslandGroups groups;
     Array<uint8> left;          ///< by awake body: true if a shape has left its box
     Array<uint8> deep;          ///< by solver index, for sub-steps: see FindDeep
     Array<b2Contact*> reported; ///< contacts with impulses to report to the listener, in order

@@ -42,9 +42,18 @@ SolverContext MakeContext(const World& world, float32 timeStep)
 
 StepSolver::StepSolver(World& world, float32 timeStep)
     : m_world(world), m_memory(*world.solver), m_threads(world.threads.get()),
-      m_context(MakeContext(world, timeStep))
+      m_context(MakeContext(world, timeStep)), m_profiling(world.profiling)
 {
     m_memory.deep.clear();
+}
+
+void StepSolver::SortBodies()
+{
+    if (m_memory.groups.WantsOrder())
+    {
+        m_memory.islands.Find(m_world);
+        m_memory.islands.SortBodies(m_world);
+    }
 }
 
 void StepSolver::WakeJointNeighbours()
@@ -101,18 +110,24 @@ SolverBody StepSolver::WithForces(const BodyData& body) const
     return s;
 }
 
-void StepSolver::PrepareContacts()
+void StepSolver::AssignContacts()
 {
     m_memory.colorCount = 0;
     for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
     {
         const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
-        const std::size_t count = m_world.graph.Contacts(color).size();
-        if (count > 0)
+        if (!m_world.graph.Contacts(color).empty())
         {
             m_memory.colors[m_memory.colorCount++] = color;
-            m_memory.contacts[color].Reserve(count, color == ConstraintGraph::kOverflow);
         }
+    }
+    FindGroups();
+    for (int32 i = 0; i < m_memory.colorCount; ++i)
+    {
+        const int32 color = m_memory.colors[i];
+        m_memory.contacts[color].Reserve(m_world.graph.Contacts(color).size(),
+                                         color == ConstraintGraph::kOverflow,
+                                         m_memory.groups.Count());
     }
     ParallelFor(m_threads, m_memory.colorCount, 1, [this](int32 begin, int32 end) {
         for (int32 i = begin; i < end; ++i)
@@ -120,9 +135,47 @@ void StepSolver::PrepareContacts()
             AssignBlocks(m_memory.colors[i]);
         }
     });
+}
+
+void StepSolver::AssignJoints()
+{
+    m_memory.joints.Update(m_world.graph);
+}
+
+void StepSolver::PrepareContacts()
+{
     ForBlocks([this](ContactBlock& block, OverlapBlock& overlap) {
         PrepareBlock(block, overlap, m_context);
     });
+}
+
+/// A joint would connect groups, and a kinematic body would have to move with all of them.
+void StepSolver::FindGroups()
+{
+    const auto bodies = int32(m_world.awakeBodies.size());
+    const bool mayDivide = bodies >= 2 * IslandGroups::kBodies && m_memory.colorCount > 0 &&
+                           m_world.graph.Joints().empty();
+    const int32 key = m_world.awakeVersion + m_world.islands.Version();
+    if (!mayDivide)
+    {
+        m_memory.groups.Join(bodies);
+    }
+    else if (!m_memory.groups.Keep(key))
+    {
+        FindIslands();
+        m_memory.groups.Divide(m_memory.islands, bodies, m_world.awakeVersion, key);
+    }
+    m_group.endBody = bodies;
+}
+
+void StepSolver::FindIslands()
+{
+    if (!m_foundIslands)
+    {
+        m_memory.islands.Find(m_world);
+        m_group.endIsland = m_memory.islands.Count();
+        m_foundIslands = true;
+    }
 }
 
 void StepSolver::WarmStart()
@@ -130,7 +183,6 @@ void StepSolver::WarmStart()
     ForEachBlock(Direction::Forward, m_threads, [this](ContactBlocks& blocks, int32 i) {
         WarmStartBlock(blocks.Contacts(i), m_context.bodies);
     });
-    m_memory.joints.Update(m_world.graph);
     m_memory.joints.Prepare(m_context, m_threads);
 }
 
@@ -141,12 +193,14 @@ void StepSolver::AssignBlocks(int32 color)
     const bool sharesBodies = color == ConstraintGraph::kOverflow;
     ConstraintGraph& graph = m_world.graph;
     const ConstraintGraph::Change change = graph.ChangeOf(color);
-    if (change == ConstraintGraph::Change::Contacts)
+    const IslandGroups& groups = m_memory.groups;
+    if (change == ConstraintGraph::Change::Contacts || groups.HasChanged())
     {
-        m_memory.contacts[color].Sort(graph.Contacts(color), sharesBodies,
+        m_memory.contacts[color].Sort(graph.Contacts(color), sharesBodies, groups,
                                       m_world.awakeBodies.size());
     }
-    if (change != ConstraintGraph::Change::None || m_world.listener != nullptr)
+    if (change != ConstraintGraph::Change::None || groups.HasChanged() ||
+        m_world.listener != nullptr)
     {
         m_memory.contacts[color].Assign(sharesBodies);
     }
@@ -206,9 +260,17 @@ void StepSolver::SolveVelocities(int32 iterations)
             break;
         }
     }
-    m_world.directionReversed = !m_world.directionReversed;
+}
+
+void StepSolver::StoreImpulses()
+{
     m_memory.joints.StoreImpulses(m_threads);
-    ForBlocks([](ContactBlock& block, OverlapBlock&) { StoreImpulses(block); });
+    ForBlocks([](ContactBlock& block, OverlapBlock&) { box2d::StoreImpulses(block); });
+}
+
+void StepSolver::TurnDirections()
+{
+    m_world.directionReversed = !m_world.directionReversed;
 }
 
 /// In the order of the colours; notes all contacts before any body falls asleep.
@@ -274,10 +336,10 @@ void StepSolver::TurnAsSeen()
 
 void StepSolver::IntegratePositions()
 {
-    ParallelFor(m_threads, int32(m_world.awakeBodies.size()), kBodyGrain,
+    ParallelFor(m_threads, m_group.endBody - m_group.firstBody, kBodyGrain,
                 [this](int32 begin, int32 end) {
-                    MoveByVelocity(&m_memory.bodies[std::size_t(begin) + 1], end - begin,
-                                   m_context.timeStep, kMaxMove);
+                    MoveByVelocity(&m_memory.bodies[std::size_t(m_group.firstBody + begin) + 1],
+                                   end - begin, m_context.timeStep, kMaxMove);
                 });
 }
 

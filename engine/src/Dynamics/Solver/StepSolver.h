@@ -5,6 +5,8 @@
 #include "OverlapSolver.h"
 #include "SolverMemory.h"
 
+#include <thread>
+
 namespace box2d
 {
 
@@ -19,11 +21,18 @@ class StepSolver
 public:
     StepSolver(World& world, float32 timeStep);
 
+    bool IsProfiling() const { return m_profiling; }
+    /// Brings awake bodies into the order of their islands where that pays off.
+    void SortBodies();
     void WakeJointNeighbours();
     void IntegrateVelocities();
+    void AssignContacts();
+    void AssignJoints();
     void PrepareContacts();
     void WarmStart();
     void SolveVelocities(int32 iterations);
+    void StoreImpulses();
+    void TurnDirections();
     void NoteImpulses();
     void ReportImpulses();
     void IntegratePositions();
@@ -32,6 +41,8 @@ public:
     void LetRest();
 
 protected:
+    void FindGroups();
+    void FindIslands();
     void AssignBlocks(int32 color);
     template <class Function>
     void ForColors(Direction direction, Function&& some);
@@ -58,7 +69,37 @@ protected:
     SolverMemory& m_memory;
     ThreadPool* m_threads; // may be null
     SolverContext m_context;
+    IslandGroup m_group;         // the present one
+    bool m_foundIslands = false; // the awake ones
+    bool m_profiling;            // this thread adds its times to the profile
+
+    template <class Solver, class Function>
+    friend void ForGroups(Solver& solver, Function&& function);
 };
+
+/// Calls the function with a solver for each group of islands, whose functions handle the bodies
+/// and contacts of that group only. Threads take one group after another.
+template <class Solver, class Function>
+void ForGroups(Solver& solver, Function&& function)
+{
+    const int32 count = solver.m_memory.groups.Count();
+    if (count == 1)
+    {
+        function(solver);
+        return;
+    }
+    const std::thread::id caller = std::this_thread::get_id();
+    ParallelFor(solver.m_threads, count, 1, [&](int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            Solver part(solver);
+            part.m_threads = nullptr;
+            part.m_group = solver.m_memory.groups.At(i);
+            part.m_profiling = solver.m_profiling && std::this_thread::get_id() == caller;
+            function(part);
+        }
+    });
+}
 
 /// Processes colour after colour: first contacts that may share bodies, in order; then the blocks
 /// of each colour on all threads. `some` receives a colour's blocks and the range to process.
@@ -71,8 +112,10 @@ void StepSolver::ForColors(Direction direction, Function&& some)
         const int32 color = m_memory.colors[direction == Direction::Forward ? i : count - 1 - i];
         ContactBlocks& blocks = m_memory.contacts[color];
         ThreadPool* threads = color == ConstraintGraph::kOverflow ? nullptr : m_threads;
-        ParallelFor(threads, blocks.Count(), kBlockGrain,
-                    [&](int32 begin, int32 end) { some(blocks, begin, end); });
+        const BlockRange range = blocks.Of(m_group);
+        ParallelFor(threads, range.end - range.begin, kBlockGrain, [&](int32 begin, int32 end) {
+            some(blocks, range.begin + begin, range.begin + end);
+        });
     }
 }
 
@@ -84,11 +127,14 @@ void StepSolver::ForEachBlock(Direction direction, ThreadPool* threads, Function
     {
         const int32 color = m_memory.colors[direction == Direction::Forward ? i : count - 1 - i];
         ContactBlocks& blocks = m_memory.contacts[color];
-        ParallelFor(color == ConstraintGraph::kOverflow ? nullptr : threads, blocks.Count(),
-                    kBlockGrain, [&](int32 begin, int32 end) {
+        const BlockRange range = blocks.Of(m_group);
+        ParallelFor(color == ConstraintGraph::kOverflow ? nullptr : threads,
+                    range.end - range.begin, kBlockGrain, [&](int32 begin, int32 end) {
                         for (int32 k = 0; k < end - begin; ++k)
                         {
-                            one(blocks, direction == Direction::Forward ? begin + k : end - 1 - k);
+                            one(blocks,
+                                range.begin +
+                                    (direction == Direction::Forward ? begin + k : end - 1 - k));
                         }
                     });
     }

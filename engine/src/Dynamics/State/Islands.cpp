@@ -24,6 +24,7 @@ int32 Islands::Create()
 
 void Islands::Append(int32 island, b2Body& body)
 {
+    ++m_version;
     Island& to = m_islands[std::size_t(island)];
     BodyData& data = Data(body);
     data.island = island;
@@ -49,6 +50,7 @@ void Islands::Remove(b2Body& body)
     {
         return;
     }
+    ++m_version;
     Island& island = m_islands[std::size_t(data.island)];
     (data.islandPrev ? Data(*data.islandPrev).islandNext : island.first) = data.islandNext;
     (data.islandNext ? Data(*data.islandNext).islandPrev : island.last) = data.islandPrev;
@@ -75,6 +77,7 @@ void Islands::Link(b2Body& a, b2Body& b)
     {
         b2Swap(to, from);
     }
+    ++m_version;
     Island& larger = m_islands[std::size_t(to)];
     Island& smaller = m_islands[std::size_t(from)];
     for (b2Body* body = smaller.first; body; body = Data(*body).islandNext)

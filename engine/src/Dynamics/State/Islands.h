@@ -40,6 +40,8 @@ public:
     /// `timeToSleep`. The order depends only on the sequence of calls. Valid until the next call.
     const Array<int32>& FindSleepy(float32 timeToSleep);
 
+    /// Changes when a body comes into another island.
+    int32 Version() const { return m_version; }
     int32 Size() const { return int32(m_islands.size()); } ///< upper bound of island numbers
     const Island& At(int32 island) const { return m_islands[std::size_t(island)]; }
 
@@ -56,6 +58,7 @@ private:
     Array<int32> m_sleepy;
     Array<b2Body*> m_members; // scratch of Split
     Array<b2Body*> m_stack;   // scratch of Gather
+    int32 m_version = 0;
 };
 
 } // namespace box2d

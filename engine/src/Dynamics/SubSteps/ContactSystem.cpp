@@ -400,6 +400,7 @@ bool ContactSystem::Follow(ContactIsland& island, SolverMemory& solver, JointSys
 {
     if (!island.followed)
     {
+        const std::lock_guard<std::mutex> lock(m_following);
         island.followed = true;
         m_sides.clear();
         for (const Place& place : island.contacts)
@@ -425,17 +426,30 @@ bool ContactSystem::Follow(ContactIsland& island, SolverMemory& solver, JointSys
     return island.system.IsExact();
 }
 
-/// Finds the largest error of each selected island.
-void ContactSystem::FindResiduals(const SolverMemory& solver, const SolverBody* bodies)
+/// Calls the function for the group's selected islands.
+template <class Function>
+void ContactSystem::ForSelected(const IslandGroup& group, Function&& function)
 {
-    for (const int32 index : m_used)
+    for (int32 number = group.firstIsland; number < group.endIsland; ++number)
     {
-        m_contactIslands[std::size_t(index)].residual = 0.0f;
+        const int32 index = m_contactIslandOf[std::size_t(number)];
+        if (index != -1)
+        {
+            function(m_contactIslands[std::size_t(index)]);
+        }
     }
+}
+
+/// Finds the largest error of each selected island.
+void ContactSystem::FindResiduals(const SolverMemory& solver, const IslandGroup& group,
+                                  const SolverBody* bodies)
+{
+    ForSelected(group, [](ContactIsland& island) { island.residual = 0.0f; });
     for (int32 i = 0; i < solver.colorCount; ++i)
     {
         const ContactBlocks& blocks = solver.contacts[solver.colors[i]];
-        for (int32 k = 0; k < blocks.Count(); ++k)
+        const BlockRange range = blocks.Of(group);
+        for (int32 k = range.begin; k < range.end; ++k)
         {
             const ContactBlock& block = blocks.Contacts(k);
             float32 off[kBlockLanes] = {};
@@ -472,17 +486,16 @@ bool ContactSystem::IsAtRisk(const ContactIsland& island, SolverMemory& solver,
            });
 }
 
-void ContactSystem::SolveVelocities(SolverMemory& solver, JointSystem& joints,
-                                    const SolverContext& context, float32 tolerance)
+void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& group,
+                                    JointSystem& joints, const SolverContext& context,
+                                    float32 tolerance)
 {
     if (m_used.empty())
     {
         return;
     }
-    FindResiduals(solver, context.bodies);
-    for (const int32 index : m_used)
-    {
-        ContactIsland& island = m_contactIslands[std::size_t(index)];
+    FindResiduals(solver, group, context.bodies);
+    ForSelected(group, [&](ContactIsland& island) {
         island.inImpact = island.residual > kImpact * kTolerancesOfWeight * tolerance &&
                           !IsAtRisk(island, solver, joints);
         if (island.residual > tolerance && !island.inImpact && Follow(island, solver, joints))
@@ -495,7 +508,7 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, JointSystem& joints,
             ContactItem(blocks.Contacts(place.block), place.lane)
                 .PassOnInProportion(blocks.Totals(place.block));
         }
-    }
+    });
 }
 
 void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
@@ -551,16 +564,18 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     }
 }
 
-void ContactSystem::SolveOverlaps(SolverMemory& solver, JointSystem& joints,
-                                  const SolverContext& context, PushPace pace)
+void ContactSystem::SolveOverlaps(SolverMemory& solver, const IslandGroup& group,
+                                  JointSystem& joints, const SolverContext& context, PushPace pace)
 {
-    m_moves.resize(b2Max(m_moves.size(), solver.bodies.size()));
-    for (const int32 index : m_used)
+    if (m_used.empty())
     {
-        ContactIsland& island = m_contactIslands[std::size_t(index)];
+        return;
+    }
+    m_moves.resize(b2Max(m_moves.size(), solver.bodies.size()));
+    ForSelected(group, [&](ContactIsland& island) {
         if (island.inImpact)
         {
-            continue;
+            return;
         }
         float32 smallest = 0.0f;
         for (const Place& place : island.contacts)
@@ -579,7 +594,7 @@ void ContactSystem::SolveOverlaps(SolverMemory& solver, JointSystem& joints,
         {
             SolveOverlaps(island, solver, joints, context, pace);
         }
-    }
+    });
 }
 
 /// The system solves displacements here in place of velocities.

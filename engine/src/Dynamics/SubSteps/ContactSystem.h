@@ -5,6 +5,8 @@
 #include "../Solver/ContactBlocks.h"
 #include "../Solver/OverlapSolver.h"
 
+#include <mutex>
+
 /// Solves contact islands directly, in sub-steps. In a stack an iteration moves a load on by one
 /// contact, and by half if the load is heavy. Islands are selected by their size: few contacts and
 /// joints, and few loops, so that the cost is near that of iterations. An island is solved only if
@@ -31,13 +33,13 @@ public:
     void Begin(SolverMemory& solver, JointSystem& joints);
     /// Returns the number of selected islands.
     std::size_t Count() const { return m_used.size(); }
-    /// After iterations over all contacts: the velocities of the islands in which a contact's
+    /// After iterations over a group's contacts: the velocities of its islands in which a contact's
     /// normal speed is off by more than `tolerance` [m/s].
-    void SolveVelocities(SolverMemory& solver, JointSystem& joints, const SolverContext& context,
-                         float32 tolerance);
+    void SolveVelocities(SolverMemory& solver, const IslandGroup& group, JointSystem& joints,
+                         const SolverContext& context, float32 tolerance);
     /// Same as above, for islands with overlaps deeper than kMaxOverlap.
-    void SolveOverlaps(SolverMemory& solver, JointSystem& joints, const SolverContext& context,
-                       PushPace pace);
+    void SolveOverlaps(SolverMemory& solver, const IslandGroup& group, JointSystem& joints,
+                       const SolverContext& context, PushPace pace);
 
 private:
     struct Place // place of a contact
@@ -65,7 +67,10 @@ private:
                          const SolverContext& context, float32 tolerance);
     void SolveOverlaps(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
                        const SolverContext& context, PushPace pace);
-    void FindResiduals(const SolverMemory& solver, const SolverBody* bodies);
+    void FindResiduals(const SolverMemory& solver, const IslandGroup& group,
+                       const SolverBody* bodies);
+    template <class Function>
+    void ForSelected(const IslandGroup& group, Function&& function);
     int32 TakeContactIsland();
     void FindRoom(ContactIsland& island);
     template <class Function>
@@ -78,6 +83,7 @@ private:
     Array<int32> m_free;       // the others
     Array<RowSides> m_sides;   // scratch: of one island
     Elimination m_elimination; // of contact islands
+    std::mutex m_following;    // held by a thread that builds a system
     Array<SolverBody> m_moves; // by solver index: displacements in place of velocities, for
                                // overlaps
 };

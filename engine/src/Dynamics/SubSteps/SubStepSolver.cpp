@@ -12,6 +12,8 @@
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2TimeStep.h>
 
+#include <span>
+
 /// A step in n sub-steps (Macklin et al., "Small Steps in Physics Simulation", 2019). Contacts are
 /// found once. Then velocities and positions alternate, staggered by half a sub-step: the leapfrog
 /// scheme (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, I.1.4). Velocity
@@ -108,33 +110,37 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
     const float32 rate =
         b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));
     SubStepSolver solve(world, timeStep);
-    const auto kick = [&](float32 duration, float32 share) {
-        ProfileScope velocity(world.profiling, world.profile.solveVelocity);
-        solve.Kick(duration, share, kickIterations);
-    };
     {
         ProfileScope init(world.profiling, world.profile.solveInit);
+        solve.SortBodies();
         solve.WakeJointNeighbours();
         solve.Begin(count);
         world.energyGuard->Begin(world, *world.solver, timeStep);
     }
     const bool together = solve.AnyTogether();
-    if (together)
-    {
-        kick(0.5f * h, 1.0f);
-    }
-    for (int32 i = 1; i <= count && together; ++i)
-    {
+    ForGroups(solve, [&](SubStepSolver& group) {
+        const auto kick = [&](float32 duration, float32 share) {
+            ProfileScope velocity(group.IsProfiling(), world.profile.solveVelocity);
+            group.Kick(duration, share, kickIterations);
+        };
+        if (together)
         {
-            ProfileScope position(world.profiling, world.profile.solvePosition);
-            solve.Drift(h);
-            solve.MoveApart(h, pushIterations, rate);
-            solve.CloseAfterPushes(pushIterations);
+            kick(0.5f * h, 1.0f);
         }
-        const bool last = i == count;
-        // From half a kick to a whole one, and back.
-        kick(last ? 0.5f * h : h, (i == 1 ? 2.0f : 1.0f) * (last ? 0.5f : 1.0f));
-    }
+        for (int32 i = 1; i <= count && together; ++i)
+        {
+            {
+                ProfileScope position(group.IsProfiling(), world.profile.solvePosition);
+                group.Drift(h);
+                group.MoveApart(h, pushIterations, rate);
+                group.CloseAfterPushes(pushIterations);
+            }
+            const bool last = i == count;
+            // From half a kick to a whole one, and back.
+            kick(last ? 0.5f * h : h, (i == 1 ? 2.0f : 1.0f) * (last ? 0.5f : 1.0f));
+        }
+        group.StoreImpulses();
+    });
     world.directionReversed =
         kickIterations > 1 ? (count % 2 == 0) != world.directionReversed : !world.directionReversed;
     {
@@ -165,6 +171,7 @@ void SubStepSolver::Begin(int32 count)
     m_memory.bodies[0] = SolverBody();
     m_subSteps.kicks.resize(m_world.awakeBodies.size());
     m_subSteps.modes.resize(m_world.awakeBodies.size());
+    m_subSteps.beforePushes.resize(m_memory.bodies.size());
     m_context.bodies = m_memory.bodies.data();
     ForBodies([this](std::size_t i) {
         const BodyData& body = Data(*m_world.awakeBodies[i]);
@@ -176,6 +183,7 @@ void SubStepSolver::Begin(int32 count)
         m_subSteps.modes[i] = ModeOf(body);
     });
     HoldOverflow();
+    AssignContacts();
     PrepareContacts();
     for (int32 i = 0; i < m_memory.colorCount; ++i)
     {
@@ -187,7 +195,8 @@ void SubStepSolver::Begin(int32 count)
     m_subSteps.joints.Update(m_world.graph);
     if (m_memory.colorCount > 0 || !m_subSteps.joints.IsEmpty())
     {
-        m_memory.islands.Find(m_world);
+        FindIslands();
+        m_subSteps.farthestPushes.resize(std::size_t(m_memory.islands.Count()));
         m_subSteps.contacts.CountContacts(m_memory);
     }
     m_subSteps.joints.Begin(
@@ -246,16 +255,17 @@ bool SubStepSolver::AnyTogether() const
 template <class Function>
 void SubStepSolver::ForTogether(Function&& function)
 {
-    const Array<BodyMode>& modes = m_subSteps.modes;
+    const auto modes = std::span(m_subSteps.modes);
     const auto together = [](BodyMode mode) { return mode == BodyMode::Together; };
-    ParallelFor(m_threads, int32(modes.size()), kBodyGrain, [&](int32 begin, int32 end) {
-        const auto last = modes.begin() + end;
-        for (auto from = modes.begin() + begin; from != last;)
+    const int32 first = m_group.firstBody;
+    ParallelFor(m_threads, m_group.endBody - first, kBodyGrain, [&](int32 begin, int32 end) {
+        const auto last = modes.begin() + first + end;
+        for (auto from = modes.begin() + first + begin; from != last;)
         {
             from = std::find_if(from, last, together);
             const auto to = std::find_if_not(from, last, together);
-            const auto first = std::size_t(from - modes.begin());
-            function(m_memory.bodies.data() + first + 1, m_subSteps.kicks.data() + first,
+            const auto index = std::size_t(from - modes.begin());
+            function(m_memory.bodies.data() + index + 1, m_subSteps.kicks.data() + index,
                      int32(to - from));
             from = to;
         }
@@ -274,23 +284,23 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     WarmStartGuard& guard = m_subSteps.warmStartGuard;
     if (AnyHeld())
     {
-        guard.Note(m_memory, m_subSteps.kicks.data());
+        guard.Note(m_memory, m_group, m_subSteps.kicks.data());
     }
     joints.WarmStart(kick, share);
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
         KickBlock(blocks.Contacts(i), blocks.Totals(i), m_context.bodies, share, m_kick > 0);
     });
     Iterate(iterations);
-    if (AnyHeld() && guard.HasGained(m_memory, m_subSteps.kicks.data(), joints))
+    if (AnyHeld() && guard.HasGained(m_memory, m_group, m_subSteps.kicks.data(), joints))
     {
-        guard.Restore(m_memory);
+        guard.Restore(m_memory, m_group);
         joints.StartAgain(kick,
                           [&](const RowSides& sides) { return guard.HasGained(m_memory, sides); });
         Iterate(b2Max(iterations, kMinColdIterations));
     }
     ++m_kick;
     m_subSteps.contacts.SolveVelocities(
-        m_memory, m_subSteps.joints, m_context,
+        m_memory, m_group, m_subSteps.joints, m_context,
         kRestTolerance * duration * m_world.settings.gravity.Length() + 1e-6f);
 }
 
@@ -355,7 +365,9 @@ void SubStepSolver::Drift(float32 timeStep)
 
 void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
 {
-    m_subSteps.beforePushes = m_memory.bodies;
+    const int32 first = m_group.firstBody + 1;
+    std::copy_n(m_memory.bodies.begin() + first, m_group.endBody - m_group.firstBody,
+                m_subSteps.beforePushes.begin() + first);
     // The iterations and the solution after them take equal parts of the push.
     const float32 maximum =
         b2Min(kPushSpeed * timeStep / float32(iterations + 1), b2_maxLinearCorrection);
@@ -373,7 +385,7 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
     if (found < -ContactSystem::kMaxOverlap)
     {
         m_subSteps.contacts.SolveOverlaps(
-            m_memory, m_subSteps.joints, m_context,
+            m_memory, m_group, m_subSteps.joints, m_context,
             {b2_baumgarte / float32(m_world.settings.subStepCount), maximum});
     }
     if (deepest < -b2_linearSlop)
@@ -386,14 +398,19 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
 /// `maximum` [m]. Directions are kept, and points that separate still do.
 void SubStepSolver::LimitPushes(float32 maximum)
 {
-    if (!(FarthestPush(m_subSteps.beforePushes.data() + 1, m_memory.bodies.data() + 1,
-                       m_subSteps.kicks.data(), int32(m_subSteps.kicks.size())) > maximum))
+    const int32 first = m_group.firstBody;
+    const int32 count = m_group.endBody - first;
+    if (!(FarthestPush(m_subSteps.beforePushes.data() + first + 1,
+                       m_memory.bodies.data() + first + 1, m_subSteps.kicks.data() + first,
+                       count) > maximum))
     {
         return;
     }
-    m_subSteps.farthestPushes.assign(std::size_t(m_memory.islands.Count()), 0.0f);
-    const auto forPushed = [this](auto&& function) {
-        for (const b2Body* body : m_world.awakeBodies)
+    std::fill(m_subSteps.farthestPushes.begin() + m_group.firstIsland,
+              m_subSteps.farthestPushes.begin() + m_group.endIsland, 0.0f);
+    const auto forPushed = [&](auto&& function) {
+        for (const b2Body* body :
+             std::span(m_world.awakeBodies).subspan(std::size_t(first), std::size_t(count)))
         {
             const int32 i = Data(*body).SolverIndex();
             const int32 island = m_memory.islands.Of(i);
@@ -422,6 +439,21 @@ void SubStepSolver::LimitPushes(float32 maximum)
     });
 }
 
+/// Stores the impulses of the group's contacts.
+void SubStepSolver::StoreImpulses()
+{
+    ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        if (i + 1 < blocks.Count())
+        {
+            ReadAhead(blocks.Contacts(i + 1));
+        }
+        AddToTotals(blocks.Contacts(i), blocks.Totals(i));
+        NoteLastShare(blocks.Contacts(i), blocks.Totals(i));
+        TakeTotals(blocks.Contacts(i), blocks.Totals(i));
+        box2d::StoreImpulses(blocks.Contacts(i));
+    });
+}
+
 void SubStepSolver::End()
 {
     ForBodies([this](std::size_t i) {
@@ -436,16 +468,6 @@ void SubStepSolver::End()
     {
         FindDeep();
     }
-    ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
-        if (i + 1 < blocks.Count())
-        {
-            ReadAhead(blocks.Contacts(i + 1));
-        }
-        AddToTotals(blocks.Contacts(i), blocks.Totals(i));
-        NoteLastShare(blocks.Contacts(i), blocks.Totals(i));
-        TakeTotals(blocks.Contacts(i), blocks.Totals(i));
-        StoreImpulses(blocks.Contacts(i));
-    });
 }
 
 } // namespace box2d

@@ -25,6 +25,7 @@ public:
     {
         m_subSteps.joints.CloseAfterPushes(m_context, iterations);
     }
+    void StoreImpulses();
     void End();
 
 private:

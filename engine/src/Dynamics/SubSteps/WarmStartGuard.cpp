@@ -20,15 +20,17 @@ bool Moves(const SolverBody& body)
     return body.v != b2Vec2_zero || body.w != 0.0f;
 }
 
-/// Calls the function for each contact of the wanted blocks, with its block, the block's totals,
-/// and its lane.
+/// Calls the function for each contact of the group's wanted blocks, with its block, the block's
+/// totals, and its lane.
 template <class IsWanted, class Function>
-void ForContacts(SolverMemory& solver, IsWanted&& isWanted, Function&& function)
+void ForContacts(SolverMemory& solver, const IslandGroup& group, IsWanted&& isWanted,
+                 Function&& function)
 {
     for (int32 i = 0; i < solver.colorCount; ++i)
     {
         ContactBlocks& blocks = solver.contacts[solver.colors[i]];
-        for (int32 k = 0; k < blocks.Count(); ++k)
+        const BlockRange range = blocks.Of(group);
+        for (int32 k = range.begin; k < range.end; ++k)
         {
             const int32 count = isWanted(blocks.Contacts(k)) ? blocks.Contacts(k).count : 0;
             for (int32 lane = 0; lane < count; ++lane)
@@ -87,14 +89,17 @@ void WarmStartGuard::Begin(SolverMemory& solver, const JointSystem& joints)
         anyMoves = anyMoves || (islands.Of(int32(i)) == -1 && Moves(solver.bodies[i]));
     }
     const auto drives = [&](const ContactBlock& block) { return anyMoves || block.driven; };
-    ForContacts(solver, drives, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
-        const int32 a = islands.Of(block.bodyA[lane]);
-        const int32 b = islands.Of(block.bodyB[lane]);
-        const bool belt = block.tangentSpeed[lane] != 0.0f;
-        const auto moves = [&](int32 body) { return Moves(solver.bodies[std::size_t(body)]); };
-        Exempt(a, belt || (b == -1 && moves(block.bodyB[lane])));
-        Exempt(b, belt || (a == -1 && moves(block.bodyA[lane])));
-    });
+    ForContacts(solver, IslandGroup(), drives,
+                [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
+                    const int32 a = islands.Of(block.bodyA[lane]);
+                    const int32 b = islands.Of(block.bodyB[lane]);
+                    const bool belt = block.tangentSpeed[lane] != 0.0f;
+                    const auto moves = [&](int32 body) {
+                        return Moves(solver.bodies[std::size_t(body)]);
+                    };
+                    Exempt(a, belt || (b == -1 && moves(block.bodyB[lane])));
+                    Exempt(b, belt || (a == -1 && moves(block.bodyA[lane])));
+                });
     joints.ForIterated([&](b2Joint* joint) {
         for (const b2Body* body : {joint->GetBodyA(), joint->GetBodyB()})
         {
@@ -112,12 +117,18 @@ void WarmStartGuard::Begin(SolverMemory& solver, const JointSystem& joints)
     m_checksAny = !std::ranges::all_of(m_islands, &Island::exempt);
 }
 
-void WarmStartGuard::AddEnergies(const SolverMemory& solver, const BodyKick* kicks,
-                                 double Island::*sum)
+std::span<WarmStartGuard::Island> WarmStartGuard::Of(const IslandGroup& group)
+{
+    return std::span(m_islands).subspan(std::size_t(group.firstIsland),
+                                        std::size_t(group.endIsland - group.firstIsland));
+}
+
+void WarmStartGuard::AddEnergies(const SolverMemory& solver, const IslandGroup& group,
+                                 const BodyKick* kicks, double Island::*sum)
 {
     int32 last = -1;
     double energy = 0.0;
-    for (std::size_t i = 1; i < solver.bodies.size(); ++i)
+    for (auto i = std::size_t(group.firstBody) + 1; i <= std::size_t(group.endBody); ++i)
     {
         const int32 island = solver.islands.Of(int32(i));
         if (island == -1)
@@ -135,27 +146,29 @@ void WarmStartGuard::AddEnergies(const SolverMemory& solver, const BodyKick* kic
     }
 }
 
-void WarmStartGuard::Note(const SolverMemory& solver, const BodyKick* kicks)
+void WarmStartGuard::Note(const SolverMemory& solver, const IslandGroup& group,
+                          const BodyKick* kicks)
 {
-    std::copy(solver.bodies.begin(), solver.bodies.end(), m_before.begin());
-    for (Island& island : m_islands)
+    std::copy(solver.bodies.begin() + group.firstBody + 1,
+              solver.bodies.begin() + group.endBody + 1, m_before.begin() + group.firstBody + 1);
+    for (Island& island : Of(group))
     {
         island.before = island.after = 0.0;
     }
     if (m_checksAny)
     {
-        AddEnergies(solver, kicks, &Island::before);
+        AddEnergies(solver, group, kicks, &Island::before);
     }
 }
 
-bool WarmStartGuard::HasGained(SolverMemory& solver, const BodyKick* kicks,
-                               const JointSystem& joints)
+bool WarmStartGuard::HasGained(SolverMemory& solver, const IslandGroup& group,
+                               const BodyKick* kicks, const JointSystem& joints)
 {
     if (!m_checksAny)
     {
         return false;
     }
-    AddEnergies(solver, kicks, &Island::after);
+    AddEnergies(solver, group, kicks, &Island::after);
     SolverContext start, end;
     start.bodies = m_before.data();
     end.bodies = solver.bodies.data();
@@ -166,13 +179,12 @@ bool WarmStartGuard::HasGained(SolverMemory& solver, const BodyKick* kicks,
             m_islands[std::size_t(island)].before += joints.MaxWork(joint, start, end);
         }
     });
-    return std::any_of(m_islands.begin(), m_islands.end(),
-                       [](const Island& island) { return island.HasGained(); });
+    return std::ranges::any_of(Of(group), [](const Island& island) { return island.HasGained(); });
 }
 
-void WarmStartGuard::Restore(SolverMemory& solver) const
+void WarmStartGuard::Restore(SolverMemory& solver, const IslandGroup& group) const
 {
-    for (std::size_t i = 0; i < solver.bodies.size(); ++i)
+    for (auto i = std::size_t(group.firstBody) + 1; i <= std::size_t(group.endBody); ++i)
     {
         if (HasGained(solver.islands.Of(int32(i))))
         {
@@ -181,7 +193,7 @@ void WarmStartGuard::Restore(SolverMemory& solver) const
         }
     }
     const auto all = [](const ContactBlock&) { return true; };
-    ForContacts(solver, all, [&](ContactBlock& block, BlockTotals& totals, int32 lane) {
+    ForContacts(solver, group, all, [&](ContactBlock& block, BlockTotals& totals, int32 lane) {
         if (!HasGained(solver.islands.Of(block.bodyA[lane])) &&
             !HasGained(solver.islands.Of(block.bodyB[lane])))
         {

@@ -3,6 +3,8 @@
 
 #include "JointSystem.h"
 
+#include <span>
+
 /// Detects islands that gain energy by the warm start of a kick. Iterations from zero impulses only
 /// lower the kinetic energy after the kick. A warm start with the impulses of a past impact must be
 /// undone first. Where joints connect contacts, the few iterations of a kick do not suffice for
@@ -10,6 +12,7 @@
 namespace box2d
 {
 
+struct IslandGroup;
 struct SolverMemory;
 
 class WarmStartGuard
@@ -18,13 +21,14 @@ public:
     /// Call once per step, before its first kick, after the awake islands were found.
     void Begin(SolverMemory& solver, const JointSystem& joints);
     /// After the kick of the bodies, before the warm start.
-    void Note(const SolverMemory& solver, const BodyKick* kicks);
+    void Note(const SolverMemory& solver, const IslandGroup& group, const BodyKick* kicks);
     /// True if an island gained more energy than its motors, springs and kinematic bodies can
     /// supply.
-    bool HasGained(SolverMemory& solver, const BodyKick* kicks, const JointSystem& joints);
+    bool HasGained(SolverMemory& solver, const IslandGroup& group, const BodyKick* kicks,
+                   const JointSystem& joints);
     /// For these islands: restores the velocities of Note and resets the impulses of their
     /// contacts.
-    void Restore(SolverMemory& solver) const;
+    void Restore(SolverMemory& solver, const IslandGroup& group) const;
     /// True if the island of these bodies gained energy.
     bool HasGained(const SolverMemory& solver, const RowSides& sides) const;
     /// Returns the number of islands checked.
@@ -42,7 +46,9 @@ private:
     };
 
     /// Adds the kinetic energy of its bodies to this sum of each island.
-    void AddEnergies(const SolverMemory& solver, const BodyKick* kicks, double Island::*sum);
+    void AddEnergies(const SolverMemory& solver, const IslandGroup& group, const BodyKick* kicks,
+                     double Island::*sum);
+    std::span<Island> Of(const IslandGroup& group);
     bool HasGained(int32 island) const;
     void Exempt(int32 island, bool really);
 

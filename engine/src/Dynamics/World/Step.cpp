@@ -57,22 +57,30 @@ void SolveAwake(World& world, float32 timeStep, int32 velocityIterations, int32 
     StepSolver solve(world, timeStep);
     {
         ProfileScope init(world.profiling, world.profile.solveInit);
+        solve.SortBodies();
         solve.WakeJointNeighbours();
         solve.IntegrateVelocities();
         world.energyGuard->Begin(world, *world.solver, timeStep);
-        solve.PrepareContacts();
-        solve.WarmStart();
+        solve.AssignContacts();
+        solve.AssignJoints();
     }
-    {
-        ProfileScope velocity(world.profiling, world.profile.solveVelocity);
-        solve.SolveVelocities(velocityIterations);
-        solve.NoteImpulses();
-    }
-    {
-        ProfileScope position(world.profiling, world.profile.solvePosition);
-        solve.IntegratePositions();
-        solve.SolvePositions(positionIterations);
-    }
+    ForGroups(solve, [&](StepSolver& group) {
+        {
+            ProfileScope init(group.IsProfiling(), world.profile.solveInit);
+            group.PrepareContacts();
+            group.WarmStart();
+        }
+        {
+            ProfileScope velocity(group.IsProfiling(), world.profile.solveVelocity);
+            group.SolveVelocities(velocityIterations);
+            group.StoreImpulses();
+        }
+        ProfileScope position(group.IsProfiling(), world.profile.solvePosition);
+        group.IntegratePositions();
+        group.SolvePositions(positionIterations);
+    });
+    solve.TurnDirections();
+    solve.NoteImpulses();
     world.energyGuard->Balance(world, *world.solver);
     solve.WriteBack();
     solve.LetRest();
