@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <thread>
 
 /// Large worlds of separate islands are solved part by part, with the result of all at once.
 namespace
@@ -260,6 +263,43 @@ TEST_P(IslandGroups, GiveTheSameBitsWithEveryNumberOfThreads)
         most = b2Max(most, one.Groups());
     }
     EXPECT_GE(most, 3);
+}
+
+std::thread::id g_caller;
+std::atomic<int> g_strangers{0};
+
+void* AllocateHere(std::size_t size)
+{
+    g_strangers += std::this_thread::get_id() != g_caller;
+    return std::malloc(size > 0 ? size : 1);
+}
+
+/// Leaning stacks, each small enough to be solved directly by a system that is built for it.
+TEST_P(IslandGroups, AllocateNothingOnOtherThreads)
+{
+    g_caller = std::this_thread::get_id();
+    g_strangers = 0;
+    b2SetAllocator(AllocateHere, std::free);
+    {
+        Scene scene;
+        scene.world.SetSubStepCount(GetParam());
+        scene.world.SetThreadCount(3);
+        scene.world.SetAllowSleeping(false);
+        b2Body* ground = scene.Body(b2_staticBody, 0.0f, -1.0f);
+        Scene::AddBox(ground, 1000.0f, 1.0f);
+        for (int i = 0; i < 1200; ++i)
+        {
+            const auto row = float32(i % 8);
+            b2Body* box = scene.Box(6.0f * float32(i / 8) - 450.0f + 0.05f * row * float32(i % 3),
+                                    0.52f + 1.02f * row);
+            box->GetFixtureList()->SetDensity(1.0f + float32(i % 8) * float32(i % 5));
+            box->ResetMassData();
+        }
+        scene.Step(60);
+        EXPECT_GE(Data(*ground).world->solver->groups.Count(), 2);
+    }
+    b2SetAllocator(nullptr, nullptr);
+    EXPECT_EQ(g_strangers, 0);
 }
 
 TEST_P(IslandGroups, GoOnFromASnapshotBitByBit)

@@ -279,6 +279,7 @@ void ContactSystem::Begin(SolverMemory& solver, JointSystem& joints)
     ChooseContactIslands(solver.islands);
     if (!m_used.empty())
     {
+        m_moves.resize(b2Max(m_moves.size(), solver.bodies.size())); // not while groups are solved
         Gather(solver, joints);
     }
 }
@@ -400,7 +401,6 @@ bool ContactSystem::Follow(ContactIsland& island, SolverMemory& solver, JointSys
 {
     if (!island.followed)
     {
-        const std::lock_guard<std::mutex> lock(m_following);
         island.followed = true;
         m_sides.clear();
         for (const Place& place : island.contacts)
@@ -437,6 +437,14 @@ void ContactSystem::ForSelected(const IslandGroup& group, Function&& function)
         {
             function(m_contactIslands[std::size_t(index)]);
         }
+    }
+}
+
+void ContactSystem::FollowAll(SolverMemory& solver, JointSystem& joints)
+{
+    for (const int32 index : m_used)
+    {
+        (void)Follow(m_contactIslands[std::size_t(index)], solver, joints);
     }
 }
 
@@ -571,7 +579,6 @@ void ContactSystem::SolveOverlaps(SolverMemory& solver, const IslandGroup& group
     {
         return;
     }
-    m_moves.resize(b2Max(m_moves.size(), solver.bodies.size()));
     ForSelected(group, [&](ContactIsland& island) {
         if (island.inImpact)
         {

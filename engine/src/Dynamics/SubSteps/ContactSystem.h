@@ -5,8 +5,6 @@
 #include "../Solver/ContactBlocks.h"
 #include "../Solver/OverlapSolver.h"
 
-#include <mutex>
-
 /// Solves contact islands directly, in sub-steps. In a stack an iteration moves a load on by one
 /// contact, and by half if the load is heavy. Islands are selected by their size: few contacts and
 /// joints, and few loops, so that the cost is near that of iterations. An island is solved only if
@@ -31,6 +29,9 @@ public:
     bool IsLarge(int32 island) const;
     /// Call after that, and after the joints have begun. Selects the islands that are small enough.
     void Begin(SolverMemory& solver, JointSystem& joints);
+    /// Builds the systems of the selected islands that have changed now, because groups that threads
+    /// solve must not allocate.
+    void FollowAll(SolverMemory& solver, JointSystem& joints);
     /// Returns the number of selected islands.
     std::size_t Count() const { return m_used.size(); }
     /// After iterations over a group's contacts: the velocities of its islands in which a contact's
@@ -83,7 +84,6 @@ private:
     Array<int32> m_free;       // the others
     Array<RowSides> m_sides;   // scratch: of one island
     Elimination m_elimination; // of contact islands
-    std::mutex m_following;    // held by a thread that builds a system
     Array<SolverBody> m_moves; // by solver index: displacements in place of velocities, for
                                // overlaps
 };

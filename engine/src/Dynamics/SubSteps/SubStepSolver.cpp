@@ -209,6 +209,10 @@ void SubStepSolver::Begin(int32 count)
         m_subSteps.warmStartGuard.Begin(m_memory, m_subSteps.joints);
     }
     m_subSteps.contacts.Begin(m_memory, m_subSteps.joints);
+    if (m_threads != nullptr && m_memory.groups.Count() > 1)
+    {
+        m_subSteps.contacts.FollowAll(m_memory, m_subSteps.joints);
+    }
     m_subSteps.joints.ForTreeBodies([this](const BodyData& body) {
         m_subSteps.modes[std::size_t(body.awakeIndex)] = BodyMode::InTree;
     });
