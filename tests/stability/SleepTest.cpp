@@ -273,4 +273,38 @@ TEST_P(Sleep, ComesToMachinesAndChains)
     }
 }
 
+/// Boxes of 1 to 26 times the density, the heaviest on top, on a plate whose hinge or slider is at
+/// its limit. The limit gives way by micrometres under the weight, and pushes back.
+TEST_P(Sleep, ComesToStacksThatStandOnALimit)
+{
+    for (const bool slides : {false, true})
+    {
+        Trial trial(GetParam());
+        b2Body* post = trial.Post(0.0f, 5.0f);
+        b2Body* plate = Sleeper(trial, 2.0f, 5.0f, 2.0f, 0.1f);
+        plate->GetFixtureList()->SetFilterData(b2Filter());
+        if (slides)
+        {
+            b2PrismaticJoint* slider = trial.Slider(post, plate, 2.0f, 5.0f, b2Vec2(0.0f, 1.0f));
+            slider->EnableLimit(true);
+            slider->SetLimits(0.0f, 3.0f);
+        }
+        else
+        {
+            b2RevoluteJoint* hinge = trial.Hinge(post, plate, 0.0f, 5.0f);
+            hinge->EnableLimit(true);
+            hinge->SetLimits(0.0f, 1.0f);
+        }
+        for (int i = 0; i < 6; ++i)
+        {
+            b2Body* box = trial.Box(2.5f, 5.4f + 0.61f * float32(i), 0.3f, 0.3f);
+            box->GetFixtureList()->SetDensity(1.0f + float32(i * i));
+            box->ResetMassData();
+        }
+        // With one step such a weight on light boxes sways for ever.
+        JudgeRest(trial, slides ? "stack on a slider's limit" : "stack on a hinge's limit",
+                  GetParam() == 1 ? kNoBound : kSoon);
+    }
+}
+
 } // namespace

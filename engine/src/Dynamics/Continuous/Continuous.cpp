@@ -394,8 +394,8 @@ bool ContinuousCollision::HasNewPath(std::size_t index) const
            data.pose.angle != before.angle;
 }
 
-/// Takes back that the body was stopped at that time, if it could be. A listener may have changed
-/// its velocity since.
+/// Takes back that Advance stopped the body at that time, if its path had not begun later. A
+/// listener may have changed its velocity since.
 void ContinuousCollision::Restore(const ImpactBackup& backup, float32 time)
 {
     BodyData& data = Data(*backup.body);

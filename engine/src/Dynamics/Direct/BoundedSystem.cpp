@@ -25,9 +25,11 @@ constexpr double kBurst = 30.0;
 /// 100 no test fails, and only the gaps of chains at a post change (docs/notes/tuned-constants.md).
 constexpr double kMinSpeedBefore = 1.0;
 /// Work of rigid rows with a target speed, such as limits, that is still plausible, as a multiple
-/// of the marked kinetic energy and of that of all bodies at the target speed. A body of mass m at
-/// v that gets the speed s takes m (v + s) s of work, at most 3 times their sum; levers need some
-/// more. Where a contact and a limit contradict each other, the work was 1e4 times as large.
+/// of the marked kinetic energy and of the work of bringing all bodies from kMinSpeedBefore to the
+/// target speed. A body of mass m at v that gets the speed s takes m (v + s) s of work; levers need
+/// some more. Where a contact and a limit contradict each other, the work was 1e4 times as large.
+/// Without kMinSpeedBefore a load at rest on a limit exceeds it, too, because the limit gives way
+/// by micrometres.
 constexpr double kMaxWork = 10.0;
 /// Larger bounds of impulses are none [Ns].
 constexpr double kEndless = 1e29;
@@ -242,7 +244,7 @@ bool BoundedSystem::HasEndlessWork() const
         const double invInertia = body->SolverInvInertia();
         mass += 1.0 / double(body->SolverInvMass()) + (invInertia > 0.0 ? 1.0 / invInertia : 0.0);
     }
-    return work > kMaxWork * (m_markedKinetic + 0.5 * mass * fastest * fastest);
+    return work > kMaxWork * (m_markedKinetic + 0.5 * mass * fastest * (fastest + kMinSpeedBefore));
 }
 
 /// Returns the maximum speed of all points of the bodies, and of all prescribed speeds and those

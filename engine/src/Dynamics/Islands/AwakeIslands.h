@@ -15,7 +15,7 @@ class World;
 class AwakeIslands
 {
 public:
-    /// Call once per step. The numbers are valid until an island changes.
+    /// The numbers are valid until an island or the list of awake bodies changes.
     void Find(const World& world);
     /// Brings the awake bodies into the order of the numbers of their islands, those without one
     /// first. Call after Find; numbers by body are then invalid.

@@ -50,13 +50,13 @@ void SnapshotAccess::Visit(Archive& archive, ContactBlocks& blocks, const World&
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, IslandGroups& groups)
 {
-    auto& [ends, last, ofBody, lastOf, sizes, order, key, changed, wantsOrder] = groups;
+    auto& [ends, ofBody, lastOf, sizes, key, changed, wantsOrder] = groups;
     bool divided = groups.Count() > 1;
     archive(divided, wantsOrder);
     if (Archive::kReads)
     {
         ends.assign(divided ? 2 : 1, {-1, -1});
-        order = key = -1;
+        key = IslandGroups::kNoKey;
     }
 }
 

@@ -78,6 +78,8 @@ void ContactBlocks::Reserve(std::size_t contactCount, bool sharesBodies, int32 g
         m_sorted.reserve(room);
         m_buckets.reserve(room);
     }
+    m_groupEnds.reserve(std::size_t(groups));
+    m_blockEnds.reserve(std::size_t(groups));
     m_sorted.resize(contactCount);
     m_buckets.resize(contactCount);
 }
@@ -102,7 +104,7 @@ int32 ContactBlocks::Add(OverlapKind kind, int32 pointCount)
     return m_count++;
 }
 
-/// By group, and by the index of the newer body, approximated by buckets (counting sort). The
+/// By group, and by the larger index of its bodies, approximated by buckets (counting sort). The
 /// bodies of a group follow each other, so the key of both is their sum.
 void ContactBlocks::Sort(const Array<b2Contact*>& contacts, bool sharesBodies,
                          const IslandGroups& groups, std::size_t bodyCount)

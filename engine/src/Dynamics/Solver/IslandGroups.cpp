@@ -3,8 +3,6 @@
 
 #include "../Islands/AwakeIslands.h"
 
-#include <algorithm>
-
 namespace box2d
 {
 
@@ -12,21 +10,20 @@ void IslandGroups::Join(int32 bodies)
 {
     m_changed = Count() > 1;
     m_wantsOrder = false;
-    m_key = -1;
+    m_key = kNoKey;
     m_ends.assign(1, End{bodies, 0});
 }
 
-bool IslandGroups::Keep(int32 key)
+bool IslandGroups::Keep(std::uint64_t key)
 {
     const bool same = key == m_key;
     m_changed = m_changed && !same;
     return same;
 }
 
-/// A group ends where no island goes on. Islands are numbered in the order of their first bodies,
-/// so those of a group follow each other.
-void IslandGroups::Divide(const AwakeIslands& islands, int32 bodies, int32 order, int32 key)
+void IslandGroups::Divide(const AwakeIslands& islands, int32 bodies, std::uint64_t key)
 {
+    const bool wasOne = Count() <= 1;
     m_lastOf.assign(std::size_t(islands.Count()), -1);
     m_sizes.assign(std::size_t(islands.Count()), 0);
     for (int32 i = 0; i < bodies; ++i)
@@ -34,15 +31,26 @@ void IslandGroups::Divide(const AwakeIslands& islands, int32 bodies, int32 order
         const int32 island = islands.Of(i + 1);
         if (island == -1)
         {
-            return Join(bodies);
+            Join(bodies);
+            m_key = key;
+            return;
         }
         m_lastOf[std::size_t(island)] = i;
         ++m_sizes[std::size_t(island)];
     }
-    m_ofBody.resize(std::size_t(bodies));
-    m_last.swap(m_ends);
-    m_ends.clear();
     const int32 least = b2Max(kBodies, (bodies + kMaxCount - 1) / kMaxCount);
+    FindEnds(islands, bodies, least);
+    m_wantsOrder = CountInOrder(least) >= 2 * Count();
+    m_changed = Count() > 1 || !wasOne;
+    m_key = key;
+}
+
+/// A group ends where no island goes on. Islands are numbered in the order of their first bodies,
+/// so those of a group follow each other.
+void IslandGroups::FindEnds(const AwakeIslands& islands, int32 bodies, int32 least)
+{
+    m_ofBody.resize(std::size_t(bodies));
+    m_ends.clear();
     int32 begin = 0;
     int32 reach = 0;
     int32 end = 0;
@@ -58,12 +66,6 @@ void IslandGroups::Divide(const AwakeIslands& islands, int32 bodies, int32 order
             begin = i + 1;
         }
     }
-    m_wantsOrder = CountInOrder(least) >= 2 * Count();
-    const bool isOne = Count() == 1 && m_last.size() == 1;
-    m_changed = !isOne && (order != m_order ||
-                           !std::ranges::equal(m_ends, m_last, {}, &End::body, &End::body));
-    m_order = order;
-    m_key = key;
 }
 
 /// Returns the number of groups with the bodies in the order of their islands.

@@ -23,18 +23,19 @@ struct IslandGroup
 class IslandGroups
 {
 public:
-    /// Least number of bodies of a group: with their contacts about half a megabyte.
+    /// Minimum number of bodies of a group, except for the last one: with their contacts about half
+    /// a megabyte.
     static constexpr int32 kBodies = 512;
     /// Maximum number of groups; they are larger then.
     static constexpr int32 kMaxCount = 64;
 
     /// All `bodies` awake bodies are one group.
     void Join(int32 bodies);
-    /// True if the groups of the last step still hold, whose bodies and islands had this key.
-    bool Keep(int32 key);
-    /// Divides the awake bodies, if each belongs to an island. `order` changes with their order,
-    /// `key` with that or with an island.
-    void Divide(const AwakeIslands& islands, int32 bodies, int32 order, int32 key);
+    /// True if the last division still holds, of bodies and islands with this key.
+    bool Keep(std::uint64_t key);
+    /// Divides the awake bodies, if each belongs to an island. The key changes with their order and
+    /// their islands.
+    void Divide(const AwakeIslands& islands, int32 bodies, std::uint64_t key);
 
     int32 Count() const { return int32(m_ends.size()); }
     IslandGroup At(int32 number) const;
@@ -47,18 +48,20 @@ public:
 
 private:
     friend struct SnapshotAccess;
+    static constexpr std::uint64_t kNoKey = ~std::uint64_t(0);
     struct End
     {
         int32 body, island;
     };
 
+    void FindEnds(const AwakeIslands& islands, int32 bodies, int32 least);
     int32 CountInOrder(int32 least) const;
 
-    Array<End> m_ends, m_last;
+    Array<End> m_ends;
     Array<uint8> m_ofBody;
-    Array<int32> m_lastOf;          // by island: its last body
-    Array<int32> m_sizes;           // by island: its bodies
-    int32 m_order = -1, m_key = -1; // of the last division
+    Array<int32> m_lastOf; // by island: its last body
+    Array<int32> m_sizes;  // by island: its bodies
+    std::uint64_t m_key = kNoKey;
     bool m_changed = false;
     bool m_wantsOrder = false;
 };

@@ -149,13 +149,15 @@ void StepSolver::PrepareContacts()
     });
 }
 
-/// A joint would connect groups, and a kinematic body would have to move with all of them.
+/// A joint may connect groups, and a kinematic body would have to move with all of them. So a world
+/// with an awake one of these is one group.
 void StepSolver::FindGroups()
 {
     const auto bodies = int32(m_world.awakeBodies.size());
     const bool mayDivide = bodies >= 2 * IslandGroups::kBodies && m_memory.colorCount > 0 &&
                            m_world.graph.Joints().empty();
-    const int32 key = m_world.awakeVersion + m_world.islands.Version();
+    const std::uint64_t key =
+        std::uint64_t(m_world.awakeVersion) + std::uint64_t(m_world.islands.Version());
     if (!mayDivide)
     {
         m_memory.groups.Join(bodies);
@@ -163,7 +165,7 @@ void StepSolver::FindGroups()
     else if (!m_memory.groups.Keep(key))
     {
         FindIslands();
-        m_memory.groups.Divide(m_memory.islands, bodies, m_world.awakeVersion, key);
+        m_memory.groups.Divide(m_memory.islands, bodies, key);
     }
     m_group.endBody = bodies;
 }

@@ -41,7 +41,7 @@ public:
     const Array<int32>& FindSleepy(float32 timeToSleep);
 
     /// Changes when a body comes into another island.
-    int32 Version() const { return m_version; }
+    std::uint32_t Version() const { return m_version; }
     int32 Size() const { return int32(m_islands.size()); } ///< upper bound of island numbers
     const Island& At(int32 island) const { return m_islands[std::size_t(island)]; }
 
@@ -58,7 +58,7 @@ private:
     Array<int32> m_sleepy;
     Array<b2Body*> m_members; // scratch of Split
     Array<b2Body*> m_stack;   // scratch of Gather
-    int32 m_version = 0;
+    std::uint32_t m_version = 0;
 };
 
 } // namespace box2d

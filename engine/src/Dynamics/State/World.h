@@ -74,7 +74,7 @@ public:
     Islands islands;
 
     Array<b2Body*> awakeBodies;      ///< kinematic and dynamic bodies
-    int32 awakeVersion = 0;          ///< changes with that list
+    std::uint32_t awakeVersion = 0;  ///< changes with that list
     Array<b2Contact*> awakeContacts; ///< contacts with an awake body that is not static
     Array<uint8> awakeObstacles;     ///< of each of these: true if one of its bodies is not dynamic
     Array<PairLook> awakeLooks;      ///< at each of these

@@ -346,8 +346,8 @@ void JointSystem::LetGo(int32 part)
 
 /// True if closing added velocities that no drift explains. Closing corrects the difference of a
 /// straight and a circular path. Until the next kick, that speeds up a body that rotates by the
-/// angle a by the fraction a^2 / 2, which is a^2 of its energy. The angle is that of the body that
-/// rotates fastest. The velocities in m_opened are those before.
+/// angle a by the fraction a^2 / 2, which is a^2 of its energy; kMinGain is allowed besides. The
+/// angle is that of the body that rotates fastest. The velocities in m_opened are those before.
 bool JointSystem::HasGained(int32 part, const SolverContext& context, float32 timeStep) const
 {
     const double small = double(kNearlyClosed) / double(timeStep);
