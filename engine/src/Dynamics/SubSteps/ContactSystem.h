@@ -29,8 +29,8 @@ public:
     bool IsLarge(int32 island) const;
     /// Call after that, and after the joints have begun. Selects the islands that are small enough.
     void Begin(SolverMemory& solver, JointSystem& joints);
-    /// Builds the systems of the selected islands that have changed now, because groups that threads
-    /// solve must not allocate.
+    /// Builds the systems of the selected islands that have changed now, because groups that
+    /// threads solve must not allocate.
     void FollowAll(SolverMemory& solver, JointSystem& joints);
     /// Returns the number of selected islands.
     std::size_t Count() const { return m_used.size(); }
