@@ -310,6 +310,11 @@ private:
         {
             std::set<const b2Body*> bodies;
             const auto& list = m_world.graph.Contacts(color);
+            if (!Expect((m_world.graph.UsedColors() >> color & 1u) == (list.empty() ? 0u : 1u),
+                        "a colour is wrongly known to have contacts, or none"))
+            {
+                return false;
+            }
             for (std::size_t i = 0; i < list.size(); ++i)
             {
                 const ContactData& c = Data(*list[i]);

@@ -260,7 +260,7 @@ public:
             system.Rows(i) = frame.rows[i];
             BoundedSystem::Item& item = system.At(i);
             item = BoundedSystem::Item();
-            item.maximum.at[1] = 1e30;
+            item.maximum.at[1] = BoundedSystem::kUnbounded;
             item.active = 2;
         }
     }
@@ -311,9 +311,9 @@ void FindWhetherItBursts(bool contradicts, bool& bursts, double& impulse)
         system.Rows(i) = frame.rows[i];
         system.At(i) = BoundedSystem::Item();
     }
-    system.At(0).maximum.at[1] = 1e30;
+    system.At(0).maximum.at[1] = BoundedSystem::kUnbounded;
     system.At(0).active = contradicts ? 2 : 0;
-    system.At(1).minimum.at[1] = -1e30;
+    system.At(1).minimum.at[1] = -BoundedSystem::kUnbounded;
     system.At(1).speeds.at[1] = -2.0;
     system.At(1).active = 2;
     system.Mark(frame.context);

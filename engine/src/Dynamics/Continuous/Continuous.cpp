@@ -538,6 +538,11 @@ void ContinuousCollision::AddNeighbours(b2Body& body, float32 time)
 
 void SolveContinuous(World& world, float32 timeStep, int32 velocityIterations)
 {
+    if (world.awakeContacts.empty())
+    {
+        world.stepComplete = true;
+        return;
+    }
     ContinuousCollision continuous(world, timeStep, velocityIterations);
     continuous.Run();
     continuous.PublishCounts();

@@ -31,8 +31,6 @@ constexpr double kMinSpeedBefore = 1.0;
 /// Without kMinSpeedBefore a load at rest on a limit exceeds it, too, because the limit gives way
 /// by micrometres.
 constexpr double kMaxWork = 10.0;
-/// Larger bounds of impulses are none [Ns].
-constexpr double kEndless = 1e29;
 
 /// Limits with a smaller relative difference are equal.
 constexpr double kSameLimit = 0.01;
@@ -231,7 +229,7 @@ bool BoundedSystem::HasEndlessWork() const
         {
             const double impulse = item.impulse.at[row];
             const double bound = impulse > 0.0 ? item.maximum.at[row] : -item.minimum.at[row];
-            if (rows.laws[row].softness == 0.0f && bound > kEndless)
+            if (rows.laws[row].softness == 0.0f && bound >= kUnbounded)
             {
                 work += impulse * item.speeds.at[row];
                 fastest = impulse != 0.0 ? b2Max(fastest, std::abs(item.speeds.at[row])) : fastest;

@@ -17,6 +17,10 @@ namespace box2d
 class BoundedSystem
 {
 public:
+    /// A bound this large is none [Ns]. Exact impulses are far smaller; the square of this one is
+    /// still finite.
+    static constexpr double kUnbounded = 1e30;
+
     struct Item
     {
         Vector3 speeds{};  ///< target speed of each row

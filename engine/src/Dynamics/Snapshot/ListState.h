@@ -54,7 +54,9 @@ template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, ConstraintGraph& graph)
 {
     // Forms are looked at again after restoring.
-    auto& [contacts, contactsChanged, formsChanged, joints, jointVersion, sorted] = graph;
+    auto& [contacts, usedColors, contactsChanged, formsChanged, joints, jointVersion, sorted] =
+        graph;
+    uint32 used = 0;
     for (int32 color = 0; color < ConstraintGraph::kColorCount; ++color)
     {
         archive(contactsChanged[color]);
@@ -63,6 +65,7 @@ void SnapshotAccess::Visit(Archive& archive, ConstraintGraph& graph)
             Data(contact).color = std::int8_t(color);
             Data(contact).colorIndex = place;
         });
+        used |= contacts[color].empty() ? 0u : 1u << color;
     }
     VisitList(archive, joints, [&](b2Joint& joint, int32 place) {
         archive.Require(JointAccess::SolverIndex(joint) == -1);
@@ -71,6 +74,7 @@ void SnapshotAccess::Visit(Archive& archive, ConstraintGraph& graph)
     archive(jointVersion, sorted);
     if constexpr (Archive::kReads)
     {
+        usedColors = used;
         graph.NoteAllForms();
     }
 }

@@ -16,6 +16,7 @@
 #include <Box2D/Dynamics/b2Body.h>
 
 #include <atomic>
+#include <bit>
 
 namespace box2d
 {
@@ -112,14 +113,16 @@ SolverBody StepSolver::WithForces(const BodyData& body) const
 
 void StepSolver::AssignContacts()
 {
+    constexpr uint32 kOverflowBit = 1u << ConstraintGraph::kOverflow;
+    const uint32 used = m_world.graph.UsedColors();
     m_memory.colorCount = 0;
-    for (int32 i = 0; i < ConstraintGraph::kColorCount; ++i)
+    if ((used & kOverflowBit) != 0)
     {
-        const int32 color = i == 0 ? ConstraintGraph::kOverflow : i - 1;
-        if (!m_world.graph.Contacts(color).empty())
-        {
-            m_memory.colors[m_memory.colorCount++] = color;
-        }
+        m_memory.colors[m_memory.colorCount++] = ConstraintGraph::kOverflow;
+    }
+    for (uint32 left = used & ~kOverflowBit; left != 0; left &= left - 1)
+    {
+        m_memory.colors[m_memory.colorCount++] = std::countr_zero(left);
     }
     FindGroups();
     for (int32 i = 0; i < m_memory.colorCount; ++i)
@@ -140,6 +143,11 @@ void StepSolver::AssignContacts()
 void StepSolver::AssignJoints()
 {
     m_memory.joints.Update(m_world.graph);
+}
+
+bool StepSolver::IsFree() const
+{
+    return m_memory.colorCount == 0 && m_memory.joints.IsEmpty();
 }
 
 void StepSolver::PrepareContacts()

@@ -28,6 +28,8 @@ public:
     void IntegrateVelocities();
     void AssignContacts();
     void AssignJoints();
+    /// True if no awake body has a contact or joint.
+    bool IsFree() const;
     void PrepareContacts();
     void WarmStart();
     void SolveVelocities(int32 iterations);

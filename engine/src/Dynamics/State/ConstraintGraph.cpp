@@ -72,6 +72,7 @@ void ConstraintGraph::Add(b2Contact& contact)
     b2Assert(c.color == -1);
     c.color = std::int8_t(Claim(Data(*c.bodyA), Data(*c.bodyB)));
     m_contactsChanged[c.color] = true;
+    m_usedColors |= 1u << c.color;
     Array<b2Contact*>& list = m_contacts[c.color];
     c.colorIndex = int32(list.size());
     if (list.capacity() == 0)
@@ -91,6 +92,10 @@ void ConstraintGraph::Remove(b2Contact& contact)
     list[std::size_t(c.colorIndex)] = list.back();
     Data(*list.back()).colorIndex = c.colorIndex;
     list.pop_back();
+    if (list.empty())
+    {
+        m_usedColors &= ~(1u << c.color);
+    }
     c.color = -1;
     c.colorIndex = -1;
 }

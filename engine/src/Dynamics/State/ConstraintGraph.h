@@ -33,6 +33,8 @@ public:
     void Remove(b2Joint& joint);
 
     const Array<b2Contact*>& Contacts(int32 color) const { return m_contacts[color]; }
+    /// Returns the colours that have contacts, one bit each.
+    uint32 UsedColors() const { return m_usedColors; }
 
     /// The change of a colour since the last call of Settle.
     enum class Change : uint8
@@ -70,6 +72,7 @@ private:
     static void Release(BodyData& a, BodyData& b, int32 color);
 
     Array<b2Contact*> m_contacts[kColorCount];
+    uint32 m_usedColors = 0;
     bool m_contactsChanged[kColorCount] = {};
     std::atomic<bool> m_formsChanged[kColorCount] = {};
     Array<b2Joint*> m_joints;

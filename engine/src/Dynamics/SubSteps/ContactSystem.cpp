@@ -22,8 +22,7 @@ constexpr int32 kMaxContacts = 128; ///< per contact island
 constexpr int32 kMaxUpdates = 16;   ///< per body of the island, see RowPattern
 /// A contact sticks below this fraction of its friction limit.
 constexpr double kSticks = 0.9999;
-constexpr int32 kMaxRounds = 2;   ///< of determining the friction limits
-constexpr double kEndless = 1e30; ///< [Ns]
+constexpr int32 kMaxRounds = 2; ///< of determining the friction limits
 /// A kinematic body that presses against a static one has no solution: the impulses of least energy
 /// grow without bound. Contacts of such an island are softened by this fraction of what their
 /// impulses would do to them alone. No impulse then exceeds the one that stops its bodies from the
@@ -83,7 +82,7 @@ public:
         for (int32 i = 0; i < m_block.pointCount; ++i)
         {
             item.impulse.at[i] = double(Normal(i));
-            item.maximum.at[i] = kEndless;
+            item.maximum.at[i] = BoundedSystem::kUnbounded;
             const bool pushes = Normal(i) > 0.0f || speed.at[i] < -tolerance;
             item.active = uint8(item.active | int(pushes) << i);
             item.impulse.at[2] += double(Tangent(i));
@@ -225,7 +224,7 @@ void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverB
         b.AddTo(2, tangent, b2Cross(overlap.armB, tangent));
         const float32 out = -pace.rate * (overlap.separation + kOverlap);
         item.speeds.at[i] = double(b2Min(out, pace.maximum));
-        item.maximum.at[i] = kEndless;
+        item.maximum.at[i] = BoundedSystem::kUnbounded;
         item.active = uint8(item.active | int(out > 0.0f) << i);
     }
 }

@@ -19,7 +19,6 @@ constexpr int32 kMaxTries = 12;
 /// From this solution on inactive rows stay inactive. Otherwise the active set may cycle, and the
 /// last one could contain rows far above their limit, by a factor of fifty in a random world.
 constexpr int32 kSettlingTry = 6;
-constexpr double kEndless = 1e30; ///< [Ns]
 
 } // namespace
 
@@ -112,10 +111,13 @@ void JointSystem::BeginParts(const SolverContext& context, float32 share, float3
         }
     }
     m_iterated.Update(m_iteratedJoints);
-    SolverContext subStep = context;
-    subStep.timeStep = 1.0f / context.inverseStep;
-    subStep.stepRatio = share;
-    m_iterated.Begin(subStep, m_threads);
+    if (!m_iterated.IsEmpty())
+    {
+        SolverContext subStep = context;
+        subStep.timeStep = 1.0f / context.inverseStep;
+        subStep.stepRatio = share;
+        m_iterated.Begin(subStep, m_threads);
+    }
     for (int32 i = 0; i < m_system.Components(); ++i)
     {
         Part& part = m_parts[std::size_t(i)];
@@ -178,8 +180,11 @@ void JointSystem::End()
     {
         JointAccess::SetRowImpulses(*m_joints[i], m_totals[i].within, m_totals[i].beyond);
     }
-    m_iterated.AddImpulses();
-    m_iterated.End(m_threads);
+    if (!m_iterated.IsEmpty())
+    {
+        m_iterated.AddImpulses();
+        m_iterated.End(m_threads);
+    }
 }
 
 void JointSystem::Prepare(const SolverContext& context)
@@ -308,9 +313,10 @@ void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::It
         const bool bounded = i >= rows.Rigid() && law.maximum < b2_maxFloat;
         item.impulse.at[i] = double(rows.impulse[i]);
         item.speeds.at[i] = i < rows.Rigid() ? 0.0 : WantedSpeed(rows, state, i, 0.0);
-        item.minimum.at[i] =
-            bounded && state != RowState::Fastest ? -double(law.maximum) : -kEndless;
-        item.maximum.at[i] = bounded && state != RowState::Slowest ? double(law.maximum) : kEndless;
+        item.minimum.at[i] = bounded && state != RowState::Fastest ? -double(law.maximum)
+                                                                   : -BoundedSystem::kUnbounded;
+        item.maximum.at[i] =
+            bounded && state != RowState::Slowest ? double(law.maximum) : BoundedSystem::kUnbounded;
         const bool held = state != RowState::AtMax && state != RowState::AtMin;
         item.active = uint8(item.active | int(held) << i);
     }
@@ -325,8 +331,8 @@ void JointSystem::FillDisplacements(std::size_t joint, JointRows& rows,
     {
         const bool rigid = i < rows.Rigid();
         const RowState state = m_states[joint].of[i];
-        item.minimum.at[i] = rigid || state == RowState::Fastest ? -kEndless : 0.0;
-        item.maximum.at[i] = rigid || state == RowState::Slowest ? kEndless : 0.0;
+        item.minimum.at[i] = rigid || state == RowState::Fastest ? -BoundedSystem::kUnbounded : 0.0;
+        item.maximum.at[i] = rigid || state == RowState::Slowest ? BoundedSystem::kUnbounded : 0.0;
         item.active = uint8(item.active | int(item.minimum.at[i] < item.maximum.at[i]) << i);
     }
 }

@@ -46,6 +46,24 @@ private:
     ThreadPool* m_threads;
 };
 
+void SolveGroup(StepSolver& group, b2Profile& profile, int32 velocityIterations,
+                int32 positionIterations)
+{
+    {
+        ProfileScope init(group.IsProfiling(), profile.solveInit);
+        group.PrepareContacts();
+        group.WarmStart();
+    }
+    {
+        ProfileScope velocity(group.IsProfiling(), profile.solveVelocity);
+        group.SolveVelocities(velocityIterations);
+        group.StoreImpulses();
+    }
+    ProfileScope position(group.IsProfiling(), profile.solvePosition);
+    group.IntegratePositions();
+    group.SolvePositions(positionIterations);
+}
+
 void SolveAwake(World& world, float32 timeStep, int32 velocityIterations, int32 positionIterations)
 {
     if (world.settings.subStepCount > 1)
@@ -64,21 +82,17 @@ void SolveAwake(World& world, float32 timeStep, int32 velocityIterations, int32 
         solve.AssignContacts();
         solve.AssignJoints();
     }
-    ForGroups(solve, [&](StepSolver& group) {
-        {
-            ProfileScope init(group.IsProfiling(), world.profile.solveInit);
-            group.PrepareContacts();
-            group.WarmStart();
-        }
-        {
-            ProfileScope velocity(group.IsProfiling(), world.profile.solveVelocity);
-            group.SolveVelocities(velocityIterations);
-            group.StoreImpulses();
-        }
-        ProfileScope position(group.IsProfiling(), world.profile.solvePosition);
-        group.IntegratePositions();
-        group.SolvePositions(positionIterations);
-    });
+    if (solve.IsFree())
+    {
+        ProfileScope position(world.profiling, world.profile.solvePosition);
+        solve.IntegratePositions();
+    }
+    else
+    {
+        ForGroups(solve, [&](StepSolver& group) {
+            SolveGroup(group, world.profile, velocityIterations, positionIterations);
+        });
+    }
     solve.TurnDirections();
     solve.NoteImpulses();
     world.energyGuard->Balance(world, *world.solver);
