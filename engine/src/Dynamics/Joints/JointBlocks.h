@@ -33,6 +33,7 @@ struct JointBlock
     int32 bodyA[kJointLanes] = {}, bodyB[kJointLanes] = {}; ///< solver index
     int32 bodyC[kJointLanes] = {}, bodyD[kJointLanes] = {};
     std::size_t numbers;                   ///< index of the first of its numbers
+    std::size_t sums;                      ///< index of the first of the sums of its impulses
     const JointKernels* kernels = nullptr; ///< of the step
     b2Joint* joint[kJointLanes] = {};
 };

@@ -112,16 +112,29 @@ struct PairKernels
         {
             float32* numbers = run.NumbersOf(block);
             const float32* start = atStart.NumbersOf(block);
-            for (int lane = 0; lane < block.count; lane += F::kLanes)
+            if (block.features == 0)
             {
-                const PlacedPair<F> pair =
-                    LoadPlaced<F>(block.bodyA + lane, block.bodyB + lane, start + lane, bodies);
-                Joints joints = LoadNumbers<Joints, F>(numbers + kFirst + lane);
-                joints.Turn(pair, LoadNumbers<Joints, F>(start + kFirst + lane), block.features,
-                            kick);
-                StoreNumbers<int(sizeof(Joints) / sizeof(F)), Joints, F>(numbers + kFirst + lane,
-                                                                         joints);
+                Turn<Joints::TurnedNumbers()>(block, numbers, start, bodies, 0, kick);
             }
+            else
+            {
+                Turn<int(sizeof(Joints) / sizeof(F))>(block, numbers, start, bodies, block.features,
+                                                      kick);
+            }
+        }
+    }
+    /// Writes the first `Count` numbers of each joint back.
+    template <int Count>
+    BOX2D_INLINE static void Turn(const JointBlock& block, float32* numbers, const float32* start,
+                                  const float32* bodies, uint8 features, const Kick& kick)
+    {
+        for (int lane = 0; lane < block.count; lane += F::kLanes)
+        {
+            const PlacedPair<F> pair =
+                LoadPlaced<F>(block.bodyA + lane, block.bodyB + lane, start + lane, bodies);
+            Joints joints = LoadNumbers<Joints, F>(numbers + kFirst + lane);
+            joints.Turn(pair, LoadNumbers<Joints, F>(start + kFirst + lane), features, kick);
+            StoreNumbers<Count, Joints, F>(numbers + kFirst + lane, joints);
         }
     }
     BOX2D_INLINE static bool SolvePositions(const JointBlock& block, float32* numbers,

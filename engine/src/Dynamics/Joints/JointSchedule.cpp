@@ -24,6 +24,9 @@ namespace
 constexpr std::ptrdiff_t kMinLanes = 3;
 /// Blocks per part of a parallel loop.
 constexpr int32 kBlockGrain = 8;
+/// Maximum number of blocks of a run: their numbers stay in the first cache from one kernel to the
+/// next.
+constexpr std::ptrdiff_t kRunLength = 8;
 
 /// The two or four bodies that a joint moves; some may be equal.
 struct JointBodies
@@ -121,6 +124,7 @@ void JointSchedule::SortInto(const Array<b2Joint*>& joints)
 {
     m_blocks.clear();
     m_numbers.clear();
+    m_impulseCount = 0;
     m_levels.clear();
     m_ends.clear();
     int32 end = 0;
@@ -177,8 +181,10 @@ void JointSchedule::AddKind(b2JointType type, b2Joint* const* begin, b2Joint* co
             block->type = type;
             block->width = wide ? kJointLanes : 1;
             block->numbers = m_numbers.size();
-            m_numbers.resize(m_numbers.size() +
-                             std::size_t(KernelsOf(*block).numberCount * block->width));
+            block->sums = m_impulseCount;
+            const JointKernels& kernels = KernelsOf(*block);
+            m_numbers.resize(m_numbers.size() + std::size_t(kernels.numberCount * block->width));
+            m_impulseCount += std::size_t(kernels.impulseCount * block->width);
         }
         block->joint[block->count++] = *joint;
     }
@@ -200,7 +206,7 @@ void JointSchedule::ForRuns(float32* numbers, ThreadPool* threads, Function&& on
         while (begin != end)
         {
             const JointBlock* last = begin + 1;
-            while (last != end && last->kernels == begin->kernels)
+            while (last != end && last->kernels == begin->kernels && last - begin < kRunLength)
             {
                 ++last;
             }
@@ -291,9 +297,8 @@ void JointSchedule::Fill(JointBlock& block, const SolverContext& context)
     }
 }
 
-void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
+void JointSchedule::Fill(const SolverContext& context, ThreadPool* threads)
 {
-    float32* bodies = reinterpret_cast<float32*>(context.bodies);
     ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock* begin, JointBlock* end) {
         for (JointBlock* block = begin; block != end; ++block)
         {
@@ -305,6 +310,12 @@ void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
             Fill(*block, context);
         }
     });
+}
+
+void JointSchedule::Prepare(const SolverContext& context, ThreadPool* threads)
+{
+    float32* bodies = reinterpret_cast<float32*>(context.bodies);
+    Fill(context, threads);
     ForRuns(m_numbers.data(), threads, [&](const JointKernels& kernels, const JointRun& run) {
         kernels.warmStart(run, bodies);
     });
@@ -363,37 +374,38 @@ bool JointSchedule::SolvePositions(float32* numbers, const SolverContext& contex
 
 void JointSchedule::Begin(const SolverContext& context, ThreadPool* threads)
 {
-    ForBlocks(0, int32(m_blocks.size()), threads, [&](JointBlock* begin, JointBlock* end) {
-        std::for_each(begin, end, [&](JointBlock& block) { Fill(block, context); });
-    });
+    Fill(context, threads);
     m_atStart = m_numbers;
-    m_sums.assign(m_numbers.size(), 0.0f);
+    m_sums.assign(m_impulseCount, 0.0f);
+    m_kicked = false;
 }
 
-/// Calls the function with the impulses of each block: their index, and how many.
+/// Calls the function with each impulse of a block and its sum.
 template <class Function>
-void JointSchedule::ForImpulses(Function&& function)
+void JointSchedule::ForImpulses(const JointBlock& block, Function&& function)
 {
-    for (const JointBlock& block : m_blocks)
+    float32* impulses = NumbersOf(block) + kMassNumbers * block.width;
+    float32* sums = m_sums.data() + block.sums;
+    const int32 count = block.kernels->impulseCount * block.width;
+    for (int32 i = 0; i < count; ++i)
     {
-        function(block.numbers + std::size_t(kMassNumbers * block.width),
-                 std::size_t(block.kernels->impulseCount * block.width));
+        function(impulses[i], sums[i]);
     }
+}
+
+/// Adds the impulses of the last kick to the sums, and scales them.
+void JointSchedule::PassOn(const JointBlock& block, float32 share)
+{
+    ForImpulses(block, [share, kicked = m_kicked](float32& impulse, float32& sum) {
+        sum += kicked ? impulse : 0.0f;
+        impulse *= share;
+    });
 }
 
 void JointSchedule::Kick(const SolverContext& context, float32 share, ThreadPool* threads)
 {
     float32* bodies = reinterpret_cast<float32*>(context.bodies);
     const box2d::Kick kick = {context.timeStep * context.inverseStep, context.inverseStep};
-    if (share != 1.0f)
-    {
-        ForImpulses([&](std::size_t first, std::size_t count) {
-            for (std::size_t i = first; i < first + count; ++i)
-            {
-                m_numbers[i] *= share;
-            }
-        });
-    }
     SolverContext scaled = context; // impulses are scaled already
     scaled.stepRatio = 1.0f;
     scaled.warmStarting = true;
@@ -401,6 +413,7 @@ void JointSchedule::Kick(const SolverContext& context, float32 share, ThreadPool
         std::for_each(begin, end, [&](JointBlock& block) {
             if (block.kernels->turn == nullptr)
             {
+                PassOn(block, share);
                 Keep(block);
                 Fill(block, scaled);
             }
@@ -409,20 +422,13 @@ void JointSchedule::Kick(const SolverContext& context, float32 share, ThreadPool
     ForRuns(m_numbers.data(), threads, [&](const JointKernels& kernels, const JointRun& run) {
         if (kernels.turn != nullptr)
         {
+            std::for_each(run.first, run.last,
+                          [&](const JointBlock& block) { PassOn(block, share); });
             kernels.turn(run, JointRun{run.first, run.last, m_atStart.data()}, bodies, kick);
         }
         kernels.warmStart(run, bodies);
     });
-}
-
-void JointSchedule::AddImpulses()
-{
-    ForImpulses([this](std::size_t first, std::size_t count) {
-        for (std::size_t i = first; i < first + count; ++i)
-        {
-            m_sums[i] += m_numbers[i];
-        }
-    });
+    m_kicked = true;
 }
 
 bool JointSchedule::SolvePositionsInStep(const SolverContext& context, ThreadPool* threads)
@@ -432,10 +438,10 @@ bool JointSchedule::SolvePositionsInStep(const SolverContext& context, ThreadPoo
 
 void JointSchedule::End(ThreadPool* threads)
 {
-    ForImpulses([this](std::size_t first, std::size_t count) {
-        std::copy_n(m_sums.begin() + std::ptrdiff_t(first), count,
-                    m_numbers.begin() + std::ptrdiff_t(first));
-    });
+    for (const JointBlock& block : m_blocks)
+    {
+        ForImpulses(block, [](float32& impulse, float32 sum) { impulse = sum + impulse; });
+    }
     StoreImpulses(threads);
 }
 

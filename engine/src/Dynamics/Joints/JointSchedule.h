@@ -39,14 +39,13 @@ public:
 
     /// Call at the start of a step. The context has the duration of a sub-step.
     void Begin(const SolverContext& context, ThreadPool* threads);
-    /// Call in each kick, which the context describes: computes the rows at the present poses, and
-    /// applies the impulses of the last kick times `share`.
+    /// Call in each kick, which the context describes: adds the impulses of the last kick to those
+    /// of the step, computes the rows at the present poses, and applies these impulses times
+    /// `share`.
     void Kick(const SolverContext& context, float32 share, ThreadPool* threads);
-    /// Call after a kick was solved: adds its impulses to those of the step.
-    void AddImpulses();
     /// One iteration; whether all errors were below the tolerance.
     bool SolvePositionsInStep(const SolverContext& context, ThreadPool* threads);
-    /// Stores the sums of the step's impulses in the joints.
+    /// Call after the last kick: stores the sums of the step's impulses in the joints.
     void End(ThreadPool* threads);
 
 private:
@@ -59,8 +58,10 @@ private:
     template <class Function>
     void ForRuns(float32* numbers, ThreadPool* threads, Function&& one);
     template <class Function>
-    void ForImpulses(Function&& function);
+    void ForImpulses(const JointBlock& block, Function&& function);
+    void PassOn(const JointBlock& block, float32 share);
     bool SolvePositions(float32* numbers, const SolverContext& context, ThreadPool* threads);
+    void Fill(const SolverContext& context, ThreadPool* threads);
     void Fill(JointBlock& block, const SolverContext& context);
     void Keep(const JointBlock& block);
     float32* NumbersOf(const JointBlock& block) { return m_numbers.data() + block.numbers; }
@@ -68,10 +69,12 @@ private:
     Array<JointBlock> m_blocks; // level by level
     Array<float32> m_numbers;   // of the blocks
     Array<float32> m_atStart;   // in sub-steps: those at the start of the step
-    Array<float32> m_sums;      // likewise, at the places of impulses: their sums over the kicks
-    Array<b2Joint*> m_joints;   // the list that was followed
-    Array<int32> m_levels;      // first block of each level, with one more for the end
-    int32 m_version = -1;       // version of the graph's list
+    Array<float32> m_sums;      // likewise, of the blocks: the sums of impulses over the kicks
+    std::size_t m_impulseCount = 0;
+    bool m_kicked = false;    // in this step
+    Array<b2Joint*> m_joints; // the list that was followed
+    Array<int32> m_levels;    // first block of each level, with one more for the end
+    int32 m_version = -1;     // version of the graph's list
     // Scratch of Build, kept because joints change whenever islands wake and sleep.
     Array<int32> m_levelOf;   // per joint
     Array<int32> m_counts;    // per level

@@ -3,6 +3,8 @@
 
 #include "JointLanes.h"
 
+#include <cstddef>
+
 class b2RevoluteJoint;
 
 /// The solver of b2RevoluteJoint, whose source has the formulas.
@@ -47,7 +49,8 @@ struct RevoluteLanes
         pair.ApplyAngular(motorImpulse + limitImpulse);
     }
 
-    /// Takes the arms, and what follows from them, from the present poses.
+    /// Takes the arms, and what follows from them, from the present poses. Without features the
+    /// first TurnedNumbers change.
     void Turn(const PlacedPair<F>& pair, const RevoluteLanes& start, uint8 features,
               const Kick& kick)
     {
@@ -65,6 +68,11 @@ struct RevoluteLanes
         const F angle = start.axial.angle + pair.b.angle - pair.a.angle;
         axial.lowerSpeed = Max(angle - axial.lower, zero) * rate;
         axial.upperSpeed = Max(axial.upper - angle, zero) * rate;
+    }
+
+    static constexpr int TurnedNumbers()
+    {
+        return int(offsetof(RevoluteLanes, hasMotor) / sizeof(F));
     }
 
     void SolveVelocity(MovingPair<F>& pair, uint8 features)

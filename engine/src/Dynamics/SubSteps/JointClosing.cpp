@@ -65,7 +65,6 @@ void JointSystem::SolvePositions(const SolverContext& context, float32 timeStep,
                    : ClosePart(i, context, timeStep);
     }
     AddTotals();
-    m_iterated.AddImpulses();
 }
 
 double JointSystem::ComplianceOf(int32 part) const

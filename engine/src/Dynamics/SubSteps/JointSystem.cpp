@@ -182,7 +182,6 @@ void JointSystem::End()
     }
     if (!m_iterated.IsEmpty())
     {
-        m_iterated.AddImpulses();
         m_iterated.End(m_threads);
     }
 }

@@ -149,16 +149,17 @@ void WarmStartGuard::AddEnergies(const SolverMemory& solver, const IslandGroup& 
 void WarmStartGuard::Note(const SolverMemory& solver, const IslandGroup& group,
                           const BodyKick* kicks)
 {
+    if (!m_checksAny)
+    {
+        return;
+    }
     std::copy(solver.bodies.begin() + group.firstBody + 1,
               solver.bodies.begin() + group.endBody + 1, m_before.begin() + group.firstBody + 1);
     for (Island& island : Of(group))
     {
         island.before = island.after = 0.0;
     }
-    if (m_checksAny)
-    {
-        AddEnergies(solver, group, kicks, &Island::before);
-    }
+    AddEnergies(solver, group, kicks, &Island::before);
 }
 
 bool WarmStartGuard::HasGained(SolverMemory& solver, const IslandGroup& group,
