@@ -86,7 +86,7 @@ struct BlockSolver
         m.push = m.drag = F::Set(0.0f);
     }
 
-    void Store(float32* bodies)
+    BOX2D_INLINE void Store(float32* bodies)
     {
         const Vector<F> impulse = {m.push * normal.x + m.drag * normal.y,
                                    m.push * normal.y - m.drag * normal.x};
@@ -214,7 +214,7 @@ struct BlockSolver
     }
 
     /// Solves some lanes as pairs and others point by point: computes both and selects per lane.
-    BOX2D_NOINLINE void SolveMixed()
+    void SolveMixed()
     {
         PointLanes& p1 = block.points[0];
         PointLanes& p2 = block.points[1];
@@ -347,26 +347,48 @@ void WarmStartBlock(ContactBlock& block, float32* bodies)
     }
 }
 
+/// Solves lanes of a block with two points, of which some are too close to be solved together. Apart
+/// from the others, whose solver then stays in registers.
+template <class F>
+BOX2D_NOINLINE bool SolveMixedLanes(ContactBlock& block, int lane, float32* bodies)
+{
+    BlockSolver<F> solver(block, lane, bodies);
+    solver.SolveFriction(0);
+    solver.SolveFriction(1);
+    solver.SolveMixed();
+    solver.Store(bodies);
+    return solver.HasChanged();
+}
+
+template <class F>
+BOX2D_INLINE bool SolveLanes(ContactBlock& block, int lane, float32* bodies)
+{
+    BlockSolver<F> solver(block, lane, bodies);
+    solver.SolveFriction(0);
+    if (block.pointCount == 1)
+    {
+        solver.SolvePoint(0, solver.At(block.pointMass[1]));
+    }
+    else
+    {
+        solver.SolveFriction(1);
+        solver.SolvePair();
+    }
+    solver.Store(bodies);
+    return solver.HasChanged();
+}
+
 /// False if no impulse changed.
 template <class F>
 bool SolveBlock(ContactBlock& block, float32* bodies)
 {
+    const bool mixed = block.pointCount == 2 && !block.allCoupled;
     bool changed = false;
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
-        BlockSolver<F> solver(block, lane, bodies);
-        solver.SolveFriction(0);
-        if (block.pointCount == 1)
-        {
-            solver.SolvePoint(0, solver.At(block.pointMass[1]));
-        }
-        else
-        {
-            solver.SolveFriction(1);
-            block.allCoupled ? solver.SolvePair() : solver.SolveMixed();
-        }
-        solver.Store(bodies);
-        changed = changed || solver.HasChanged();
+        const bool some = mixed ? SolveMixedLanes<F>(block, lane, bodies)
+                                : SolveLanes<F>(block, lane, bodies);
+        changed = changed || some;
     }
     return changed;
 }
