@@ -44,7 +44,11 @@ struct Trial
 std::string WideInstructions()
 {
 #if defined(__x86_64__) && defined(__GNUC__)
-    return __builtin_cpu_supports("avx2") != 0 ? "x86-64 with AVX2" : "x86-64 without AVX2";
+    const bool has512 =
+        __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+    return has512                                ? "x86-64 with AVX-512"
+           : __builtin_cpu_supports("avx2") != 0 ? "x86-64 with AVX2"
+                                                 : "x86-64 without AVX2";
 #elif defined(__aarch64__)
     return "ARM with NEON";
 #else

@@ -239,18 +239,18 @@ TEST_P(JointsOfAKind, MoveTheSameAloneAndEightAtATime)
     for (const Variety variety : {Variety::Plain, Variety::Stiff, Variety::Platform})
     {
         const std::vector<float32> alone = StatesOfMachines(GetParam(), variety, 1, 1);
-        for (const bool wide : {false, true})
+        for (const int lanes : {4, 8, 16})
         {
-            box2d::UseWideInstructions(wide);
+            box2d::UseLanes(lanes);
             for (const int copies : {2, 3, 8, 13})
             {
                 EXPECT_EQ(StatesOfMachines(GetParam(), variety, copies, 1), alone)
-                    << copies << " copies, wide: " << wide << ", variety " << int(variety);
+                    << copies << " copies, lanes: " << lanes << ", variety " << int(variety);
             }
             EXPECT_EQ(StatesOfMachines(GetParam(), variety, 150, 3), alone)
-                << "three threads, wide: " << wide << ", variety " << int(variety);
+                << "three threads, lanes: " << lanes << ", variety " << int(variety);
         }
-        box2d::UseWideInstructions(true);
+        box2d::UseLanes(16);
     }
 }
 

@@ -21,7 +21,7 @@ constexpr float32 kStep = 1.0f / 240.0f;
 /// Back to what the processor has when a test is over.
 struct WidthGuard
 {
-    ~WidthGuard() { UseWideInstructions(true); }
+    ~WidthGuard() { UseLanes(16); }
 };
 
 /// Bodies of all speeds: at rest, slow, turning by more than a small angle, beyond each limit, and
@@ -83,9 +83,9 @@ template <class One, class Many>
 void ExpectSameBits(One&& one, Many&& many)
 {
     const WidthGuard guard;
-    for (const bool wide : {false, true})
+    for (const int lanes : {4, 8, 16})
     {
-        UseWideInstructions(wide);
+        UseLanes(lanes);
         for (int32 count = 0; count <= 40; ++count)
         {
             RandomBodies plain(unsigned(count), count), rows(unsigned(count), count);
@@ -97,7 +97,7 @@ void ExpectSameBits(One&& one, Many&& many)
             for (std::size_t i = 0; i < plain.bodies.size(); ++i)
             {
                 EXPECT_TRUE(HaveSameBits(plain.bodies[i], rows.bodies[i]))
-                    << i << " of " << count << (wide ? ", wide" : "");
+                    << i << " of " << count << ", " << lanes << " lanes";
             }
         }
     }
@@ -126,9 +126,9 @@ TEST(Motion, KicksManyBodiesLikeOne)
 TEST(Motion, FindsTheFarthestPush)
 {
     const WidthGuard guard;
-    for (const bool wide : {false, true})
+    for (const int lanes : {4, 8, 16})
     {
-        UseWideInstructions(wide);
+        UseLanes(lanes);
         for (int32 count = 0; count <= 40; ++count)
         {
             const RandomBodies before(1, count);

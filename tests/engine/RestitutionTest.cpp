@@ -37,12 +37,12 @@ struct Walls : Scene
 };
 
 /// Returns the speed after one impact of each of `count` balls at the given speed, which all must
-/// have. Nine balls fill one block of eight lanes and leave a single contact.
+/// have. Seventeen balls fill one block of sixteen lanes and leave a single contact.
 float32 SpeedAfter(int32 subSteps, float32 threshold, float32 speed)
 {
     Walls scene(subSteps, threshold);
     std::vector<b2Body*> balls;
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < 17; ++i)
     {
         balls.push_back(scene.Drop(2.0f * float32(i), 0.6f, speed));
     }

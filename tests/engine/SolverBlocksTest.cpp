@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstring>
 #include <random>
+#include <vector>
 
 /// The contact solver gives the same bits however many lanes it uses, and those of the plain one.
 namespace
@@ -66,8 +67,8 @@ void FillLane(const ContactConstraint& c, ContactBlock& block)
         block.pointMass[1][lane] = c.points[0].normalMass;
     }
     block.allCoupled = block.allCoupled && c.coupled;
-    block.movesA = uint8(block.movesA | int(Moves(c.invMassA, c.invInertiaA)) << lane);
-    block.movesB = uint8(block.movesB | int(Moves(c.invMassB, c.invInertiaB)) << lane);
+    block.movesA = uint16(block.movesA | int(Moves(c.invMassA, c.invInertiaA)) << lane);
+    block.movesB = uint16(block.movesB | int(Moves(c.invMassB, c.invInertiaB)) << lane);
 }
 
 ContactBlock EmptyBlock(int32 pointCount)
@@ -166,8 +167,8 @@ PackedOverlaps PackOne(const Array<OverlapConstraint>& overlaps, std::size_t fir
         }
         block.radius[lane] = o.radius;
         FillMasses(o, packed.masses, lane);
-        block.movesA = uint8(block.movesA | int(Moves(o.invMassA, o.invInertiaA)) << lane);
-        block.movesB = uint8(block.movesB | int(Moves(o.invMassB, o.invInertiaB)) << lane);
+        block.movesA = uint16(block.movesA | int(Moves(o.invMassA, o.invInertiaA)) << lane);
+        block.movesB = uint16(block.movesB | int(Moves(o.invMassB, o.invInertiaB)) << lane);
     }
     return packed;
 }
@@ -210,7 +211,7 @@ bool Sweep(Array<ContactBlock>& blocks, SolverBody* bodies, int iteration)
 /// Back to what the processor has when a test is over.
 struct WidthGuard
 {
-    ~WidthGuard() { UseWideInstructions(true); }
+    ~WidthGuard() { UseLanes(16); }
 };
 
 class RandomContacts
@@ -410,9 +411,9 @@ private:
 TEST(SolverBlocks, SolveOverlapsBitEqualToPlainSolver)
 {
     const WidthGuard guard;
-    for (const bool wide : {false, true})
+    for (const int lanes : {4, 8, 16})
     {
-        UseWideInstructions(wide);
+        UseLanes(lanes);
         for (unsigned seed = 1; seed <= 30 && !HasFailure(); ++seed)
         {
             SCOPED_TRACE(seed);
@@ -442,9 +443,9 @@ TEST(SolverBlocks, SolveOverlapsBitEqualToPlainSolver)
 TEST(SolverBlocks, GiveTheBitsOfThePlainSolverAtEveryWidth)
 {
     const WidthGuard guard;
-    for (const bool wide : {false, true})
+    for (const int lanes : {4, 8, 16})
     {
-        UseWideInstructions(wide);
+        UseLanes(lanes);
         for (unsigned seed = 1; seed <= 30 && !HasFailure(); ++seed)
         {
             SCOPED_TRACE(seed);
@@ -456,9 +457,9 @@ TEST(SolverBlocks, GiveTheBitsOfThePlainSolverAtEveryWidth)
 TEST(SolverBlocks, StayUnchangedOnceConverged)
 {
     const WidthGuard guard;
-    for (const bool wide : {false, true})
+    for (const int lanes : {4, 8, 16})
     {
-        UseWideInstructions(wide);
+        UseLanes(lanes);
         int settled = 0;
         for (unsigned seed = 1; seed <= 60; ++seed)
         {
@@ -596,9 +597,9 @@ TEST(SolverBlocks, ArePreparedBitEqualToPlainSolver)
 {
     const WidthGuard guard;
     int kinds[3] = {0, 0, 0};
-    for (const bool wide : {false, true})
+    for (const int lanes : {4, 8, 16})
     {
-        UseWideInstructions(wide);
+        UseLanes(lanes);
         for (unsigned seed = 1; seed <= 6; ++seed)
         {
             Pile pile(seed);
@@ -615,7 +616,7 @@ TEST(SolverBlocks, ArePreparedBitEqualToPlainSolver)
             ContactBlocks blocks = BlocksOf(TouchingContacts(pile.scene.world), false);
             for (int32 i = 0; i < blocks.Count(); ++i)
             {
-                PrepareBlock(blocks.Contacts(i), blocks.Overlaps(i), context);
+                PrepareBlock(blocks.Contacts(i), blocks.Overlaps(i), nullptr, context);
                 ExpectLanesAsPrepared(blocks.Contacts(i), blocks.Overlaps(i), context);
                 ++kinds[int(blocks.Overlaps(i).kind)];
             }
@@ -663,10 +664,10 @@ TEST(SolverBlocks, HoldOneContactEachWhereBodiesMayBeShared)
 TEST(SolverBlocks, LetAWorldMoveTheSameAtEveryWidth)
 {
     const WidthGuard guard;
-    b2Vec2 ends[2];
-    for (const bool wide : {false, true})
+    std::vector<b2Vec2> ends;
+    for (const int lanes : {4, 8, 16})
     {
-        UseWideInstructions(wide);
+        UseLanes(lanes);
         Scene scene;
         scene.Ground();
         for (int i = 0; i < 60; ++i)
@@ -675,13 +676,14 @@ TEST(SolverBlocks, LetAWorldMoveTheSameAtEveryWidth)
             i % 3 == 0 ? scene.Ball(x, 1.0f + float32(i / 6)) : scene.Box(x, 1.0f + float32(i / 6));
         }
         scene.Step(300);
-        ends[wide] = b2Vec2_zero;
+        b2Vec2& end = ends.emplace_back(b2Vec2_zero);
         for (const b2Body* body = scene.world.GetBodyList(); body; body = body->GetNext())
         {
-            ends[wide] += body->GetPosition();
+            end += body->GetPosition();
         }
     }
     EXPECT_EQ(ends[0], ends[1]);
+    EXPECT_EQ(ends[0], ends[2]);
 }
 
 } // namespace

@@ -243,20 +243,20 @@ TEST(SubStepsPile, KeepsChainWithHeavyLoadClosed)
 TEST(SubStepsPile, GivesTheSameBitsInAnyNumberOfThreadsAndWidth)
 {
     std::uint64_t expected = 0;
-    for (const bool wide : {true, false})
+    for (const int lanes : {16, 8, 4})
     {
         for (const int32 threads : {1, 3})
         {
-            box2d::UseWideInstructions(wide);
+            box2d::UseLanes(lanes);
             Pile pile(4, threads);
             pile.Limbs(60);
             AddPairs(pile, 90);
             pile.scene.Step(120);
             expected = expected == 0 ? pile.Hash() : expected;
-            EXPECT_EQ(pile.Hash(), expected) << threads << " threads, wide: " << wide;
+            EXPECT_EQ(pile.Hash(), expected) << threads << " threads, lanes: " << lanes;
         }
     }
-    box2d::UseWideInstructions(true);
+    box2d::UseLanes(16);
 }
 
 TEST(SubStepsPile, ContinuesFromASnapshotBitByBit)

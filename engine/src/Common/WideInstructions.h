@@ -4,16 +4,16 @@
 namespace box2d
 {
 
-extern bool g_usesWideInstructions; ///< read by the functions below
+extern int g_lanes; ///< read by the function below
 
-/// True if this processor and build can solve 8 lanes at a time (AVX2) instead of 4. Results have
-/// the same bits.
-bool HasWideInstructions();
-/// For tests: enables or disables them if available. Not while a world steps.
-void UseWideInstructions(bool use);
-inline bool UsesWideInstructions()
+/// Returns how many lanes this processor and build can solve at a time: 16 (AVX-512), 8 (AVX2) or
+/// 4. Results have the same bits.
+int WidestLanes();
+/// For tests: solves at most this many, 4, 8 or 16. Not while a world steps.
+void UseLanes(int most);
+inline int LanesInUse()
 {
-    return g_usesWideInstructions;
+    return g_lanes;
 }
 
 } // namespace box2d

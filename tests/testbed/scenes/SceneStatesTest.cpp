@@ -94,7 +94,7 @@ TEST_P(StateOfScene, IsTheStoredOneAfter600Steps)
 }
 
 // The division of work among threads is independent of the lanes. So each number of threads is
-// tested once, and one and several without wide instructions.
+// tested once with the widest, and one and several with fewer.
 TEST_P(StateOfScene, IsIndependentOfThreadsAndLanes)
 {
     const std::string stored = StoredState(*GetParam());
@@ -102,13 +102,12 @@ TEST_P(StateOfScene, IsIndependentOfThreadsAndLanes)
     {
         EXPECT_EQ(StateAfter600Steps(*GetParam(), threads), stored) << threads << " threads";
     }
-    box2d::UseWideInstructions(false);
-    for (const int32 threads : {1, 3})
+    for (const int lanes : {4, 8})
     {
-        EXPECT_EQ(StateAfter600Steps(*GetParam(), threads), stored)
-            << threads << " threads, not wide";
+        box2d::UseLanes(lanes);
+        EXPECT_EQ(StateAfter600Steps(*GetParam(), lanes == 4 ? 1 : 3), stored) << lanes << " lanes";
     }
-    box2d::UseWideInstructions(true);
+    box2d::UseLanes(16);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, StateOfScene, testing::ValuesIn(EveryScene()), CaseName);

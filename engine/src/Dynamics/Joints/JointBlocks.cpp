@@ -18,7 +18,7 @@ const JointKernels& KernelsOf(const JointBlock& block)
         return KernelsOf<simd::Float1>(block.type);
     }
 #if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
+    if (LanesInUse() >= 8)
     {
         return JointKernelsAvx2(block.type);
     }

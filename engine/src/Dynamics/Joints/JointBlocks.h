@@ -99,7 +99,7 @@ struct JointKernels
                  const Kick& kick);
 };
 
-/// Returns the functions for the widest instructions of this processor; see UseWideInstructions.
+/// Returns the functions for the widest instructions of this processor; see UseLanes.
 const JointKernels& KernelsOf(const JointBlock& block);
 
 } // namespace box2d

@@ -25,7 +25,7 @@ template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, ContactBlocks& blocks, const World& world, int32 color)
 {
     // Blocks are given out and prepared again.
-    auto& [sorted, buckets, groupEnds, blockEnds, contactBlocks, overlapBlocks, totals,
+    auto& [sorted, buckets, groupEnds, blockEnds, parts, contactBlocks, overlapBlocks, totals,
            blockCount] = blocks;
     const ConstraintGraph& graph = world.graph;
     if (graph.ChangeOf(color) == ConstraintGraph::Change::Contacts)

@@ -4,8 +4,8 @@
 #include "ContactBlockSolver.h"
 #include "Restitution.h"
 
-/// Computes both sides of a block from the gathered data of its contacts, for numbers F of 1, 4 or
-/// 8 lanes. Included like ContactBlockSolver.h, so it has no external linkage either.
+/// Computes both sides of a block from the gathered data of its contacts, for numbers F of 1, 4,
+/// 8 or 16 lanes. Included like ContactBlockSolver.h, so it has no external linkage either.
 namespace box2d
 {
 namespace

@@ -5,8 +5,8 @@
 
 #include "../State/BodyLanes.h"
 
-/// The contact solver on blocks, for numbers F of 1, 4 or 8 lanes. One source per instruction set
-/// includes it, so it has no external linkage.
+/// The contact solver on blocks, for numbers F of 1, 4, 8 or 16 lanes. One source per instruction
+/// set includes it, so it has no external linkage.
 namespace box2d
 {
 namespace
@@ -347,8 +347,8 @@ void WarmStartBlock(ContactBlock& block, float32* bodies)
     }
 }
 
-/// Solves lanes of a block with two points, of which some are too close to be solved together. Apart
-/// from the others, whose solver then stays in registers.
+/// Solves lanes of a block with two points, of which some are too close to be solved together.
+/// Apart from the others, whose solver then stays in registers.
 template <class F>
 BOX2D_NOINLINE bool SolveMixedLanes(ContactBlock& block, int lane, float32* bodies)
 {
@@ -386,8 +386,8 @@ bool SolveBlock(ContactBlock& block, float32* bodies)
     bool changed = false;
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
-        const bool some = mixed ? SolveMixedLanes<F>(block, lane, bodies)
-                                : SolveLanes<F>(block, lane, bodies);
+        const bool some =
+            mixed ? SolveMixedLanes<F>(block, lane, bodies) : SolveLanes<F>(block, lane, bodies);
         changed = changed || some;
     }
     return changed;

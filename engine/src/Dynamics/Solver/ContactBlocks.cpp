@@ -18,6 +18,9 @@ namespace box2d
 #if defined(BOX2D_AVX2)
 const BlockKernels& BlockKernelsAvx2(); // ContactBlocksAvx2.cpp
 #endif
+#if defined(BOX2D_AVX512)
+const BlockKernels& BlockKernelsAvx512(); // ContactBlocksAvx512.cpp
+#endif
 
 namespace
 {
@@ -37,8 +40,14 @@ const BlockKernels& KernelsOf(const Block& block)
     {
         return kBlockKernels<simd::Float1>;
     }
+#if defined(BOX2D_AVX512)
+    if (LanesInUse() == 16 && block.count > kPartLanes)
+    {
+        return BlockKernelsAvx512();
+    }
+#endif
 #if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
+    if (LanesInUse() >= 8)
     {
         return BlockKernelsAvx2();
     }
@@ -74,6 +83,7 @@ void ContactBlocks::Reserve(std::size_t contactCount, bool sharesBodies, int32 g
         const std::size_t reserve = b2Max<std::size_t>(maximum / 8, 2);
         m_contacts.resize(maximum + reserve);
         m_overlaps.resize(maximum + reserve);
+        m_parts.reserve((maximum + reserve) * (kBlockLanes / kPartLanes));
         const std::size_t room = contactCount + (reserve + 1) * kBlockLanes;
         m_sorted.reserve(room);
         m_buckets.reserve(room);
@@ -110,15 +120,14 @@ void ContactBlocks::Sort(const Array<b2Contact*>& contacts, bool sharesBodies,
                          const IslandGroups& groups, std::size_t bodyCount)
 {
     m_groupEnds.assign(std::size_t(groups.Count()), int32(contacts.size()));
-    const bool few = contacts.size() <= kBlockLanes; // order is irrelevant
+    const bool few = contacts.size() <= kPartLanes; // order is irrelevant
     if (groups.Count() == 1 && (sharesBodies || few))
     {
         std::copy(contacts.begin(), contacts.end(), m_sorted.begin());
         return;
     }
     constexpr std::size_t maximum = 64;
-    const std::size_t buckets =
-        sharesBodies ? 1 : b2Min(maximum, contacts.size() / kBlockLanes + 1);
+    const std::size_t buckets = sharesBodies ? 1 : b2Min(maximum, contacts.size() / kPartLanes + 1);
     std::size_t ends[maximum + IslandGroups::kMaxCount] = {};
     std::size_t groupCounts[IslandGroups::kMaxCount] = {};
     for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -152,6 +161,7 @@ void ContactBlocks::Sort(const Array<b2Contact*>& contacts, bool sharesBodies,
 void ContactBlocks::Assign(bool sharesBodies)
 {
     m_count = 0;
+    m_parts.clear();
     m_blockEnds.clear();
     std::size_t next = 0;
     for (const int32 end : m_groupEnds)
@@ -172,6 +182,10 @@ void ContactBlocks::Assign(bool sharesBodies)
                 last = Add(KindOf(c.manifold), c.manifold.pointCount);
             }
             ContactBlock& block = Contacts(last);
+            if (block.count % kPartLanes == 0)
+            {
+                m_parts.push_back({last, block.count});
+            }
             block.contact[block.count++] = m_sorted[next];
         }
         m_blockEnds.push_back(m_count);
@@ -189,6 +203,14 @@ BlockRange ContactBlocks::Of(const IslandGroup& group) const
 namespace
 {
 
+/// Prefetches what is read first of a lane's contact.
+void ReadLaneAhead(const ContactBlock& block, int32 lane)
+{
+    const ContactData& c = Data(*block.contact[lane]);
+    Prefetch(&c.bodyA);
+    Prefetch(&c.manifold.localPoint);
+}
+
 /// Collects the input of a block. Bodies and contacts are read only here.
 class Gatherer
 {
@@ -198,22 +220,31 @@ public:
         : m_block(block), m_overlap(overlap), m_to(lanes), m_context(context)
     {}
 
-    void Gather()
+    /// Prefetches the contacts of the block to come, if there is one.
+    void Gather(const ContactBlock* next)
     {
         m_overlap.count = m_block.count;
         m_block.movesA = m_block.movesB = 0;
         m_block.driven = m_block.fresh = false;
-        for (int lane = 0; lane < m_block.count; ++lane)
+        for (int32 lane = 0; lane < b2Min(m_block.count, kAhead); ++lane)
         {
-            const ContactData& c = Data(*m_block.contact[lane]);
-            Prefetch(&Data(*c.bodyA).pose);
-            Prefetch(&Data(*c.bodyB).pose);
+            ReadBodiesAhead(lane);
         }
-        for (int lane = 0; lane < m_block.count; ++lane)
+        for (int32 lane = 0; lane < m_block.count; ++lane)
         {
+            if (lane + kAhead < m_block.count)
+            {
+                ReadBodiesAhead(lane + kAhead);
+            }
+            if (next != nullptr && lane < next->count)
+            {
+                ReadLaneAhead(*next, lane);
+            }
             GatherLane(lane, Data(*m_block.contact[lane]));
         }
-        for (int lane = m_block.count; lane < kBlockLanes && !IsAlone(m_block); ++lane)
+        // No more than eight lanes are solved if no more than eight are used.
+        const int32 end = m_block.count <= kPartLanes ? kPartLanes : kBlockLanes;
+        for (int32 lane = m_block.count; lane < end && !IsAlone(m_block); ++lane)
         {
             PadLane(lane);
         }
@@ -222,6 +253,15 @@ public:
     }
 
 private:
+    static constexpr int32 kAhead = 8; ///< lanes between prefetching bodies and reading them
+
+    void ReadBodiesAhead(int32 lane) const
+    {
+        const ContactData& c = Data(*m_block.contact[lane]);
+        Prefetch(&Data(*c.bodyA).pose);
+        Prefetch(&Data(*c.bodyB).pose);
+    }
+
     void GatherLane(int lane, const ContactData& c)
     {
         const BodyData& a = Data(*c.bodyA);
@@ -255,8 +295,8 @@ private:
         m_block.masses.invInertiaA[lane] = inertiaA;
         m_block.masses.invMassB[lane] = massB;
         m_block.masses.invInertiaB[lane] = inertiaB;
-        m_block.movesA = uint8(m_block.movesA | int(Moves(massA, inertiaA)) << lane);
-        m_block.movesB = uint8(m_block.movesB | int(Moves(massB, inertiaB)) << lane);
+        m_block.movesA = uint16(m_block.movesA | int(Moves(massA, inertiaA)) << lane);
+        m_block.movesB = uint16(m_block.movesB | int(Moves(massB, inertiaB)) << lane);
     }
 
     void GatherGeometry(int lane, const b2Manifold& m, const BodyData& face, const BodyData& other)
@@ -314,18 +354,17 @@ private:
 
 void ReadAhead(const ContactBlock& block)
 {
-    for (int lane = 0; lane < block.count; ++lane)
+    for (int32 lane = 0; lane < block.count; ++lane)
     {
-        const ContactData& c = Data(*block.contact[lane]);
-        Prefetch(&c.bodyA);
-        Prefetch(&c.manifold.localPoint);
+        ReadLaneAhead(block, lane);
     }
 }
 
-void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContext& context)
+void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const ContactBlock* next,
+                  const SolverContext& context)
 {
     ContactLanes lanes;
-    Gatherer(block, overlap, lanes, context).Gather();
+    Gatherer(block, overlap, lanes, context).Gather(next);
     KernelsOf(block).prepare(lanes, block, overlap, context);
 }
 
@@ -337,7 +376,7 @@ void PrepareAlone(b2Contact& contact, ContactBlock& block, OverlapBlock& overlap
     block.count = 1;
     block.pointCount = overlap.pointCount = manifold.pointCount;
     overlap.kind = KindOf(manifold);
-    PrepareBlock(block, overlap, context);
+    PrepareBlock(block, overlap, nullptr, context);
 }
 
 void WarmStartBlock(ContactBlock& block, SolverBody* bodies)

@@ -7,8 +7,8 @@
 
 struct b2ContactImpulse;
 
-/// Contacts of one colour in blocks of eight lanes, for SIMD. A block is prepared and solved with 8
-/// lanes, twice 4 lanes or 8 times one lane, with the same bits. tests/engine/ReferenceContacts.cpp
+/// Contacts of one colour in blocks of sixteen lanes, for SIMD. A block is prepared and solved with
+/// 16, 8, 4 lanes or one at a time, with the same bits. tests/engine/ReferenceContacts.cpp
 /// is the same solver without lanes. The method is that of sequential impulses (Catto, "Iterative
 /// Dynamics with Temporal Coherence", GDC 2005): accumulated, clamped impulses on velocities, then
 /// nonlinear projection of positions.
@@ -17,7 +17,10 @@ namespace box2d
 
 struct SnapshotAccess;
 
-inline constexpr int kBlockLanes = 8;
+inline constexpr int kBlockLanes = 16;
+/// Lanes of a part of a block. The order of parts decides what is summed first in direct solutions,
+/// so it also decides their bits.
+inline constexpr int kPartLanes = 8;
 
 struct MassLanes
 {
@@ -49,11 +52,11 @@ struct alignas(kCacheLine) ContactBlock
     float32 friction[kBlockLanes];
     int32 count; ///< used lanes
     int32 pointCount;
-    bool allCoupled;      ///< all lanes have two points that are solved together
-    bool driven;          ///< a tangentSpeed is not zero
-    bool bounces;         ///< a bias is not zero; if false, they are ignored
-    bool fresh;           ///< a contact has not been solved with sub-steps yet
-    uint8 movesA, movesB; ///< bit mask of lanes whose body can move or rotate
+    bool allCoupled;       ///< all lanes have two points that are solved together
+    bool driven;           ///< a tangentSpeed is not zero
+    bool bounces;          ///< a bias is not zero; if false, they are ignored
+    bool fresh;            ///< a contact has not been solved with sub-steps yet
+    uint16 movesA, movesB; ///< bit mask of lanes whose body can move or rotate
 
     alignas(kCacheLine) b2Contact* contact[kBlockLanes];
     float32 tangentSpeed[kBlockLanes];
@@ -90,7 +93,7 @@ struct alignas(kCacheLine) OverlapBlock
     int32 count; ///< used lanes
     int32 pointCount;
     OverlapKind kind;
-    uint8 movesA, movesB; ///< as in ContactBlock
+    uint16 movesA, movesB; ///< as in ContactBlock
 };
 
 /// Data of a block for sub-steps only: the impulses of the whole step, and those at the start of
@@ -142,6 +145,20 @@ public:
     int32 Count() const { return m_count; }
     /// Returns the first block of a group and the end of its blocks.
     BlockRange Of(const IslandGroup& group) const;
+    /// Calls the function with the index and lane of each contact, part by part in the order in
+    /// which Assign began them.
+    template <class Function>
+    void ForLanes(Function&& function) const
+    {
+        for (const Part& part : m_parts)
+        {
+            const int32 end = b2Min(Contacts(part.block).count, part.lane + kPartLanes);
+            for (int32 lane = part.lane; lane < end; ++lane)
+            {
+                function(part.block, lane);
+            }
+        }
+    }
     ContactBlock& Contacts(int32 index) { return m_contacts[std::size_t(index)]; }
     const ContactBlock& Contacts(int32 index) const { return m_contacts[std::size_t(index)]; }
     OverlapBlock& Overlaps(int32 index) { return m_overlaps[std::size_t(index)]; }
@@ -152,12 +169,17 @@ public:
 
 private:
     friend struct SnapshotAccess;
+    struct Part
+    {
+        int32 block, lane; // the first
+    };
     int32 Add(OverlapKind kind, int32 pointCount);
 
     Array<b2Contact*> m_sorted; // contacts of the colour
     Array<uint8> m_buckets;     // per contact
     Array<int32> m_groupEnds;   // of the sorted contacts of each group
     Array<int32> m_blockEnds;   // of the blocks of each group
+    Array<Part> m_parts;
     Array<ContactBlock> m_contacts;
     Array<OverlapBlock> m_overlaps;
     Array<BlockTotals> m_totals;
@@ -169,8 +191,9 @@ private:
 /// Prefetches the contacts of a block.
 void ReadAhead(const ContactBlock& block);
 /// Fills both sides of a block from the current poses. Velocities come from the bodies' solver
-/// entries (for restitution).
-void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const SolverContext& context);
+/// entries (for restitution). Prefetches the contacts of the `next` block, if there is one.
+void PrepareBlock(ContactBlock& block, OverlapBlock& overlap, const ContactBlock* next,
+                  const SolverContext& context);
 /// Fills both sides of a block with this contact alone, which may share bodies with other blocks.
 void PrepareAlone(b2Contact& contact, ContactBlock& block, OverlapBlock& overlap,
                   const SolverContext& context);

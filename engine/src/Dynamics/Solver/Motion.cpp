@@ -18,7 +18,7 @@ namespace
 const MotionKernels& Widest()
 {
 #if defined(BOX2D_AVX2)
-    if (UsesWideInstructions())
+    if (LanesInUse() >= 8)
     {
         return MotionKernelsAvx2();
     }

@@ -4,7 +4,7 @@
 #include "ContactBlockSolver.h"
 #include "OverlapSolver.h"
 
-/// The position solver on blocks, for numbers F of 1, 4 or 8 lanes: contacts are measured again
+/// The position solver on blocks, for numbers F of 1, 4, 8 or 16 lanes: contacts are measured again
 /// before each push. Included like ContactBlockSolver.h, so it has no external linkage either.
 namespace box2d
 {

@@ -4,8 +4,8 @@
 #include "../State/BodyLanes.h"
 
 /// Selects the contacts that bounce, and their speeds. For one contact (simd::Float1) and for
-/// numbers F of 4 or 8 lanes, with the same bits. All contact solvers use it. No external linkage,
-/// like BodyLanes.h.
+/// numbers F of 4, 8 or 16 lanes, with the same bits. All contact solvers use it. No external
+/// linkage, like BodyLanes.h.
 namespace box2d
 {
 namespace

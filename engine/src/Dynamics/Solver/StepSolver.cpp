@@ -152,8 +152,12 @@ bool StepSolver::IsFree() const
 
 void StepSolver::PrepareContacts()
 {
-    ForBlocks([this](ContactBlock& block, OverlapBlock& overlap) {
-        PrepareBlock(block, overlap, m_context);
+    ForColors(Direction::Forward, [this](ContactBlocks& blocks, int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            const ContactBlock* next = i + 1 < end ? &blocks.Contacts(i + 1) : nullptr;
+            PrepareBlock(blocks.Contacts(i), blocks.Overlaps(i), next, m_context);
+        }
     });
 }
 
@@ -275,7 +279,16 @@ void StepSolver::SolveVelocities(int32 iterations)
 void StepSolver::StoreImpulses()
 {
     m_memory.joints.StoreImpulses(m_threads);
-    ForBlocks([](ContactBlock& block, OverlapBlock&) { box2d::StoreImpulses(block); });
+    ForColors(Direction::Forward, [](ContactBlocks& blocks, int32 begin, int32 end) {
+        for (int32 i = begin; i < end; ++i)
+        {
+            if (i + 1 < end)
+            {
+                ReadAhead(blocks.Contacts(i + 1));
+            }
+            box2d::StoreImpulses(blocks.Contacts(i));
+        }
+    });
 }
 
 void StepSolver::TurnDirections()

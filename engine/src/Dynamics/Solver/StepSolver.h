@@ -52,8 +52,6 @@ protected:
     template <class Function>
     void ForEachBlock(Direction direction, ThreadPool* threads, Function&& one);
     template <class Function>
-    void ForBlocks(Function&& function);
-    template <class Function>
     void ForBodies(Function&& function);
     SolverBody WithForces(const BodyData& body) const;
     bool WriteBack(BodyData& body, SolverBody& moved) const;
@@ -140,21 +138,6 @@ void StepSolver::ForEachBlock(Direction direction, ThreadPool* threads, Function
                         }
                     });
     }
-}
-
-template <class Function>
-void StepSolver::ForBlocks(Function&& function)
-{
-    ForColors(Direction::Forward, [&](ContactBlocks& blocks, int32 begin, int32 end) {
-        for (int32 i = begin; i < end; ++i)
-        {
-            if (i + 1 < end)
-            {
-                ReadAhead(blocks.Contacts(i + 1));
-            }
-            function(blocks.Contacts(i), blocks.Overlaps(i));
-        }
-    });
 }
 
 template <class Function>

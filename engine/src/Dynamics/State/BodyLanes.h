@@ -10,8 +10,8 @@
 #include <cstring>
 #include <limits>
 
-/// Bodies and vectors in lanes, for numbers F of 4 or 8: the base of all solvers on blocks. It has
-/// no external linkage, because sources of every instruction set include it.
+/// Bodies and vectors in lanes, for numbers F of 4, 8 or 16: the base of all solvers on blocks. It
+/// has no external linkage, because sources of every instruction set include it.
 namespace box2d
 {
 namespace
@@ -138,7 +138,7 @@ BOX2D_INLINE void StoreMoved(float32* base, const int32* bodies, uint32 moves, c
         StoreRows(base, kBodyStride, bodies, rows);
         return;
     }
-    static constexpr int32 order[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    static constexpr int32 order[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     float32 lanes[4 * F::kLanes];
     StoreRows(lanes, 4, order, rows);
     for (int i = 0; i < F::kLanes; ++i)

@@ -245,14 +245,10 @@ void ContactSystem::ForContacts(SolverMemory& solver, Function&& function) const
     {
         const int32 color = solver.colors[i];
         ContactBlocks& blocks = solver.contacts[color];
-        for (int32 k = 0; k < blocks.Count(); ++k)
-        {
-            const ContactBlock& block = blocks.Contacts(k);
-            for (int32 lane = 0; lane < block.count; ++lane)
-            {
-                function(IslandOf(solver.islands, block, lane), Place{color, k, lane});
-            }
-        }
+        blocks.ForLanes([&](int32 index, int32 lane) {
+            function(IslandOf(solver.islands, blocks.Contacts(index), lane),
+                     Place{color, index, lane});
+        });
     }
 }
 

@@ -60,14 +60,13 @@ void FirstLoads::GatherPoints(const World& world, SolverMemory& arrays)
     for (int32 i = 0; i < arrays.colorCount; ++i)
     {
         ContactBlocks& blocks = arrays.contacts[arrays.colors[i]];
-        for (int32 k = 0; k < blocks.Count(); ++k)
-        {
-            ContactBlock& block = blocks.Contacts(k);
-            for (int32 lane = 0; lane < block.count && block.fresh; ++lane)
+        blocks.ForLanes([&](int32 index, int32 lane) {
+            ContactBlock& block = blocks.Contacts(index);
+            if (block.fresh)
             {
                 GatherPoint(world, block, lane);
             }
-        }
+        });
     }
 }
 
