@@ -482,7 +482,8 @@ PngStream::~PngStream() = default;
 std::span<const std::uint8_t> PngStream::Encode(const Frame& frame)
 {
     assert(frame.width > 0 && frame.height > 0);
-    auto& [rows, tokens, file] = *m_buffers;
+    Bytes& rows = m_buffers->rows; // clang before 16 does not capture structured bindings
+    Bytes& file = m_buffers->file;
     if (!StoreRows(frame, rows))
     {
         return {};
@@ -496,8 +497,8 @@ std::span<const std::uint8_t> PngStream::Encode(const Frame& frame)
     });
     AppendChunk(file, "IDAT", [&] {
         file.insert(file.end(), {0x78, 0x01}); // zlib (RFC 1950), a window of 32 kB, fastest
-        Divide(rows, std::size_t(frame.width) * kColors + 1, tokens);
-        AppendDeflate(tokens, file);
+        Divide(rows, std::size_t(frame.width) * kColors + 1, m_buffers->tokens);
+        AppendDeflate(m_buffers->tokens, file);
         AppendNumber(file, Adler32(rows.data(), rows.size()));
     });
     AppendChunk(file, "IEND", [] {});

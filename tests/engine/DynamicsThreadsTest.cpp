@@ -81,7 +81,7 @@ struct WidthGuard
     ~WidthGuard() { box2d::UseLanes(16); }
 };
 
-/// Compares the bits of every number of threads and both widths after each 100 of 300 steps.
+/// Compares the bits of every number of threads and width after each 100 of 300 steps.
 void ExpectSameBits(int32 subSteps)
 {
     const WidthGuard guard;

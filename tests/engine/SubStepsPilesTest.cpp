@@ -276,6 +276,39 @@ TEST(SubStepsPile, ContinuesFromASnapshotBitByBit)
     EXPECT_EQ(pile.Hash(), expected);
 }
 
+/// The allocator gives the memory of a destroyed joint to the next: here one between two of the
+/// last eight limbs, whose second hinges are solved side by side with the destroyed one.
+TEST(SubStepsPile, FollowsAJointInTheMemoryOfAnother)
+{
+    Pile pile;
+    pile.Limbs(80);
+    pile.scene.Step(200);
+    const b2Joint* destroyed = pile.hinges.back();
+    pile.scene.world.DestroyJoint(pile.hinges.back());
+    const auto middle = [&pile](int limb) { return pile.scene.parts[std::size_t(3 * limb + 1)]; };
+    const auto distance = [&middle](int limb) {
+        return b2Distance(middle(72)->GetPosition(), middle(limb)->GetPosition());
+    };
+    int nearest = 73;
+    for (int limb = 74; limb < 79; ++limb)
+    {
+        nearest = distance(limb) < distance(nearest) ? limb : nearest;
+    }
+    b2RevoluteJointDef def;
+    def.bodyA = middle(72);
+    def.bodyB = middle(nearest);
+    pile.hinges.back() = pile.scene.Create<b2RevoluteJoint>(def);
+    ASSERT_EQ(pile.hinges.back(), destroyed) << "the scene no longer tests what it should";
+    Pile restored; // builds everything afresh
+    ASSERT_EQ(b2RestoreSnapshot(restored.scene.world, b2SaveSnapshot(pile.scene.world)), nullptr);
+    for (int i = 0; i < 30; ++i)
+    {
+        pile.scene.world.Step(1.0f / 60.0f, 8, 3);
+        restored.scene.world.Step(1.0f / 60.0f, 8, 3);
+    }
+    EXPECT_EQ(pile.Hash(), restored.Hash());
+}
+
 /// A cloth has too many loops to be solved directly. Its anchors report its weight.
 TEST(SubStepsPile, ReportsReactionsOfHangingNet)
 {

@@ -65,10 +65,12 @@ void JointSchedule::Update(const ConstraintGraph& graph)
     }
 }
 
-void JointSchedule::Update(const Array<b2Joint*>& joints)
+void JointSchedule::Update(const Array<b2Joint*>& joints, int32 version)
 {
-    if (m_joints != joints)
+    // A new joint may have the address of a destroyed one.
+    if (m_version != version || m_joints != joints)
     {
+        m_version = version;
         m_joints = joints;
         Build(joints);
     }

@@ -21,8 +21,8 @@ class JointSchedule
 public:
     /// Follows the graph's list of joints; free while that is unchanged.
     void Update(const ConstraintGraph& graph);
-    /// Follows a list of joints; cheap while that is unchanged.
-    void Update(const Array<b2Joint*>& joints);
+    /// Follows some of the graph's joints; cheap while these and the graph's version are unchanged.
+    void Update(const Array<b2Joint*>& joints, int32 version);
     bool IsEmpty() const { return m_levels.empty(); }
     /// Returns the joints, level by level.
     Array<Array<b2Joint*>> Levels() const;

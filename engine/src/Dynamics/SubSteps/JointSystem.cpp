@@ -110,7 +110,7 @@ void JointSystem::BeginParts(const SolverContext& context, float32 share, float3
             m_iteratedJoints.push_back(m_joints[i]);
         }
     }
-    m_iterated.Update(m_iteratedJoints);
+    m_iterated.Update(m_iteratedJoints, m_version);
     if (!m_iterated.IsEmpty())
     {
         SolverContext subStep = context;
@@ -220,7 +220,10 @@ void JointSystem::WarmStart(const SolverContext& context, float32 share)
     {
         Start(context, i, share);
     }
-    m_iterated.Kick(context, share, m_threads);
+    if (!m_iterated.IsEmpty()) // not called by the threads of groups, which have no joints
+    {
+        m_iterated.Kick(context, share, m_threads);
+    }
 }
 
 void JointSystem::Start(const SolverContext& context, std::size_t joint, float32 share)
