@@ -627,7 +627,7 @@ TEST(SolverBlocks, ArePreparedBitEqualToPlainSolver)
     EXPECT_GT(kinds[2], 0);
 }
 
-TEST(SolverBlocks, HoldEveryContactOnceAndEightOfOneKind)
+TEST(SolverBlocks, HoldEveryContactOnceAndFillUpByKind)
 {
     Pile pile(3);
     const Array<b2Contact*> contacts = TouchingContacts(pile.scene.world);
@@ -650,7 +650,8 @@ TEST(SolverBlocks, HoldEveryContactOnceAndEightOfOneKind)
     std::sort(seen.begin(), seen.end());
     EXPECT_EQ(std::unique(seen.begin(), seen.end()), seen.end());
     EXPECT_EQ(seen.size(), contacts.size());
-    EXPECT_GE(full, contacts.size() / kBlockLanes - 5);
+    // Three kinds of measurement, one or two points; circles have one.
+    EXPECT_LE(std::size_t(blocks.Count()) - full, 5u);
 }
 
 TEST(SolverBlocks, HoldOneContactEachWhereBodiesMayBeShared)
