@@ -9,6 +9,8 @@
 #include <Box2D/Common/Array.h>
 
 #include <algorithm>
+#include <bit>
+#include <span>
 
 namespace
 {
@@ -203,6 +205,66 @@ void b2DynamicTree::RebuildBottomUp()
     }
 }
 
+namespace
+{
+/// Returns bits in the order of the numbers. Equal ones are equal, so that halves are unique.
+uint32 InOrder(float32 number)
+{
+    constexpr uint32 sign = 0x80000000u;
+    const auto bits = std::bit_cast<uint32>(number + 0.0f); // -0 becomes 0
+    return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+
+/// Moves the last item to the place where it belongs, behind all that are less. Returns the place.
+/// No branch depends on the items, because every second one would be mispredicted (Edelkamp and
+/// Weiss, "BlockQuicksort", 2016; here Lomuto's scheme).
+std::uint64_t* Part(std::uint64_t* begin, std::uint64_t* end)
+{
+    const std::uint64_t pivot = end[-1];
+    std::uint64_t* place = begin;
+    for (std::uint64_t* i = begin; i != end - 1; ++i)
+    {
+        const std::uint64_t item = *i;
+        *i = *place;
+        *place = item;
+        place += item < pivot;
+    }
+    end[-1] = *place;
+    *place = pivot;
+    return place;
+}
+
+/// Exchanges items until all of the first half are less than those of the second (Hoare, "Find",
+/// 1961).
+void Halve(std::uint64_t* begin, int32 count)
+{
+    // Few items are left after that, unless pivots are far off.
+    const int32 maxRounds = std::bit_width(static_cast<uint32>(count));
+    std::uint64_t* const middle = begin + count / 2;
+    std::uint64_t* end = begin + count;
+    for (int32 round = 0; end - begin > 1; ++round)
+    {
+        if (round == maxRounds)
+        {
+            std::nth_element(begin, middle, end);
+            return;
+        }
+        // The median of three becomes the last.
+        std::uint64_t& first = *begin;
+        std::uint64_t& half = begin[(end - begin) / 2];
+        std::uint64_t& last = end[-1];
+        const std::uint64_t median = b2Max(b2Min(first, half), b2Min(b2Max(first, half), last));
+        std::swap(median == first ? first : median == half ? half : last, last);
+        std::uint64_t* const place = Part(begin, end);
+        if (place == middle)
+        {
+            return;
+        }
+        (place < middle ? begin : end) = place < middle ? place + 1 : place;
+    }
+}
+} // namespace
+
 void b2DynamicTree::SetProxyAABBForRebuild(int32 proxyId, const b2AABB& fatAABB)
 {
     if (B2_REQUIRE(IsProxy(proxyId), "b2DynamicTree::SetProxyAABBForRebuild: not a proxy.") &&
@@ -237,12 +299,14 @@ void b2DynamicTree::RebuildEvenly()
     {
         return;
     }
+    m_leaves.clear();
     m_order.clear();
     for (int32 i = 0; i < m_nodeCapacity; ++i)
     {
         if (m_nodes[i].height == 0)
         {
-            m_order.push_back({m_nodes[i].aabb.lowerBound + m_nodes[i].aabb.upperBound, i});
+            m_order.push_back(m_leaves.size());
+            m_leaves.push_back({m_nodes[i].aabb.lowerBound + m_nodes[i].aabb.upperBound, i});
         }
     }
     FreeInnerNodes();
@@ -253,28 +317,27 @@ void b2DynamicTree::RebuildEvenly()
 /// Returns the node above a range of leaves. The recursion depth is the logarithm of their number.
 int32 b2DynamicTree::BuildEvenly(int32 first, int32 count)
 {
-    const auto begin = m_order.begin() + first;
+    const std::span<std::uint64_t> order(m_order.data() + first, std::size_t(count));
+    const auto leafOf = [this](std::uint64_t item) -> const CenteredLeaf& {
+        return m_leaves[uint32(item)];
+    };
     if (count == 1)
     {
-        return begin->id;
+        return leafOf(order[0]).id;
     }
-    b2Vec2 lower = begin->twiceCenter;
+    b2Vec2 lower = leafOf(order[0]).twiceCenter;
     b2Vec2 upper = lower;
-    for (auto i = begin + 1; i != begin + count; ++i)
+    for (const std::uint64_t item : order)
     {
-        lower = b2Min(lower, i->twiceCenter);
-        upper = b2Max(upper, i->twiceCenter);
+        lower = b2Min(lower, leafOf(item).twiceCenter);
+        upper = b2Max(upper, leafOf(item).twiceCenter);
     }
-    // Equal centres are ordered by number, so that the halves are unique.
-    const auto parted = [&](auto coordinate) {
-        std::nth_element(begin, begin + count / 2, begin + count,
-                         [coordinate](const CenteredLeaf& a, const CenteredLeaf& b) {
-                             const float32 centerA = a.twiceCenter.*coordinate;
-                             const float32 centerB = b.twiceCenter.*coordinate;
-                             return centerA != centerB ? centerA < centerB : a.id < b.id;
-                         });
-    };
-    upper.x - lower.x >= upper.y - lower.y ? parted(&b2Vec2::x) : parted(&b2Vec2::y);
+    const auto axis = upper.x - lower.x >= upper.y - lower.y ? &b2Vec2::x : &b2Vec2::y;
+    for (std::uint64_t& item : order)
+    {
+        item = std::uint64_t(InOrder(leafOf(item).twiceCenter.*axis)) << 32 | uint32(item);
+    }
+    Halve(order.data(), count);
     const int32 node = AllocateNode();
     const int32 child[2] = {BuildEvenly(first, count / 2),
                             BuildEvenly(first + count / 2, count - count / 2)};

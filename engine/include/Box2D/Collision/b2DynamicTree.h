@@ -181,7 +181,10 @@ private:
     int32 m_nodeCount = 0;
     int32 m_proxyCount = 0;
     int32 m_freeList = b2_nullNode;
-    box2d::Array<CenteredLeaf> m_order; ///< room for RebuildEvenly
+    // Room for RebuildEvenly: all leaves, and their indices in the lower halves of numbers that are
+    // in the leaves' order along an axis.
+    box2d::Array<CenteredLeaf> m_leaves;
+    box2d::Array<std::uint64_t> m_order;
 };
 
 template <typename T>

@@ -15,7 +15,7 @@ namespace box2d
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, b2DynamicTree& tree)
 {
-    auto& [nodes, root, capacity, nodeCount, proxyCount, freeList, room] = tree;
+    auto& [nodes, root, capacity, nodeCount, proxyCount, freeList, leaves, order] = tree;
     typedef b2DynamicTree::Node Node;
     constexpr std::size_t leastBytes = 2 * sizeof(int32); // size of a free node
     archive.Count(capacity, leastBytes);
