@@ -15,6 +15,7 @@
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 
@@ -408,12 +409,13 @@ void StepSolver::WriteBack()
     ForBodies([this](std::size_t i) {
         m_memory.left[i] = WriteBack(Data(*m_world.awakeBodies[i]), m_memory.bodies[i + 1]);
     });
-    int32 bullets = 0;
-    for (std::size_t i = 0; m_world.hasBullets && i < m_memory.left.size(); ++i)
-    {
-        bullets += (Data(*m_world.awakeBodies[i]).flags & kBodyPathBox) != 0;
-    }
-    m_world.proxies.BeginMoves(bullets);
+    const auto left = std::ranges::count_if(m_memory.left, [](uint8 has) { return has != 0; });
+    const auto isBullet = [](const b2Body* body) {
+        return (Data(*body).flags & kBodyPathBox) != 0;
+    };
+    const auto bullets =
+        m_world.hasBullets ? std::ranges::count_if(m_world.awakeBodies, isBullet) : 0;
+    m_world.proxies.BeginMoves(int32(left), int32(bullets));
     for (std::size_t i = 0; i < m_memory.left.size(); ++i)
     {
         if (m_memory.left[i] != 0)

@@ -11,9 +11,12 @@ namespace
 constexpr int32 kMinAdded = 1000;
 
 /// From this number of moves on, and this share of all proxies, a new tree is cheaper than moving
-/// each leaf.
-constexpr int32 kMinMoved = 16;
-constexpr int32 kMovedShare = 8;
+/// each leaf. Bullets, whose leaves are moved in every step, gain earlier; for others fewer would
+/// gain too little to give up the better tree of single moves.
+constexpr int32 kMinMoved = 256;
+constexpr int32 kMovedShare = 3;
+constexpr int32 kMinBullets = 16;
+constexpr int32 kBulletShare = 8;
 /// Steps between rebuilds of such a tree; with more its boxes overlap too much.
 constexpr int32 kRebuildPeriod = 3;
 
@@ -87,10 +90,11 @@ void Proxies::Grow(int32 proxyId, const b2AABB& fatBox)
     Touch(proxyId);
 }
 
-void Proxies::BeginMoves(int32 count)
+void Proxies::BeginMoves(int32 count, int32 bullets)
 {
     const int32 all = TreeOf(Mobility::Dynamic).GetProxyCount();
-    m_rebuilds = count >= kMinMoved && count >= all / kMovedShare;
+    m_rebuilds = (count >= kMinMoved && count >= all / kMovedShare) ||
+                 (bullets >= kMinBullets && bullets >= all / kBulletShare);
 }
 
 void Proxies::EndMoves()

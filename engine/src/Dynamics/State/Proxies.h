@@ -7,6 +7,8 @@
 #include <Box2D/Common/Array.h>
 #include <Box2D/Dynamics/Internal/BodyData.h>
 
+#include <algorithm>
+
 struct b2FixtureProxy;
 
 /// The world's broad phase: a dynamic tree per body type, and the list of proxies moved since the
@@ -35,9 +37,10 @@ public:
     void Move(int32 proxyId, const b2AABB& fatBox);
     /// Same as Move, but cheaper, for a box that has only grown and will change again soon.
     void Grow(int32 proxyId, const b2AABB& fatBox);
-    /// `count` proxies of dynamic bodies are moved between these two calls. If that is a large part
-    /// of them, the tree is built again at the end. No query is allowed meanwhile.
-    void BeginMoves(int32 count);
+    /// Proxies of `count` bodies are moved between these two calls, of which `bullets` will leave
+    /// their boxes again in the next step. If that is a large part of all, the tree is built again
+    /// at the end. No query is allowed meanwhile.
+    void BeginMoves(int32 count, int32 bullets);
     void EndMoves();
     /// Marks it as moved, so that its pairs are searched again.
     void Touch(int32 proxyId);
@@ -250,11 +253,12 @@ void Proxies::FindPairs(ThreadPool* threads, IsWanted&& isWanted, IsKnown&& isKn
             }
         }
     }
-    if (m_rebuilt)
+    const auto isSought = [&](int32 moved) { return isWanted(Get(moved), Mobility::Dynamic); };
+    if (m_rebuilt && std::ranges::any_of(m_moved, isSought))
     {
         FindDynamicPairs(isKnown, report);
-        m_rebuilt = false;
     }
+    m_rebuilt = false;
     for (const int32 moved : m_moved)
     {
         m_marks[moved & 3][std::size_t(moved >> 2)] = kAtRest;
