@@ -61,6 +61,8 @@ public:
         }
     }
 
+    /// Call before its joints are made.
+    void FixRotation(std::size_t body) { m_data[body].invInertia = 0.0f; }
     void SetMass(std::size_t body, float32 mass)
     {
         m_data[body].invMass = 1.0f / mass;
@@ -104,6 +106,7 @@ void Solve(Frame& frame, RowSystem& system, int32 mostUpdates = 16)
     Elimination elimination;
     system.Build(frame.sides, mostUpdates, elimination);
     frame.Fill(system);
+    system.Read();
     system.Factor();
     for (int32 i = 0; i < system.Components(); ++i)
     {
@@ -231,6 +234,7 @@ TEST(RowSystem, DoesNotTouchRowsThatAreNotActive)
     frame.Fill(system);
     system.SetActive(0, 1);
     const Vector3 before = SpeedOf(frame.context, system.Rows(0));
+    system.Read();
     system.Factor();
     system.Solve();
     system.Apply(0, frame.context);
@@ -272,6 +276,7 @@ TEST(BoundedSystem, PushesAndNeverPulls)
 {
     Column column(8);
     column.frame.bodies[5].v.Set(0.0f, 3.0f); // leaves the rest
+    column.system.Begin(column.frame.context);
     column.system.Minimize(column.frame.context, 1e-9);
     for (std::size_t i = 0; i < 8; ++i)
     {
@@ -289,10 +294,33 @@ TEST(BoundedSystem, LimitsImpulsesToTheirMaximum)
 {
     Column column(3);
     column.system.At(0).maximum.at[1] = 0.5;
+    column.system.Begin(column.frame.context);
     column.system.Minimize(column.frame.context, 1e-9);
     EXPECT_EQ(column.system.At(0).impulse.at[1], 0.5);
     EXPECT_LT(column.frame.bodies[1].v.y, -0.5f);
     EXPECT_NEAR(column.frame.bodies[3].v.y, column.frame.bodies[1].v.y, 1e-6f);
+}
+
+TEST(BoundedSystem, CountsTheSpinOfABodyThatCannotBeTurned)
+{
+    Frame frame(1);
+    frame.FixRotation(0);
+    frame.Join(-1, 0, 0.0f);
+    frame.bodies[1].v.Set(0.0f, 0.0f);
+    frame.bodies[1].w = 2.0f; // brings its point down on the ground at 1 m/s
+    BoundedSystem system;
+    Elimination elimination;
+    system.Build(frame.sides, 16, elimination);
+    system.Rows(0) = frame.rows[0];
+    system.At(0) = BoundedSystem::Item();
+    system.At(0).maximum.at[1] = BoundedSystem::kUnbounded;
+    system.At(0).active = 2;
+    ASSERT_NEAR(SpeedOf(frame.context, system.Rows(0)).at[1], -1.0, 1e-6);
+    system.Begin(frame.context);
+    system.Minimize(frame.context, 1e-9);
+    EXPECT_NEAR(SpeedOf(frame.context, system.Rows(0)).at[1], 0.0, 1e-6);
+    EXPECT_NEAR(frame.bodies[1].v.y, 1.0f, 1e-6f);
+    EXPECT_EQ(frame.bodies[1].w, 2.0f);
 }
 
 /// A contact that keeps two balls apart and, where wanted, a limit that brings them together.
@@ -316,6 +344,7 @@ void FindWhetherItBursts(bool contradicts, bool& bursts, double& impulse)
     system.At(1).minimum.at[1] = -BoundedSystem::kUnbounded;
     system.At(1).speeds.at[1] = -2.0;
     system.At(1).active = 2;
+    system.Begin(frame.context);
     system.Mark(frame.context);
     system.Minimize(frame.context, contradicts ? 1e-9 : 1e9);
     bursts = system.HasBurst(frame.context);

@@ -46,40 +46,29 @@ double SpeedFrom(const JointRows::Column& c, int32 row, const SolverBody& s)
            double(c.w[row]) * double(s.w);
 }
 
-/// Returns the response of a row's speed to an impulse along it.
-double ResponseOf(const JointRows& rows, int32 row)
-{
-    double response = 0.0;
-    for (int32 side = 0; side < rows.bodies; ++side)
-    {
-        const JointRows::Column& c = rows.columns[side];
-        const double x = c.x[row];
-        const double y = c.y[row];
-        const double w = c.w[row];
-        response += double(c.invMass) * (x * x + y * y) + double(c.invInertia) * w * w;
-    }
-    return response;
-}
-
 /// Returns the speed that a row brings its bodies to if nothing else holds them. A soft spring that
 /// is far from its rest has a target speed of thousands of metres per second, and never reaches it.
-double ReachOf(const JointRows& rows, int32 row, double target)
+double ReachOf(double response, double softness, double target)
 {
-    const double response = ResponseOf(rows, row);
-    const double soft = double(rows.laws[row].softness);
-    return soft > 0.0 ? std::abs(target) * response / (response + soft) : std::abs(target);
+    return softness > 0.0 ? std::abs(target) * response / (response + softness) : std::abs(target);
 }
 
-/// Returns the speed that bodies with infinite mass give to a row.
+/// Returns the speed that bodies with infinite mass give to a row, and those that turn with an
+/// infinite moment of inertia.
 double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context)
 {
     double speed = 0.0;
     for (int32 side = 0; side < rows.bodies; ++side)
     {
         const JointRows::Column& c = rows.columns[side];
+        const SolverBody& body = context.bodies[c.body];
         if (!Moves(c.invMass, c.invInertia))
         {
-            speed += SpeedFrom(c, row, context.bodies[c.body]);
+            speed += SpeedFrom(c, row, body);
+        }
+        else if (c.invInertia == 0.0f)
+        {
+            speed += double(c.w[row]) * double(body.w);
         }
     }
     return speed;
@@ -90,15 +79,38 @@ double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context
 void BoundedSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination)
 {
     m_system.Build(sides, mostUpdates, elimination);
-    for (Array<Item>* items : {&m_items, &m_itemsBefore, &m_marked})
+    const auto resize = [](auto& array, std::size_t count) {
+        MakeRoom(array, count);
+        array.resize(count);
+    };
+    resize(m_items, sides.size());
+    resize(m_given, sides.size());
+    resize(m_masses, m_system.Bodies().size());
+    for (Solution* solution : {&m_before, &m_marked})
     {
-        MakeRoom(*items, sides.size());
+        resize(solution->impulses, sides.size());
+        resize(solution->velocities, m_masses.size());
     }
-    for (Array<SolverBody>* bodies : {&m_before, &m_markedBodies})
+}
+
+void BoundedSystem::Begin(const SolverContext& context)
+{
+    m_system.Read();
+    for (std::size_t i = 0; i < m_items.size(); ++i)
     {
-        MakeRoom(*bodies, m_system.Bodies().size());
+        const JointRows& rows = m_system.Rows(i);
+        for (int32 row = 0; row < JointRows::kMaxRows; ++row)
+        {
+            m_given[i].at[row] = GivenSpeed(rows, row, context);
+        }
     }
-    m_items.resize(sides.size());
+    for (std::size_t i = 0; i < m_masses.size(); ++i)
+    {
+        const BodyData& body = *m_system.Bodies()[i];
+        const double invInertia = body.SolverInvInertia();
+        m_masses[i] = {body.SolverIndex(), 1.0 / double(body.SolverInvMass()),
+                       invInertia > 0.0 ? 1.0 / invInertia : 0.0};
+    }
 }
 
 void BoundedSystem::Minimize(const SolverContext& context, double tolerance)
@@ -122,7 +134,7 @@ bool BoundedSystem::Release(const SolverContext& context, double tolerance)
     {
         Item& item = m_items[i];
         const JointRows& rows = m_system.Rows(i);
-        const Vector3 speed = SpeedOf(context, rows);
+        const Vector3 speed = m_system.SpeedOf(context, i, m_given[i]);
         for (int32 row = 0; row < rows.rows; ++row)
         {
             const double soft = double(rows.laws[row].softness) * item.impulse.at[row];
@@ -159,23 +171,21 @@ bool BoundedSystem::Limit(const SolverContext& context, std::size_t index, int32
     change.at[row] = inside - impulse;
     impulse = inside;
     item.active = uint8(item.active & ~(1u << row));
-    Push(context, m_system.Rows(index), change);
+    m_system.Push(context, index, change);
     return held || std::abs(maximum - before) > kSameLimit * before;
 }
 
 void BoundedSystem::Mark(const SolverContext& context)
 {
-    Save(context);
-    m_marked = m_itemsBefore;
-    m_markedBodies = m_before;
-    m_markedEnergy = Energy(context);
+    Save(context, m_marked);
+    m_marked.energy = Energy(context);
     m_markedFastest = Fastest(context);
     m_markedKinetic = KineticEnergyOfAll(context);
 }
 
 void BoundedSystem::KeepIfBetter(const SolverContext& context)
 {
-    if (!(Energy(context) <= m_markedEnergy) || HasBurst(context))
+    if (!(Energy(context) <= m_marked.energy) || HasBurst(context))
     {
         GoBack(context);
     }
@@ -183,9 +193,7 @@ void BoundedSystem::KeepIfBetter(const SolverContext& context)
 
 void BoundedSystem::GoBack(const SolverContext& context)
 {
-    m_itemsBefore = m_marked;
-    m_before = m_markedBodies;
-    Restore(context);
+    Restore(context, m_marked);
 }
 
 double BoundedSystem::FastestGiven(const SolverContext& context) const
@@ -237,10 +245,9 @@ bool BoundedSystem::HasEndlessWork() const
         }
     }
     double mass = 0.0; // and inertias, for target speeds are those of lines or of angles
-    for (const BodyData* body : m_system.Bodies())
+    for (const Mass& body : m_masses)
     {
-        const double invInertia = body->SolverInvInertia();
-        mass += 1.0 / double(body->SolverInvMass()) + (invInertia > 0.0 ? 1.0 / invInertia : 0.0);
+        mass += body.mass + body.inertia;
     }
     return work > kMaxWork * (m_markedKinetic + 0.5 * mass * fastest * (fastest + kMinSpeedBefore));
 }
@@ -260,7 +267,9 @@ double BoundedSystem::Fastest(const SolverContext& context) const
         const JointRows& rows = m_system.Rows(i);
         for (int32 row = 0; row < rows.rows; ++row)
         {
-            fastest = std::max(fastest, ReachOf(rows, row, m_items[i].speeds.at[row]));
+            fastest = std::max(fastest,
+                               ReachOf(m_system.Response(i).at[row],
+                                       double(rows.laws[row].softness), m_items[i].speeds.at[row]));
         }
     }
     return fastest;
@@ -272,7 +281,7 @@ bool BoundedSystem::Improve(const SolverContext& context)
     for (std::size_t i = 0; i < m_items.size(); ++i)
     {
         m_system.SetActive(i, m_items[i].active);
-        const Vector3 speed = SpeedOf(context, m_system.Rows(i));
+        const Vector3 speed = m_system.SpeedOf(context, i, m_given[i]);
         for (int32 row = 0; row < JointRows::kMaxRows; ++row)
         {
             const double soft = double(m_system.Rows(i).laws[row].softness);
@@ -282,13 +291,13 @@ bool BoundedSystem::Improve(const SolverContext& context)
     }
     m_system.Factor();
     m_system.Solve();
-    Save(context);
+    Save(context, m_before);
     bool met = Move(context, 1.0);
     double energy = Energy(context);
     if (met && energy > m_energy)
     {
         // Up to the first bound the energy can only decrease.
-        Restore(context);
+        Restore(context, m_before);
         (void)Move(context, ShareWithin());
         energy = Energy(context);
         met = true;
@@ -305,8 +314,11 @@ bool BoundedSystem::Move(const SolverContext& context, double share)
     for (std::size_t i = 0; i < m_items.size(); ++i)
     {
         Vector3 change{};
-        met = MoveItem(i, share, change) || met;
-        Push(context, m_system.Rows(i), change);
+        if (m_items[i].active != 0)
+        {
+            met = MoveItem(i, share, change) || met;
+            m_system.Push(context, i, change);
+        }
     }
     return met;
 }
@@ -364,12 +376,9 @@ double BoundedSystem::ShareWithin() const
 double BoundedSystem::KineticEnergyOfAll(const SolverContext& context) const
 {
     double sum = 0.0;
-    for (const BodyData* body : m_system.Bodies())
+    for (const Mass& body : m_masses)
     {
-        const SolverBody& s = context.bodies[body->SolverIndex()];
-        const double invInertia = body->SolverInvInertia();
-        sum += KineticEnergy(s, 1.0 / double(body->SolverInvMass()),
-                             invInertia > 0.0 ? 1.0 / invInertia : 0.0);
+        sum += KineticEnergy(context.bodies[body.body], body.mass, body.inertia);
     }
     return sum;
 }
@@ -381,33 +390,43 @@ double BoundedSystem::Energy(const SolverContext& context) const
     double sum = KineticEnergyOfAll(context);
     for (std::size_t i = 0; i < m_items.size(); ++i)
     {
+        const Item& item = m_items[i];
         const JointRows& rows = m_system.Rows(i);
         for (int32 row = 0; row < rows.rows; ++row)
         {
-            const double impulse = m_items[i].impulse.at[row];
-            sum += impulse * (GivenSpeed(rows, row, context) - m_items[i].speeds.at[row] +
+            const double impulse = item.impulse.at[row];
+            sum += impulse * (m_given[i].at[row] - item.speeds.at[row] +
                               0.5 * double(rows.laws[row].softness) * impulse);
         }
     }
     return sum;
 }
 
-void BoundedSystem::Save(const SolverContext& context)
+void BoundedSystem::Save(const SolverContext& context, Solution& solution) const
 {
-    m_itemsBefore = m_items;
-    m_before.clear();
-    for (const BodyData* body : m_system.Bodies())
+    for (std::size_t i = 0; i < m_items.size(); ++i)
     {
-        m_before.push_back(context.bodies[body->SolverIndex()]);
+        solution.impulses[i] = {m_items[i].impulse, m_items[i].active};
+    }
+    for (std::size_t i = 0; i < m_masses.size(); ++i)
+    {
+        const SolverBody& body = context.bodies[m_masses[i].body];
+        solution.velocities[i] = {body.v, body.w};
     }
 }
 
-void BoundedSystem::Restore(const SolverContext& context)
+void BoundedSystem::Restore(const SolverContext& context, const Solution& solution)
 {
-    m_items = m_itemsBefore;
-    for (std::size_t i = 0; i < m_before.size(); ++i)
+    for (std::size_t i = 0; i < m_items.size(); ++i)
     {
-        context.bodies[m_system.Bodies()[i]->SolverIndex()] = m_before[i];
+        m_items[i].impulse = solution.impulses[i].impulse;
+        m_items[i].active = solution.impulses[i].active;
+    }
+    for (std::size_t i = 0; i < m_masses.size(); ++i)
+    {
+        SolverBody& body = context.bodies[m_masses[i].body];
+        body.v = solution.velocities[i].v;
+        body.w = solution.velocities[i].w;
     }
 }
 

@@ -36,7 +36,9 @@ public:
     Item& At(std::size_t item) { return m_items[item]; }
     const Array<const BodyData*>& Bodies() const { return m_system.Bodies(); }
 
-    /// Call after rows and items are filled, and again after a change of bounds. Changes
+    /// Reads the rows and the speeds that platforms give them. Call after the rows are filled.
+    void Begin(const SolverContext& context);
+    /// Call after Begin and when the items are filled, and again after a change of bounds. Changes
     /// velocities, impulses and the active set. An inactive row may violate its condition by
     /// `tolerance` [m/s].
     void Minimize(const SolverContext& context, double tolerance);
@@ -66,15 +68,36 @@ private:
     double Energy(const SolverContext& context) const;
     bool HasEndlessWork() const;
     double Fastest(const SolverContext& context) const;
-    void Save(const SolverContext& context);
-    void Restore(const SolverContext& context);
+    struct Mass
+    {
+        int32 body; // solver index
+        double mass, inertia;
+    };
+    struct Impulse
+    {
+        Vector3 impulse;
+        uint8 active;
+    };
+    struct Velocity
+    {
+        b2Vec2 v;
+        float32 w;
+    };
+    struct Solution
+    {
+        Array<Impulse> impulses; // per item
+        Array<Velocity> velocities;
+        double energy = 0.0;
+    };
+    void Save(const SolverContext& context, Solution& solution) const;
+    void Restore(const SolverContext& context, const Solution& solution);
 
     RowSystem m_system;
-    Array<Item> m_items, m_itemsBefore;
-    Array<SolverBody> m_before; // of the bodies
-    Array<Item> m_marked;
-    Array<SolverBody> m_markedBodies;
-    double m_energy = 0.0, m_markedEnergy = 0.0;
+    Array<Item> m_items;
+    Array<Vector3> m_given; // speeds of the rows from bodies of infinite mass
+    Array<Mass> m_masses;   // per body
+    Solution m_before, m_marked;
+    double m_energy = 0.0;
     double m_markedFastest = 0.0, m_markedKinetic = 0.0;
 };
 

@@ -13,64 +13,91 @@ namespace
 
 /// Factors a symmetric positive definite matrix in place: L below the diagonal, the inverse of D on
 /// it. A full inverse would lose stiff directions among soft ones.
-void FactorInPlace(Block3& m)
+void FactorInPlace(Lower3& m)
 {
-    auto& a = m.at;
-    a[0][0] = 1.0 / a[0][0];
-    const double u10 = a[1][0];
-    const double u20 = a[2][0];
-    a[1][0] = u10 * a[0][0];
-    a[2][0] = u20 * a[0][0];
-    a[1][1] = 1.0 / (a[1][1] - a[1][0] * u10);
-    const double u21 = a[2][1] - a[2][0] * u10;
-    a[2][1] = u21 * a[1][1];
-    a[2][2] = 1.0 / (a[2][2] - a[2][0] * u20 - a[2][1] * u21);
+    auto& [xx, yx, yy, wx, wy, ww] = m.at;
+    xx = 1.0 / xx;
+    const double y = yx;
+    const double w = wx;
+    yx = y * xx;
+    wx = w * xx;
+    yy = 1.0 / (yy - yx * y);
+    const double u = wy - wx * y;
+    wy = u * yy;
+    ww = 1.0 / (ww - wx * w - wy * u);
 }
 
 /// m = m L^-T
-void DivideByTransposed(Block3& m, const Block3& factors)
+void DivideByTransposed(Block3& m, const Lower3& factors)
 {
-    const auto& l = factors.at;
+    const auto& [xx, yx, yy, wx, wy, ww] = factors.at;
     for (auto& row : m.at)
     {
-        row[1] -= row[0] * l[1][0];
-        row[2] -= row[0] * l[2][0] + row[1] * l[2][1];
+        row[1] -= row[0] * yx;
+        row[2] -= row[0] * wx + row[1] * wy;
     }
 }
 
 /// v = L^-1 v
-void DivideByLower(Vector3& v, const Block3& factors)
+void DivideByLower(Vector3& v, const Lower3& factors)
 {
-    const auto& l = factors.at;
-    v.at[1] -= l[1][0] * v.at[0];
-    v.at[2] -= l[2][0] * v.at[0] + l[2][1] * v.at[1];
+    const auto& [xx, yx, yy, wx, wy, ww] = factors.at;
+    v.at[1] -= yx * v.at[0];
+    v.at[2] -= wx * v.at[0] + wy * v.at[1];
 }
 
 /// v = L^-T v
-void DivideByUpper(Vector3& v, const Block3& factors)
+void DivideByUpper(Vector3& v, const Lower3& factors)
 {
-    const auto& l = factors.at;
-    v.at[1] -= l[2][1] * v.at[2];
-    v.at[0] -= l[1][0] * v.at[1] + l[2][0] * v.at[2];
+    const auto& [xx, yx, yy, wx, wy, ww] = factors.at;
+    v.at[1] -= wy * v.at[2];
+    v.at[0] -= yx * v.at[1] + wx * v.at[2];
 }
 
-Vector3 DividedByDiagonal(const Vector3& v, const Block3& factors)
+Vector3 DividedByDiagonal(const Vector3& v, const Lower3& factors)
 {
-    return Vector3{
-        {v.at[0] * factors.at[0][0], v.at[1] * factors.at[1][1], v.at[2] * factors.at[2][2]}};
+    return Vector3{{v.at[0] * factors.at[0], v.at[1] * factors.at[2], v.at[2] * factors.at[5]}};
 }
 
-/// m -= a D^-1 b^T
-void SubtractProduct(Block3& m, const Block3& a, const Block3& factors, const Block3& b)
+/// Returns a D^-1.
+Block3 DividedByDiagonal(const Block3& a, const Lower3& factors)
+{
+    Block3 scaled;
+    for (int32 i = 0; i < 3; ++i)
+    {
+        scaled.at[i][0] = a.at[i][0] * factors.at[0];
+        scaled.at[i][1] = a.at[i][1] * factors.at[2];
+        scaled.at[i][2] = a.at[i][2] * factors.at[5];
+    }
+    return scaled;
+}
+
+double Dot(const double (&a)[3], const double (&b)[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// m -= a b^T
+void SubtractProduct(Block3& m, const Block3& a, const Block3& b)
 {
     for (int32 i = 0; i < 3; ++i)
     {
-        const double r0 = a.at[i][0] * factors.at[0][0];
-        const double r1 = a.at[i][1] * factors.at[1][1];
-        const double r2 = a.at[i][2] * factors.at[2][2];
         for (int32 k = 0; k < 3; ++k)
         {
-            m.at[i][k] -= r0 * b.at[k][0] + r1 * b.at[k][1] + r2 * b.at[k][2];
+            m.at[i][k] -= Dot(a.at[i], b.at[k]);
+        }
+    }
+}
+
+/// The same for a symmetric product.
+void SubtractSquare(Lower3& m, const Block3& a, const Block3& b)
+{
+    double* at = m.at;
+    for (int32 i = 0; i < 3; ++i)
+    {
+        for (int32 k = 0; k <= i; ++k)
+        {
+            *at++ -= Dot(a.at[i], b.at[k]);
         }
     }
 }
@@ -93,37 +120,62 @@ void SubtractTransposed(Vector3& r, const Block3& m, const Vector3& v)
     }
 }
 
-/// m += u^T W v
-void AddProduct(Block3& m, const double (&u)[3][3], const Vector3& weights, const double (&v)[3][3],
-                int32 rows)
+/// v += u^T push
+void AddAlong(double (&v)[3], const double (&u)[3][3], const double (&push)[3])
 {
-    for (int32 row = 0; row < rows; ++row)
+    for (int32 i = 0; i < 3; ++i)
     {
-        for (int32 i = 0; i < 3; ++i)
-        {
-            const double wu = weights.at[row] * u[row][i];
-            for (int32 k = 0; k < 3; ++k)
-            {
-                m.at[i][k] += wu * v[row][k];
-            }
-        }
+        v[i] = v[i] + push[0] * u[0][i] + push[1] * u[1][i] + push[2] * u[2][i];
     }
 }
 
-/// m += u^T W u, on the diagonal and below it, where the factors are made from.
-void AddSquare(Block3& m, const double (&u)[3][3], const Vector3& weights, int32 rows)
+/// Returns u^T w v.
+Block3 Product(const double (&u)[3], double weight, const double (&v)[3])
 {
-    for (int32 row = 0; row < rows; ++row)
+    Block3 m;
+    for (int32 i = 0; i < 3; ++i)
     {
-        const double x = weights.at[row] * u[row][0];
-        const double y = weights.at[row] * u[row][1];
-        const double w = weights.at[row] * u[row][2];
-        m.at[0][0] += x * u[row][0];
-        m.at[1][0] += y * u[row][0];
-        m.at[1][1] += y * u[row][1];
-        m.at[2][0] += w * u[row][0];
-        m.at[2][1] += w * u[row][1];
-        m.at[2][2] += w * u[row][2];
+        const double wu = weight * u[i];
+        for (int32 k = 0; k < 3; ++k)
+        {
+            m.at[i][k] = wu * v[k];
+        }
+    }
+    return m;
+}
+
+/// Returns u^T w u.
+Lower3 Square(const double (&u)[3], double weight)
+{
+    const double x = weight * u[0];
+    const double y = weight * u[1];
+    const double w = weight * u[2];
+    return Lower3{{x * u[0], y * u[0], y * u[1], w * u[0], w * u[1], w * u[2]}};
+}
+
+/// Adds those of three matrices of `count` elements whose bits are set.
+template <std::size_t count>
+void AddActive(double* sum, const double* of, uint32 active)
+{
+    // All read before any is written, so that the compiler may add several at once.
+    double result[count];
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        result[i] = sum[i];
+    }
+    for (int32 row = 0; row < JointRows::kMaxRows; ++row, of += count)
+    {
+        if ((active >> row & 1u) != 0)
+        {
+            for (std::size_t i = 0; i < count; ++i)
+            {
+                result[i] += of[i];
+            }
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        sum[i] = result[i];
     }
 }
 
@@ -157,10 +209,19 @@ void RowSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Eliminati
     };
     resize(m_rows, sides.size());
     assign(m_active, sides.size(), uint8(7));
+    resize(m_stiff, sides.size());
     assign(m_weights, sides.size(), Vector3{});
     resize(m_residuals, sides.size());
     assign(m_found, sides.size(), Vector3{});
+    assign(m_places, sides.size(), int32(-1));
+    for (std::size_t i = 0; i + 1 < m_pattern.items.size(); ++i)
+    {
+        m_places[std::size_t(m_pattern.items[i].item)] = int32(i);
+    }
+    resize(m_responses, sides.size());
     assign(m_sides, m_pattern.sides.size(), Side{});
+    resize(m_squares, 3 * m_pattern.sides.size());
+    resize(m_products, 3 * m_pattern.meetings.size());
     resize(m_diagonal, m_pattern.columns.size() - 1);
     resize(m_x, m_diagonal.size());
     assign(m_addedMass, m_diagonal.size(), AddedMass());
@@ -223,13 +284,13 @@ void RowSystem::Stiffness::AddLine(const JointRows& rows, const JointRows::Colum
     turning += pull * reach + across * reach * reach;
 }
 
-void RowSystem::Factor(int32 component, double compliance)
+void RowSystem::Factor(int32 component)
 {
     const RowPattern::Component* c = m_pattern.components.data() + component;
     FillDiagonal(c);
     for (int32 i = c[0].firstItem; i < c[1].firstItem; ++i)
     {
-        Fill(std::size_t(i), compliance);
+        Fill(std::size_t(i));
     }
     for (int32 i = c[0].firstColumn; i < c[1].firstColumn; ++i)
     {
@@ -243,51 +304,112 @@ void RowSystem::FillDiagonal(const RowPattern::Component* component)
     for (int32 i = component[0].firstColumn; i < component[1].firstColumn; ++i)
     {
         const BodyData& body = *m_pattern.columns[std::size_t(i)].body;
-        Block3& m = m_diagonal[std::size_t(i)];
-        m = Block3{};
+        Lower3& m = m_diagonal[std::size_t(i)];
+        m = Lower3{};
         const AddedMass& addedMass = m_addedMass[std::size_t(i)];
         const double inertia =
             body.SolverInvInertia() > 0.0f ? 1.0 / double(body.SolverInvInertia()) : 1.0;
-        m.at[0][0] = m.at[1][1] = 1.0 / double(body.SolverInvMass()) + addedMass.mass;
-        m.at[2][2] = inertia + addedMass.inertia;
+        m.at[0] = m.at[2] = 1.0 / double(body.SolverInvMass()) + addedMass.mass;
+        m.at[5] = inertia + addedMass.inertia;
     }
     const int32 first = m_pattern.columns[std::size_t(component[0].firstColumn)].firstEntry;
     const int32 last = m_pattern.columns[std::size_t(component[1].firstColumn)].firstEntry;
     std::fill(m_entries.begin() + first, m_entries.begin() + last, Block3{});
 }
 
-/// Adds an item, given by its index.
-void RowSystem::Fill(std::size_t place, double compliance)
+std::pair<int32, int32> RowSystem::SidesOf(std::size_t item) const
 {
-    const RowPattern::Item* item = m_pattern.items.data() + place;
-    const auto index = std::size_t(item->item);
-    const JointRows& rows = m_rows[index];
-    Vector3& weights = m_weights[index];
-    weights = Vector3{};
-    for (int32 row = 0; row < rows.rows; ++row)
+    const RowPattern::Item* at = m_pattern.items.data() + m_places[item];
+    return {at[0].firstSide, at[1].firstSide};
+}
+
+void RowSystem::Read()
+{
+    for (int32 i = 0; i < Components(); ++i)
     {
-        const double own = OwnOf(rows, row);
-        const bool holds = own > 0.0 && (m_active[index] >> row & 1) != 0;
-        weights.at[row] = holds ? 1.0 / (compliance * own + double(rows.laws[row].softness)) : 0.0;
+        Read(i);
+    }
+}
+
+void RowSystem::Read(int32 component, double compliance)
+{
+    const RowPattern::Component* c = m_pattern.components.data() + component;
+    for (int32 i = c[0].firstItem; i < c[1].firstItem; ++i)
+    {
+        ReadItem(std::size_t(i), compliance);
+    }
+}
+
+/// Reads an item, given by its index in the pattern.
+void RowSystem::ReadItem(std::size_t place, double compliance)
+{
+    constexpr int32 kRows = JointRows::kMaxRows;
+    const RowPattern::Item* item = m_pattern.items.data() + place;
+    const JointRows& rows = m_rows[std::size_t(item->item)];
+    Vector3& responses = m_responses[std::size_t(item->item)];
+    Vector3& stiff = m_stiff[std::size_t(item->item)];
+    for (int32 row = 0; row < kRows; ++row)
+    {
+        responses.at[row] = OwnOf(rows, row);
+        stiff.at[row] =
+            row < rows.rows && responses.at[row] > 0.0
+                ? 1.0 / (compliance * responses.at[row] + double(rows.laws[row].softness))
+                : 0.0;
     }
     for (int32 i = item[0].firstSide; i < item[1].firstSide; ++i)
     {
-        const RowPattern::Side& side = m_pattern.sides[std::size_t(i)];
-        const JointRows::Column& column = rows.columns[side.side];
+        const JointRows::Column& column = rows.columns[m_pattern.sides[std::size_t(i)].side];
         Side& to = m_sides[std::size_t(i)];
-        for (int32 row = 0; row < rows.rows; ++row)
+        to.invMass = double(column.invMass);
+        to.invInertia = double(column.invInertia);
+        to.body = column.body;
+        for (int32 row = 0; row < kRows; ++row)
         {
             to.rows[row][0] = double(column.x[row]);
             to.rows[row][1] = double(column.y[row]);
             to.rows[row][2] = column.invInertia > 0.0f ? double(column.w[row]) : 0.0;
+            m_squares[std::size_t(kRows * i + row)] = Square(to.rows[row], stiff.at[row]);
         }
-        AddSquare(m_diagonal[std::size_t(side.place)], to.rows, weights, rows.rows);
     }
     for (int32 i = item[0].firstMeeting; i < item[1].firstMeeting; ++i)
     {
         const RowPattern::Meeting& meeting = m_pattern.meetings[std::size_t(i)];
-        AddProduct(m_entries[std::size_t(meeting.entry)], m_sides[std::size_t(meeting.side1)].rows,
-                   weights, m_sides[std::size_t(meeting.side2)].rows, rows.rows);
+        const Side& a = m_sides[std::size_t(meeting.side1)];
+        const Side& b = m_sides[std::size_t(meeting.side2)];
+        for (int32 row = 0; row < kRows; ++row)
+        {
+            m_products[std::size_t(kRows * i + row)] =
+                Product(a.rows[row], stiff.at[row], b.rows[row]);
+        }
+    }
+}
+
+/// Adds the active rows of an item, given by its index in the pattern.
+void RowSystem::Fill(std::size_t place)
+{
+    constexpr int32 kRows = JointRows::kMaxRows;
+    const RowPattern::Item* item = m_pattern.items.data() + place;
+    const auto index = std::size_t(item->item);
+    uint32 active = 0;
+    for (int32 row = 0; row < kRows; ++row)
+    {
+        const bool holds = (m_active[index] >> row & 1) != 0 && m_stiff[index].at[row] > 0.0;
+        m_weights[index].at[row] = holds ? m_stiff[index].at[row] : 0.0;
+        active |= uint32(holds) << row;
+    }
+    if (active == 0)
+    {
+        return;
+    }
+    for (int32 i = item[0].firstSide; i < item[1].firstSide; ++i)
+    {
+        AddActive<6>(m_diagonal[std::size_t(m_pattern.sides[std::size_t(i)].place)].at,
+                     m_squares[std::size_t(kRows * i)].at, active);
+    }
+    for (int32 i = item[0].firstMeeting; i < item[1].firstMeeting; ++i)
+    {
+        AddActive<9>(m_entries[std::size_t(m_pattern.meetings[std::size_t(i)].entry)].at[0],
+                     m_products[std::size_t(kRows * i)].at[0], active);
     }
 }
 
@@ -300,13 +422,13 @@ void RowSystem::Eliminate(std::size_t place)
     for (int32 i = column.firstEntry; i < end; ++i)
     {
         DivideByTransposed(m_entries[std::size_t(i)], m_diagonal[place]);
-        for (int32 k = column.firstEntry; k <= i; ++k, ++target)
+        const Block3 scaled = DividedByDiagonal(m_entries[std::size_t(i)], m_diagonal[place]);
+        for (int32 k = column.firstEntry; k < i; ++k, ++target)
         {
-            Block3& m = *target >= 0 ? m_entries[std::size_t(*target)]
-                                     : m_diagonal[std::size_t(-1 - *target)];
-            SubtractProduct(m, m_entries[std::size_t(i)], m_diagonal[place],
-                            m_entries[std::size_t(k)]);
+            SubtractProduct(m_entries[std::size_t(*target)], scaled, m_entries[std::size_t(k)]);
         }
+        SubtractSquare(m_diagonal[std::size_t(-1 - *target)], scaled, m_entries[std::size_t(i)]);
+        ++target;
     }
 }
 
@@ -357,37 +479,29 @@ void RowSystem::Solve(int32 component)
         const RowPattern::Item* item = m_pattern.items.data() + i;
         const Vector3& weights = m_weights[std::size_t(item->item)];
         const Vector3& residual = m_residuals[std::size_t(item->item)];
-        const int32 rows = m_rows[std::size_t(item->item)].rows;
+        const double push[3] = {weights.at[0] * residual.at[0], weights.at[1] * residual.at[1],
+                                weights.at[2] * residual.at[2]};
         for (int32 k = item[0].firstSide; k < item[1].firstSide; ++k)
         {
-            const Side& side = m_sides[std::size_t(k)];
-            Vector3& x = m_x[std::size_t(m_pattern.sides[std::size_t(k)].place)];
-            for (int32 row = 0; row < rows; ++row)
-            {
-                const double push = weights.at[row] * residual.at[row];
-                x.at[0] += push * side.rows[row][0];
-                x.at[1] += push * side.rows[row][1];
-                x.at[2] += push * side.rows[row][2];
-            }
+            AddAlong(m_x[std::size_t(m_pattern.sides[std::size_t(k)].place)].at,
+                     m_sides[std::size_t(k)].rows, push);
         }
     }
     Substitute(c);
     for (int32 i = c[0].firstItem; i < c[1].firstItem; ++i)
     {
         const RowPattern::Item* item = m_pattern.items.data() + i;
+        const Vector3& weights = m_weights[std::size_t(item->item)];
         Vector3 left = m_residuals[std::size_t(item->item)];
-        const int32 rows = m_rows[std::size_t(item->item)].rows;
         for (int32 k = item[0].firstSide; k < item[1].firstSide; ++k)
         {
             const Side& side = m_sides[std::size_t(k)];
             const Vector3& x = m_x[std::size_t(m_pattern.sides[std::size_t(k)].place)];
-            for (int32 row = 0; row < rows; ++row)
+            for (int32 row = 0; row < 3; ++row)
             {
-                left.at[row] -= side.rows[row][0] * x.at[0] + side.rows[row][1] * x.at[1] +
-                                side.rows[row][2] * x.at[2];
+                left.at[row] -= Dot(side.rows[row], x.at);
             }
         }
-        const Vector3& weights = m_weights[std::size_t(item->item)];
         for (int32 row = 0; row < 3; ++row)
         {
             m_found[std::size_t(item->item)].at[row] = weights.at[row] * left.at[row];
@@ -431,6 +545,45 @@ void RowSystem::Apply(int32 component, const SolverContext& context, float32 tim
     if (keep)
     {
         Apply(component, context);
+    }
+}
+
+Vector3 RowSystem::SpeedOf(const SolverContext& context, std::size_t item,
+                           const Vector3& given) const
+{
+    Vector3 speed = given;
+    const auto [first, last] = SidesOf(item);
+    for (int32 k = first; k < last; ++k)
+    {
+        const Side& side = m_sides[std::size_t(k)];
+        const SolverBody& body = context.bodies[side.body];
+        const double velocity[3] = {double(body.v.x), double(body.v.y), double(body.w)};
+        for (int32 row = 0; row < JointRows::kMaxRows; ++row)
+        {
+            speed.at[row] += Dot(side.rows[row], velocity);
+        }
+    }
+    return speed;
+}
+
+void RowSystem::Push(const SolverContext& context, std::size_t item, const Vector3& impulse) const
+{
+    const auto [first, last] = SidesOf(item);
+    for (int32 k = first; k < last; ++k)
+    {
+        const Side& side = m_sides[std::size_t(k)];
+        double sum[3] = {};
+        for (int32 row = 0; row < JointRows::kMaxRows; ++row)
+        {
+            for (int32 i = 0; i < 3; ++i)
+            {
+                sum[i] += side.rows[row][i] * impulse.at[row];
+            }
+        }
+        SolverBody& body = context.bodies[side.body];
+        body.v.x = float32(double(body.v.x) + side.invMass * sum[0]);
+        body.v.y = float32(double(body.v.y) + side.invMass * sum[1]);
+        body.w = float32(double(body.w) + side.invInertia * sum[2]);
     }
 }
 

@@ -6,6 +6,8 @@
 
 #include "../Joints/JointRows.h"
 
+#include <utility>
+
 /// Solves a system of equality constraints directly. The velocity change u with the least energy
 /// that gives the rows their target speeds, J (v + u) = s, minimizes
 ///   u^T M u / 2 + |J u - r|^2 / (2 e),   r = s - J v,
@@ -25,6 +27,12 @@ struct SnapshotAccess;
 struct Block3
 {
     double at[3][3];
+};
+
+/// A symmetric matrix by its diagonal and what is below it, row by row.
+struct Lower3
+{
+    double at[6];
 };
 
 struct Vector3
@@ -80,9 +88,20 @@ public:
     /// are rotations of a body, and its lateral motion between the lines that hold it.
     double SquaredFrequency(int32 component) const;
 
-    /// Call after the rows are filled. The compliance is e relative to the row's own J M^-1 J^T:
-    /// the fraction of its error that remains.
-    void Factor(int32 component, double compliance = kCompliance);
+    /// Reads the rows. Call after they are filled, and again after each change of them. The
+    /// compliance is e relative to the row's own J M^-1 J^T: the fraction of its error that
+    /// remains.
+    void Read(int32 component, double compliance = kCompliance);
+    void Read();
+    /// Returns the speed of each of an item's rows; `given` is that of the bodies that do not move.
+    Vector3 SpeedOf(const SolverContext& context, std::size_t item, const Vector3& given) const;
+    /// Applies impulses along an item's rows.
+    void Push(const SolverContext& context, std::size_t item, const Vector3& impulse) const;
+    /// Returns J M^-1 J^T of each of an item's rows.
+    const Vector3& Response(std::size_t item) const { return m_responses[item]; }
+
+    /// Call after Read, and again after a change of the active rows.
+    void Factor(int32 component);
     void Factor();
     /// Small enough for exact joints. Of the 16 digits of a double, 7 remain for a row's error. If
     /// it is much smaller, rounding pushes a jointed pair, and a large sudden load fails. If it is
@@ -113,6 +132,8 @@ private:
     struct Side // side of an item, see RowPattern
     {
         double rows[3][3]; // by x, y, and rotation
+        double invMass, invInertia;
+        int32 body; // solver index
     };
 
     /// Resistance of a body to rotation [Nm s] and lateral motion [Ns/m], times the duration of the
@@ -129,20 +150,27 @@ private:
         double mass = 0.0, inertia = 0.0;
     };
 
-    void Fill(std::size_t place, double compliance);
+    std::pair<int32, int32> SidesOf(std::size_t item) const; // indices in the pattern
+    void ReadItem(std::size_t place, double compliance);
+    void Fill(std::size_t place);
     void FillDiagonal(const RowPattern::Component* component);
     void Eliminate(std::size_t place);
     void Substitute(const RowPattern::Component* component);
 
     RowPattern m_pattern;
+    Array<int32> m_places;   // per item: its index in the pattern; -1: left out
     Array<JointRows> m_rows; // per item
+    Array<Vector3> m_responses;
     Array<uint8> m_active;
-    Array<Vector3> m_weights; // 1 / e of its rows, 0 if inactive
+    Array<Vector3> m_stiff;   // 1 / e of its rows
+    Array<Vector3> m_weights; // the same, 0 if inactive
     Array<Vector3> m_residuals, m_found;
     Array<Side> m_sides;
+    Array<Lower3> m_squares;              // what each row of a side adds to the diagonal if active
+    Array<Block3> m_products;             // what each row of a meeting adds to its entry
     mutable Array<Stiffness> m_stiffness; // by index
     Array<Vector3> m_x;                   // by index: right-hand side, then change of velocity
-    Array<Block3> m_diagonal;             // by index; factors after elimination
+    Array<Lower3> m_diagonal;             // by index; factors after elimination
     Array<Block3> m_entries;
     Array<AddedMass> m_addedMass; // by index
 };

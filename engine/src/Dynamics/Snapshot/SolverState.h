@@ -119,8 +119,8 @@ template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
 {
     // The rest is made again with the pattern, or filled before it is read.
-    auto& [pattern, rows, active, weights, residuals, found, sides, stiffness, x, diagonal, entries,
-           addedMass] = system;
+    auto& [pattern, places, rows, responses, active, stiff, weights, residuals, found, sides,
+           squares, products, stiffness, x, diagonal, entries, addedMass] = system;
     constexpr std::size_t leastBytes = 69;
     auto count = int32(rows.size());
     archive.Count(count, leastBytes);

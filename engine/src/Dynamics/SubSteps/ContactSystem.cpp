@@ -535,6 +535,7 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
         joints.FillItem(std::size_t(island.joints[i]), system.Rows(count + i),
                         system.At(count + i));
     }
+    system.Begin(context);
     const auto holds = [&](std::size_t i) { return contact(i).Holds(system.At(i)); };
     const auto soften = [&](float32 share) {
         for (std::size_t i = 0; i < count; ++i)
@@ -549,6 +550,7 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     {
         system.GoBack(context);
         soften(kJammedSoftness);
+        system.Begin(context);
         system.Mark(context); // soft contacts store energy
         MinimizeWithFriction(system, count, holds, context, double(tolerance));
     }
@@ -621,6 +623,7 @@ void ContactSystem::SolveOverlaps(ContactIsland& island, SolverMemory& solver, J
         joints.FillDisplacements(std::size_t(island.joints[i]), system.Rows(count + i),
                                  system.At(count + i));
     }
+    system.Begin(displacements);
     system.Minimize(displacements, double(kDisplacementTolerance));
     for (std::size_t i = 0; i < count; ++i)
     {

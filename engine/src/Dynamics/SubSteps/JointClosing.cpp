@@ -206,7 +206,7 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
     });
     if (!p.factored)
     {
-        m_system.Factor(part, ComplianceOf(part));
+        Factor(part, ComplianceOf(part));
         p.factored = true;
     }
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
@@ -225,7 +225,7 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
     });
     giveBack();
     p.damped = true;
-    m_system.Factor(part, kDamped);
+    Factor(part, kDamped);
     (void)Close(part, context, timeStep);
     p.damped = false;
     giveBack();
@@ -269,7 +269,7 @@ void JointSystem::ClosePoses(int32 part, const SolverContext& context)
         {
             break;
         }
-        m_system.Factor(part, compliance);
+        Factor(part, compliance);
         m_system.Solve(part);
         m_system.Apply(part, context, 1.0f, false);
     }

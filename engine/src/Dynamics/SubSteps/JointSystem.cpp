@@ -255,6 +255,12 @@ void JointSystem::SetResidual(std::size_t joint, const SolverContext& context,
     }
 }
 
+void JointSystem::Factor(int32 part, double compliance)
+{
+    m_system.Read(part, compliance);
+    m_system.Factor(part);
+}
+
 void JointSystem::SolvePart(int32 part, const SolverContext& context)
 {
     Part& p = m_parts[std::size_t(part)];
@@ -263,7 +269,7 @@ void JointSystem::SolvePart(int32 part, const SolverContext& context)
         if (!p.factored)
         {
             m_system.ForItems(part, [&](std::size_t joint) { SetActive(joint); });
-            m_system.Factor(part, ComplianceOf(part));
+            Factor(part, ComplianceOf(part));
             p.factored = true;
         }
         m_system.ForItems(part, [&](std::size_t joint) { WantSpeeds(joint, context); });

@@ -263,6 +263,7 @@ private:
     void BeginPart(int32 part, const SolverContext& context, const BodyKick* kicks);
     void TakeImpulses(std::size_t joint);
     double ComplianceOf(int32 part) const;
+    void Factor(int32 part, double compliance);
     void SolvePart(int32 part, const SolverContext& context);
     void SetResidual(std::size_t joint, const SolverContext& context, const Vector3& wanted);
 
