@@ -4,6 +4,7 @@
 #include "../State/Access.h"
 #include "../State/BodyPose.h"
 #include "../State/Proxies.h"
+#include "../State/World.h"
 #include "Sweeps.h"
 
 #include <Box2D/Collision/Shapes/b2CircleShape.h>
@@ -134,6 +135,7 @@ void CreateProxies(Proxies& proxies, b2Fixture& fixture)
     BodyData& body = Data(*fixture.GetBody());
     body.room = 0.0f;
     body.flags |= kBodyBoxMoved;
+    body.placedAt = body.world->stepNumber;
     b2Shape* shape = fixture.GetShape();
     for (int32 child = 0; child < shape->GetChildCount(); ++child)
     {
@@ -228,6 +230,7 @@ void ResetProxies(Proxies& proxies, BodyData& body)
 {
     body.flags &= ~std::uint32_t(kBodyPathBox);
     body.flags |= kBodyBoxMoved;
+    body.placedAt = body.world->stepNumber;
     for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
     {
         for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)

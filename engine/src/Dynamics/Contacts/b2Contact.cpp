@@ -29,9 +29,8 @@ b2Manifold* b2Contact::GetManifold()
 
 void b2Contact::GetWorldManifold(b2WorldManifold* worldManifold) const
 {
-    worldManifold->Initialize(&m_data.manifold, m_data.bodyA->GetTransform(),
-                              m_data.FixtureA()->GetShape()->m_radius, m_data.bodyB->GetTransform(),
-                              m_data.FixtureB()->GetShape()->m_radius);
+    worldManifold->Initialize(&m_data.manifold, m_data.bodyA->GetTransform(), m_data.radiusA,
+                              m_data.bodyB->GetTransform(), m_data.radiusB);
 }
 
 void b2Contact::SetEnabled(bool flag)

@@ -168,10 +168,8 @@ float32 Impact::DepthOf(std::size_t contact, int32 point) const
         OverlapOf(m_memory.overlaps[contact], m_memory.impulses[contact].masses, 0);
     const ContactData& c = Data(*m_contacts[contact]);
     float32 skins = 0.0f;
-    for (const b2Fixture* fixture : {c.FixtureA(), c.FixtureB()})
-    {
-        skins += fixture->GetType() == b2Shape::e_circle ? 0.0f : fixture->GetShape()->m_radius;
-    }
+    skins += c.FixtureA()->GetType() == b2Shape::e_circle ? 0.0f : c.radiusA;
+    skins += c.FixtureB()->GetType() == b2Shape::e_circle ? 0.0f : c.radiusB;
     return -skins - MeasureOverlap(o, point, m_context.bodies[o.bodyA], m_context.bodies[o.bodyB])
                         .separation;
 }

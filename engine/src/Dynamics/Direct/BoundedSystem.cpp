@@ -151,28 +151,33 @@ bool BoundedSystem::Release(const SolverContext& context, double tolerance)
     return any;
 }
 
-bool BoundedSystem::Limit(const SolverContext& context, std::size_t index, int32 row,
+bool BoundedSystem::HasOtherLimit(std::size_t index, int32 row, double maximum) const
+{
+    const Item& item = m_items[index];
+    const double before = item.maximum.at[row];
+    const bool held = (item.active >> row & 1) != 0;
+    return held ? std::abs(item.impulse.at[row]) > maximum
+                : std::abs(maximum - before) > kSameLimit * before;
+}
+
+void BoundedSystem::Limit(const SolverContext& context, std::size_t index, int32 row,
                           double maximum)
 {
     Item& item = m_items[index];
-    const double before = item.maximum.at[row];
     item.minimum.at[row] = -maximum;
     item.maximum.at[row] = maximum;
     double& impulse = item.impulse.at[row];
     const bool held = (item.active >> row & 1) != 0;
-    // A component at its bound follows the change.
     const double inside =
         held ? Limited(impulse, -maximum, maximum) : (impulse < 0.0 ? -maximum : maximum);
-    if (inside == impulse)
+    if (inside != impulse)
     {
-        return false;
+        Vector3 change{};
+        change.at[row] = inside - impulse;
+        impulse = inside;
+        item.active = uint8(item.active & ~(1u << row));
+        m_system.Push(context, index, change);
     }
-    Vector3 change{};
-    change.at[row] = inside - impulse;
-    impulse = inside;
-    item.active = uint8(item.active & ~(1u << row));
-    m_system.Push(context, index, change);
-    return held || std::abs(maximum - before) > kSameLimit * before;
 }
 
 void BoundedSystem::Mark(const SolverContext& context)

@@ -42,9 +42,11 @@ public:
     /// velocities, impulses and the active set. An inactive row may violate its condition by
     /// `tolerance` [m/s].
     void Minimize(const SolverContext& context, double tolerance);
-    /// Sets the bounds of a row to -most and most, and clamps its impulse. Returns true if the
-    /// change requires another solution.
-    bool Limit(const SolverContext& context, std::size_t item, int32 row, double maximum);
+    /// True if bounds of -maximum and maximum require another solution.
+    bool HasOtherLimit(std::size_t item, int32 row, double maximum) const;
+    /// Sets these bounds. An impulse at a bound follows it, and one beyond is clamped. Call
+    /// Minimize afterwards, because the velocities change.
+    void Limit(const SolverContext& context, std::size_t item, int32 row, double maximum);
     /// Mark stores velocities and impulses; Restore returns to them if the energy is higher or has
     /// no minimum.
     void Mark(const SolverContext& context);

@@ -136,16 +136,16 @@ void Visit(Archive& archive, BodyData& body)
     auto& [pose, rotation, localCenter, invMass, invInertia, maxExtent, awakeIndex, flags, mobility,
            linearVelocity, angularVelocity, force, torque, gravityScale, linearDamping,
            angularDamping, sleepTime, previous, sweepStart, sweepVersion, minExtent, room,
-           colorMask, island, jointLevel, energyDebt, energyScale, userMovedAt, islandPrev,
-           islandNext, transform, worldCenter, mass, inertia, fixtureList, fixtureCount, jointList,
-           contactList, prev, next, world, userData, number, place] = body;
+           colorMask, island, jointLevel, energyDebt, energyScale, userMovedAt, placedAt,
+           islandPrev, islandNext, transform, worldCenter, mass, inertia, fixtureList, fixtureCount,
+           jointList, contactList, prev, next, world, userData, number, place] = body;
     archive(number, flags);
     archive.Within(mobility, Mobility::Static, Mobility::Dynamic);
     archive(pose, rotation, localCenter, invMass, invInertia, maxExtent);
     archive(linearVelocity, angularVelocity, force, torque);
     archive(gravityScale, linearDamping, angularDamping, sleepTime);
     archive(previous, sweepStart, sweepVersion, minExtent, room);
-    archive(colorMask, energyDebt, energyScale, userMovedAt);
+    archive(colorMask, energyDebt, energyScale, userMovedAt, placedAt);
     archive(transform, worldCenter, mass, inertia);
     VisitUserData(archive, userData);
 }

@@ -16,9 +16,9 @@ template <class Archive>
 void Visit(Archive& archive, ContactData& contact)
 {
     auto& [bodyA, bodyB, flags, gap, relative, friction, restitution, lastShare, radiusA, radiusB,
-           toiCount, color, solvedAs, manifold, tangentSpeed, proxyA, proxyB, awakeIndex, oldIndex,
-           colorIndex, place, edgeA, edgeB, prev, next] = contact;
-    archive(flags, friction, restitution, tangentSpeed, radiusA, radiusB, toiCount);
+           toiCount, color, solvedAs, manifold, tangentSpeed, skins, proxyA, proxyB, awakeIndex,
+           oldIndex, colorIndex, place, edgeA, edgeB, prev, next] = contact;
+    archive(flags, friction, restitution, tangentSpeed, skins, radiusA, radiusB, toiCount);
     archive(manifold, relative, gap, lastShare);
     contact.SetTangentSpeed(tangentSpeed);
 }

@@ -59,6 +59,8 @@ private:
         float32 residual = 0.0f; // of the last kick's iterations [m/s]
     };
 
+    static float32 LeastSeparation(const ContactIsland& island, const SolverMemory& solver,
+                                   const SolverBody* bodies);
     static bool IsAtRisk(const ContactIsland& island, SolverMemory& solver,
                          const JointSystem& joints);
     void ChooseContactIslands(const AwakeIslands& islands);

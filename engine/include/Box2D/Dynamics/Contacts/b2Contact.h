@@ -25,8 +25,9 @@ public:
     /// until the next step has ended: call this again before a later change. Not thread-safe.
     b2Manifold* GetManifold();
     const b2Manifold* GetManifold() const { return &m_data.manifold; } ///< as above, read-only
-    /// Computes the manifold in world coordinates at the bodies' current transforms.
-    /// `worldManifold` is not null; it is unchanged if there are no points.
+    /// Computes the manifold in world coordinates at the bodies' current transforms, with the skins
+    /// that this contact has: see b2World::SetSubStepCount. `worldManifold` is not null; it is
+    /// unchanged if there are no points.
     void GetWorldManifold(b2WorldManifold* worldManifold) const;
 
     bool IsTouching() const { return m_data.IsTouching(); } ///< true if the shapes overlap

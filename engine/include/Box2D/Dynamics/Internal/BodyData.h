@@ -87,6 +87,7 @@ struct BodyData
     float32 energyDebt = 0.0f;  ///< share of the energy that its island gained, see EnergyGuard [J]
     float32 energyScale = 0.0f; ///< decaying maximum of the kinetic energy, while it has joints [J]
     std::uint32_t userMovedAt = 0; ///< World::stepNumber of the last user change of its transform
+    std::uint32_t placedAt = 0;    ///< the same, or of the last new fixture
     b2Body* islandPrev = nullptr;
     b2Body* islandNext = nullptr;
 

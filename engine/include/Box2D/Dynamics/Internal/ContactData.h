@@ -54,13 +54,14 @@ struct ContactData
     /// With sub-steps: the fraction of the step's impulse that the last sub-step applied. Negative
     /// before the first.
     float32 lastShare = -1.0f;
-    float32 radiusA = 0.0f; ///< radius of the skin at the last update [m]
+    float32 radiusA = 0.0f; ///< radius, with what the skin still has, at the last update [m]
     float32 radiusB = 0.0f;
     std::int16_t toiCount = 0; ///< times of impact handled in this step
     std::int8_t color = -1;    ///< in the constraint graph, -1 when not solved
     std::uint8_t solvedAs = 0; ///< Form() of its last block
     b2Manifold manifold;
     float32 tangentSpeed = 0.0f; ///< of a conveyor belt [m/s]
+    float32 skins = 1.0f;        ///< share of the skins that keeps the shapes apart: see SkinsOf
 
     const b2FixtureProxy* proxyA = nullptr; ///< a child of a fixture of body A
     const b2FixtureProxy* proxyB = nullptr;

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "DynamicsScene.h"
+
+#include <Box2D/Dynamics/b2Snapshot.h>
+
+#include <gtest/gtest.h>
+
+/// With sub-steps, shapes that a program puts into each other's skins stay where they are.
+namespace
+{
+
+using namespace dynamics;
+
+/// A scene with a ground whose top is at y = 0.
+class Placed : public Scene
+{
+public:
+    explicit Placed(int32 subSteps)
+    {
+        world.SetSubStepCount(subSteps);
+        world.SetAllowSleeping(false);
+        Ground();
+    }
+    float32 DeepestOverlap()
+    {
+        float32 deepest = 0.0f;
+        for (const b2Contact* c = world.GetContactList(); c; c = c->GetNext())
+        {
+            b2WorldManifold points;
+            c->GetWorldManifold(&points);
+            for (int32 i = 0; i < c->GetManifold()->pointCount; ++i)
+            {
+                deepest = b2Max(deepest, -points.separations[i]);
+            }
+        }
+        return deepest;
+    }
+};
+
+TEST(PlacedShapes, StayWhereTheyTouch)
+{
+    for (const int32 subSteps : {2, 4, 16})
+    {
+        Placed scene(subSteps);
+        const b2Body* lower = scene.Box(0.0f, 0.5f);
+        const b2Body* upper = scene.Box(0.2f, 1.5f);
+        scene.Step(300);
+        EXPECT_NEAR(lower->GetPosition().y, 0.5f, 1e-4f) << subSteps;
+        EXPECT_NEAR(upper->GetPosition().y, 1.5f, 1e-4f) << subSteps;
+        EXPECT_NEAR(upper->GetPosition().x, 0.2f, 1e-4f) << subSteps;
+        EXPECT_LT(scene.DeepestOverlap(), b2_linearSlop) << subSteps;
+    }
+}
+
+TEST(PlacedShapes, ArePushedOutOfTheirSkinsInOneStep)
+{
+    Placed scene(1);
+    const b2Body* box = scene.Box(0.0f, 0.5f);
+    scene.Step(300);
+    EXPECT_NEAR(box->GetPosition().y, 0.5f + kRestingGap, 0.003f);
+}
+
+TEST(PlacedShapes, LeaveOneAnotherButNotTheirSkins)
+{
+    Placed scene(4);
+    const b2Body* box = scene.Box(0.0f, 0.46f); // 4 cm in the ground
+    scene.Step(300);
+    EXPECT_GT(box->GetPosition().y, 0.5f - b2_linearSlop);
+    EXPECT_LT(box->GetPosition().y, 0.5f + 0.001f);
+}
+
+TEST(PlacedShapes, KeepTheirSkinsIfTheyLand)
+{
+    Placed scene(4);
+    const b2Body* box = scene.Box(0.0f, 0.6f);
+    scene.Step(300);
+    EXPECT_NEAR(box->GetPosition().y, 0.5f + kRestingGap, 0.003f);
+}
+
+/// What lands in the step in which it was put somewhere was not put there.
+TEST(PlacedShapes, KeepTheirSkinsIfTheyLandInTheirFirstStep)
+{
+    Placed scene(4);
+    b2Body* box = scene.Box(0.0f, 0.8f);
+    box->SetLinearVelocity(b2Vec2(0.0f, -60.0f));
+    scene.Step(300);
+    EXPECT_NEAR(box->GetPosition().y, 0.5f + kRestingGap, 0.003f);
+}
+
+TEST(PlacedShapes, GetTheirSkinsBackWhenTheyPart)
+{
+    Placed scene(4);
+    b2Body* box = scene.Box(0.0f, 0.5f);
+    scene.Step(60);
+    ASSERT_NEAR(box->GetPosition().y, 0.5f, 1e-4f);
+    box->SetLinearVelocity(b2Vec2(0.0f, 3.0f));
+    scene.Step(300);
+    EXPECT_NEAR(box->GetPosition().y, 0.5f + kRestingGap, 0.003f);
+}
+
+TEST(PlacedShapes, MayBePutAnywhereLater)
+{
+    Placed scene(4);
+    b2Body* box = scene.Box(0.0f, 3.0f);
+    scene.Step(10);
+    box->SetTransform(b2Vec2(1.0f, 0.5f), 0.0f);
+    box->SetLinearVelocity(b2Vec2_zero);
+    scene.Step(120);
+    EXPECT_NEAR(box->GetPosition().y, 0.5f, 1e-4f);
+
+    b2Body* wall = scene.Body(b2_staticBody, 2.0f, 1.0f);
+    Scene::AddBox(wall, 0.5f, 1.0f); // beside the box
+    scene.Step(120);
+    EXPECT_NEAR(box->GetPosition().x, 1.0f, 1e-4f);
+}
+
+/// Only the skin of a shape gets thinner, not a rounding that the program gave to it.
+TEST(PlacedShapes, KeepARoundingOfTheirOwn)
+{
+    Placed scene(4);
+    b2Body* body = scene.Body(b2_dynamicBody, 0.0f, 0.55f);
+    b2PolygonShape shape;
+    shape.SetAsBox(0.5f, 0.5f);
+    shape.m_radius = 0.1f;
+    Scene::Add(body, shape, 0.2f, 0.0f);
+    scene.Step(300);
+    EXPECT_NEAR(body->GetPosition().y, 0.5f + 0.1f - b2_polygonRadius, b2_linearSlop);
+}
+
+TEST(PlacedShapes, HaveNoSkinsIfTheyAreRound)
+{
+    Placed scene(4);
+    const b2Body* lower = scene.Ball(0.0f, 0.5f);
+    const b2Body* upper = scene.Ball(0.0f, 1.45f);
+    scene.Step(60);
+    EXPECT_NEAR(lower->GetPosition().y, 0.5f, b2_linearSlop);
+    EXPECT_NEAR(upper->GetPosition().y - lower->GetPosition().y, 1.0f, 2.0f * b2_linearSlop);
+}
+
+TEST(PlacedShapes, GoOnFromASnapshotAsTheyWere)
+{
+    Placed scene(4);
+    scene.Box(0.0f, 0.5f);
+    scene.Box(0.3f, 1.5f);
+    scene.Step(20);
+    const std::vector<uint8> bytes = b2SaveSnapshot(scene.world);
+    Placed other(1);
+    ASSERT_EQ(b2RestoreSnapshot(other.world, bytes.data(), bytes.size()), nullptr);
+    scene.Step(60);
+    other.Step(60);
+    EXPECT_EQ(b2SaveSnapshot(other.world), b2SaveSnapshot(scene.world));
+    EXPECT_NEAR(other.world.GetBodyList()->GetPosition().y, 1.5f, 1e-4f);
+}
+
+} // namespace
