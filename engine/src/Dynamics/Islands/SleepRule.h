@@ -3,8 +3,6 @@
 
 #include "../State/Solver.h"
 
-#include "../../Collision/ImpactTarget.h"
-
 /// Decides if a body rests. StepSolver calls it for each awake body at the end of a step. A body
 /// rests while its sleep time grows. An island whose bodies have all rested for b2_timeToSleep
 /// falls asleep (State/Islands.h). Two rules are elsewhere: KeepDrivenAwake (Joints/JointKinds.h)
@@ -17,7 +15,6 @@ struct SleepStep
 {
     float32 timeStep; ///< [s]
     bool inSubSteps;  ///< true if the world's sub-step count is above 1
-    bool isPushedOut; ///< true if the body may overlap by more than MaxRestOverlap
 };
 
 /// True if both velocities [m/s], [rad/s] are within the sleep tolerances.
@@ -26,13 +23,5 @@ bool IsSlow(const b2Vec2& linearVelocity, float32 angularVelocity);
 /// Returns the sleep time of a body after a step that moved it to `moved` [s]; 0 if it does not
 /// rest.
 float32 SleepTimeAfter(const BodyData& body, const SolverBody& moved, const SleepStep& step);
-
-/// The minimum of MaxRestOverlap [m]. Position correction may leave this much of any overlap.
-inline constexpr float32 kMinRestOverlap = kImpactOverlap;
-
-/// Returns the overlap that bodies at rest may have [m]; `radius` is the sum of the two skins.
-/// Bodies placed without space for their skins are pushed apart for minutes in large numbers, from
-/// the outside in. They may rest meanwhile, because skins are meant to overlap.
-float32 MaxRestOverlap(float32 radius);
 
 } // namespace box2d

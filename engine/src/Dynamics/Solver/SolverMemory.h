@@ -23,7 +23,6 @@ struct SolverMemory
     AwakeIslands islands; ///< for sub-steps and groups
     IslandGroups groups;
     Array<uint8> left;          ///< by awake body: true if a shape has left its box
-    Array<uint8> deep;          ///< by solver index, for sub-steps: see FindDeep
     Array<b2Contact*> reported; ///< contacts with impulses to report to the listener, in order
 };
 

@@ -45,9 +45,7 @@ SolverContext MakeContext(const World& world, float32 timeStep)
 StepSolver::StepSolver(World& world, float32 timeStep)
     : m_world(world), m_memory(*world.solver), m_threads(world.threads.get()),
       m_context(MakeContext(world, timeStep)), m_profiling(world.profiling)
-{
-    m_memory.deep.clear();
-}
+{}
 
 void StepSolver::SortBodies()
 {
@@ -367,42 +365,6 @@ void StepSolver::IntegratePositions()
                 });
 }
 
-/// Finds bodies that overlap by more than MaxRestOverlap.
-void StepSolver::FindDeep()
-{
-    Array<uint8>& deep = m_memory.deep;
-    deep.assign(m_world.awakeBodies.size() + 1, 0);
-    ForEachBlock(Direction::Forward, nullptr, [&](ContactBlocks& blocks, int32 i) {
-        const OverlapBlock& block = blocks.Overlaps(i);
-        const MassLanes& masses = blocks.Contacts(i).masses;
-        // A rate of 0 only measures.
-        if (SolveBlock(block, masses, m_context.bodies, {0.0f}) >= -kMinRestOverlap)
-        {
-            return;
-        }
-        for (int32 lane = 0; lane < block.count; ++lane)
-        {
-            const OverlapConstraint o = OverlapOf(block, masses, lane);
-            const float32 maximum = MaxRestOverlap(o.radius);
-            for (int32 point = 0; point < o.pointCount; ++point)
-            {
-                const float32 separation =
-                    MeasureOverlap(o, point, m_context.bodies[o.bodyA], m_context.bodies[o.bodyB])
-                        .separation;
-                if (separation < -maximum)
-                {
-                    deep[std::size_t(o.bodyA)] = deep[std::size_t(o.bodyB)] = 1;
-                }
-            }
-        }
-    });
-}
-
-bool StepSolver::IsPushedOut(const BodyData& body) const
-{
-    return m_memory.deep.empty() || m_memory.deep[std::size_t(body.SolverIndex())] != 0;
-}
-
 void StepSolver::WriteBack()
 {
     m_memory.left.resize(m_world.awakeBodies.size());
@@ -433,8 +395,8 @@ bool StepSolver::WriteBack(BodyData& body, SolverBody& s) const
     {
         s = SolverBody(); // stop instead of becoming non-finite
     }
-    body.sleepTime = SleepTimeAfter(
-        body, s, {m_context.timeStep, m_world.settings.subStepCount > 1, IsPushedOut(body)});
+    body.sleepTime =
+        SleepTimeAfter(body, s, {m_context.timeStep, m_world.settings.subStepCount > 1});
     body.linearVelocity = s.v;
     body.angularVelocity = s.w;
     body.flags &= ~std::uint32_t(kBodyBoxMoved);

@@ -58,8 +58,6 @@ protected:
     bool SolveContacts(Direction direction);
     float32 SolveOverlaps(Direction direction, PushPace pace);
     void TurnAsSeen();
-    void FindDeep();
-    bool IsPushedOut(const BodyData& body) const;
 
     // Blocks per part of a parallel loop.
     static constexpr int32 kBlockGrain = 8;

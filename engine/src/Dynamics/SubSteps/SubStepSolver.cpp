@@ -468,10 +468,6 @@ void SubStepSolver::End()
     });
     m_subSteps.joints.StepTrees(m_context.timeStep, m_world.settings.subStepCount);
     m_subSteps.joints.End();
-    if (m_world.settings.allowSleep)
-    {
-        FindDeep();
-    }
 }
 
 } // namespace box2d
