@@ -114,6 +114,16 @@ TEST(PlacedShapes, MayBePutAnywhereLater)
     EXPECT_NEAR(box->GetPosition().x, 1.0f, 1e-4f);
 }
 
+TEST(PlacedShapes, MayBePutTogetherWhereTheyTouch)
+{
+    Placed scene(4);
+    b2Body* box = scene.Box(0.0f, 0.5f + kRestingGap);
+    scene.Step(60);
+    box->SetTransform(b2Vec2(1.0f, 0.5f), 0.0f);
+    scene.Step(60);
+    EXPECT_NEAR(box->GetPosition().y, 0.5f, 1e-4f);
+}
+
 /// Only the skin of a shape gets thinner, not a rounding that the program gave to it.
 TEST(PlacedShapes, KeepARoundingOfTheirOwn)
 {

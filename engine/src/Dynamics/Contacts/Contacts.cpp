@@ -259,18 +259,20 @@ constexpr float32 kPlacedOverlap = 1.5f * b2_linearSlop;
 /// The overlap that they then have [m]: as ContactSystem leaves it.
 constexpr float32 kRestOverlap = 0.8f * b2_linearSlop;
 
-/// Returns the share of the skins that keeps apart two shapes that begin to touch. Skins that a
-/// program has put into each other are thinner for as long as the shapes touch, so that what it has
-/// put together stays where it is. Pushed apart by their skins, card houses burst. The shapes
-/// themselves are pushed apart all the same. Only with sub-steps: 1 is the scheme of Box2D.
-float32 SkinsOf(const World& world, const ContactData& c, float32 skins, const b2Transform& bInA)
+/// True if the program has put one of the bodies here since the last step. Only with sub-steps: 1
+/// is the scheme of Box2D.
+bool IsPlaced(const World& world, const ContactData& c)
 {
-    const bool placed =
-        Data(*c.bodyA).placedAt == world.stepNumber || Data(*c.bodyB).placedAt == world.stepNumber;
-    if (world.settings.subStepCount == 1 || !placed)
-    {
-        return 1.0f;
-    }
+    return world.settings.subStepCount > 1 && (Data(*c.bodyA).placedAt == world.stepNumber ||
+                                               Data(*c.bodyB).placedAt == world.stepNumber);
+}
+
+/// Returns the share of the skins that keeps apart two shapes that were put somewhere. Skins that
+/// were put into each other are thinner for as long as the shapes touch, so that what a program has
+/// put together stays where it is. Pushed apart by their skins, card houses burst. The shapes
+/// themselves are pushed apart all the same.
+float32 SkinsOf(const ContactData& c, float32 skins, const b2Transform& bInA)
+{
     b2WorldManifold manifold;
     manifold.Initialize(&c.manifold, b2Transform(), c.radiusA, bInA, c.radiusB);
     float32 overlap = 0.0f;
@@ -297,6 +299,7 @@ void ComputeManifold(World& world, ContactData& c, const b2Transform& bInA, bool
     {
         touching = b2TestOverlap(&shapeA, c.ChildA(), &shapeB, c.ChildB(), b2Transform(), bInA);
         c.manifold.pointCount = 0;
+        c.skins = 1.0f;
     }
     else
     {
@@ -305,12 +308,16 @@ void ComputeManifold(World& world, ContactData& c, const b2Transform& bInA, bool
         touching = c.manifold.pointCount > 0;
         const float32 skinA = SkinOf(shapeA);
         const float32 skinB = SkinOf(shapeB);
-        if (!touching || !c.IsTouching())
+        const bool placed = isFirst && IsPlaced(world, c);
+        if (!touching || !c.IsTouching() || placed)
         {
-            c.skins = touching && isFirst ? SkinsOf(world, c, skinA + skinB, bInA) : 1.0f;
+            c.skins = touching && placed ? SkinsOf(c, skinA + skinB, bInA) : 1.0f;
         }
-        c.radiusA -= (1.0f - c.skins) * skinA;
-        c.radiusB -= (1.0f - c.skins) * skinB;
+        if (c.skins < 1.0f)
+        {
+            c.radiusA -= (1.0f - c.skins) * skinA;
+            c.radiusB -= (1.0f - c.skins) * skinB;
+        }
     }
     // A circle's manifold is cheap to compute.
     const bool kept = touching && !c.IsSensor() && shapeB.GetType() == b2Shape::e_polygon;
