@@ -124,6 +124,25 @@ TEST(PlacedShapes, MayBePutTogetherWhereTheyTouch)
     EXPECT_NEAR(box->GetPosition().y, 0.5f, 1e-4f);
 }
 
+/// On the outline of an edge they would catch on the end of the next one.
+TEST(PlacedShapes, SlideOverSeparateEdges)
+{
+    Scene scene;
+    scene.world.SetSubStepCount(4);
+    b2Body* ground = scene.Body(b2_staticBody, 0.0f, 0.0f);
+    for (int i = -5; i < 35; ++i)
+    {
+        b2EdgeShape edge;
+        edge.Set(b2Vec2(float32(i), 0.0f), b2Vec2(float32(i + 1), 0.0f));
+        Scene::Add(ground, edge, 0.0f, 0.0f);
+    }
+    b2Body* box = scene.Box(0.0f, 0.5f, 0.4f, 0.5f);
+    box->SetLinearVelocity(b2Vec2(3.0f, 0.0f));
+    scene.Step(180);
+    EXPECT_NEAR(box->GetPosition().x, 9.0f, 0.01f);
+    EXPECT_NEAR(box->GetAngle(), 0.0f, 0.01f);
+}
+
 /// Only the skin of a shape gets thinner, not a rounding that the program gave to it.
 TEST(PlacedShapes, KeepARoundingOfTheirOwn)
 {

@@ -308,7 +308,10 @@ void ComputeManifold(World& world, ContactData& c, const b2Transform& bInA, bool
         touching = c.manifold.pointCount > 0;
         const float32 skinA = SkinOf(shapeA);
         const float32 skinB = SkinOf(shapeB);
-        const bool placed = isFirst && IsPlaced(world, c);
+        // On the outline of a ground of edges a body would catch on the end of the next one.
+        const bool isEdge =
+            shapeA.GetType() == b2Shape::e_edge || shapeA.GetType() == b2Shape::e_chain;
+        const bool placed = isFirst && !isEdge && IsPlaced(world, c);
         if (!touching || !c.IsTouching() || placed)
         {
             c.skins = touching && placed ? SkinsOf(c, skinA + skinB, bInA) : 1.0f;
