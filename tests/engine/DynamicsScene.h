@@ -96,6 +96,22 @@ public:
 /// Distance of resting polygons at their corners: their two skins minus the slop.
 inline constexpr float32 kRestingGap = 2.0f * b2_polygonRadius - b2_linearSlop;
 
+/// Returns the maximum overlap of all contacts, beyond the skins that they have [m].
+inline float32 DeepestOverlap(const b2World& world)
+{
+    float32 deepest = 0.0f;
+    for (const b2Contact* c = world.GetContactList(); c; c = c->GetNext())
+    {
+        b2WorldManifold points;
+        c->GetWorldManifold(&points);
+        for (int32 i = 0; i < c->GetManifold()->pointCount && c->IsTouching(); ++i)
+        {
+            deepest = b2Max(deepest, -points.separations[i]);
+        }
+    }
+    return deepest;
+}
+
 /// Adds a stack of unit boxes on y = 0 and returns them, lowest first.
 inline std::vector<b2Body*> Stack(Scene& scene, float32 x, int height)
 {

@@ -21,20 +21,6 @@ public:
         world.SetAllowSleeping(false);
         Ground();
     }
-    float32 DeepestOverlap()
-    {
-        float32 deepest = 0.0f;
-        for (const b2Contact* c = world.GetContactList(); c; c = c->GetNext())
-        {
-            b2WorldManifold points;
-            c->GetWorldManifold(&points);
-            for (int32 i = 0; i < c->GetManifold()->pointCount; ++i)
-            {
-                deepest = b2Max(deepest, -points.separations[i]);
-            }
-        }
-        return deepest;
-    }
 };
 
 TEST(PlacedShapes, StayWhereTheyTouch)
@@ -48,43 +34,41 @@ TEST(PlacedShapes, StayWhereTheyTouch)
         EXPECT_NEAR(lower->GetPosition().y, 0.5f, 1e-4f) << subSteps;
         EXPECT_NEAR(upper->GetPosition().y, 1.5f, 1e-4f) << subSteps;
         EXPECT_NEAR(upper->GetPosition().x, 0.2f, 1e-4f) << subSteps;
-        EXPECT_LT(scene.DeepestOverlap(), b2_linearSlop) << subSteps;
+        EXPECT_LT(DeepestOverlap(scene.world), b2_linearSlop) << subSteps;
     }
+}
+
+/// Returns the height at which a box comes to rest that is put at `y` with a velocity upwards [m].
+float32 RestingHeight(int32 subSteps, float32 y, float32 velocity = 0.0f)
+{
+    Placed scene(subSteps);
+    b2Body* box = scene.Box(0.0f, y);
+    box->SetLinearVelocity(b2Vec2(0.0f, velocity));
+    scene.Step(300);
+    return box->GetPosition().y;
 }
 
 TEST(PlacedShapes, ArePushedOutOfTheirSkinsInOneStep)
 {
-    Placed scene(1);
-    const b2Body* box = scene.Box(0.0f, 0.5f);
-    scene.Step(300);
-    EXPECT_NEAR(box->GetPosition().y, 0.5f + kRestingGap, 0.003f);
+    EXPECT_NEAR(RestingHeight(1, 0.5f), 0.5f + kRestingGap, 0.003f);
 }
 
 TEST(PlacedShapes, LeaveOneAnotherButNotTheirSkins)
 {
-    Placed scene(4);
-    const b2Body* box = scene.Box(0.0f, 0.46f); // 4 cm in the ground
-    scene.Step(300);
-    EXPECT_GT(box->GetPosition().y, 0.5f - b2_linearSlop);
-    EXPECT_LT(box->GetPosition().y, 0.5f + 0.001f);
+    const float32 height = RestingHeight(4, 0.46f); // 4 cm in the ground
+    EXPECT_GT(height, 0.5f - b2_linearSlop);
+    EXPECT_LT(height, 0.5f + 0.001f);
 }
 
 TEST(PlacedShapes, KeepTheirSkinsIfTheyLand)
 {
-    Placed scene(4);
-    const b2Body* box = scene.Box(0.0f, 0.6f);
-    scene.Step(300);
-    EXPECT_NEAR(box->GetPosition().y, 0.5f + kRestingGap, 0.003f);
+    EXPECT_NEAR(RestingHeight(4, 0.6f), 0.5f + kRestingGap, 0.003f);
 }
 
 /// What lands in the step in which it was put somewhere was not put there.
 TEST(PlacedShapes, KeepTheirSkinsIfTheyLandInTheirFirstStep)
 {
-    Placed scene(4);
-    b2Body* box = scene.Box(0.0f, 0.8f);
-    box->SetLinearVelocity(b2Vec2(0.0f, -60.0f));
-    scene.Step(300);
-    EXPECT_NEAR(box->GetPosition().y, 0.5f + kRestingGap, 0.003f);
+    EXPECT_NEAR(RestingHeight(4, 0.8f, -60.0f), 0.5f + kRestingGap, 0.003f);
 }
 
 TEST(PlacedShapes, GetTheirSkinsBackWhenTheyPart)

@@ -79,21 +79,6 @@ TEST(SubStepsStacks, ComeToRestWithFewIterationsPerSubStep)
     }
 }
 
-float32 DeepestOverlap(b2World& world)
-{
-    float32 deepest = 0.0f;
-    for (b2Contact* c = world.GetContactList(); c; c = c->GetNext())
-    {
-        b2WorldManifold points;
-        c->GetWorldManifold(&points);
-        for (int32 i = 0; i < c->GetManifold()->pointCount; ++i)
-        {
-            deepest = b2Max(deepest, -points.separations[i]);
-        }
-    }
-    return deepest;
-}
-
 bool Sleep(const std::vector<b2Body*>& boxes)
 {
     for (const b2Body* box : boxes)

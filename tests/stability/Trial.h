@@ -152,21 +152,7 @@ public:
         Scene::AddBox(ground, 1000.0f, 50.0f, friction);
         return ground;
     }
-    /// Returns the maximum overlap of all touching contacts, skins included [m].
-    double DeepestOverlap()
-    {
-        double deepest = 0.0;
-        for (b2Contact* c = world.GetContactList(); c; c = c->GetNext())
-        {
-            b2WorldManifold points;
-            c->GetWorldManifold(&points);
-            for (int32 i = 0; i < c->GetManifold()->pointCount && c->IsTouching(); ++i)
-            {
-                deepest = Worst(double(-points.separations[i]), deepest);
-            }
-        }
-        return deepest;
-    }
+    double DeepestOverlap() const { return double(dynamics::DeepestOverlap(world)); }
 
     static void SetDensity(b2Body* body, float32 density)
     {

@@ -47,8 +47,8 @@ public:
     /// Sets these bounds. An impulse at a bound follows it, and one beyond is clamped. Call
     /// Minimize afterwards, because the velocities change.
     void Limit(const SolverContext& context, std::size_t item, int32 row, double maximum);
-    /// Mark stores velocities and impulses; Restore returns to them if the energy is higher or has
-    /// no minimum.
+    /// Mark stores velocities and impulses; KeepIfBetter returns to them if the energy is higher or
+    /// has no minimum.
     void Mark(const SolverContext& context);
     void KeepIfBetter(const SolverContext& context);
     /// True if speeds are far above all marked or target speeds, or target speeds do far more work

@@ -22,8 +22,8 @@ constexpr int32 kMaxContacts = 128; ///< per contact island
 constexpr int32 kMaxUpdates = 16;   ///< per body of the island, see RowPattern
 /// A contact sticks below this fraction of its friction limit.
 constexpr double kSticks = 0.9999;
-/// Of determining the friction limits. The stones of a loaded arch slide by 16 cm with 2, by 12
-/// with 3, and by 5 to 10 from 5 on (docs/notes/sub-steps-direct-solver.md).
+/// Of determining the friction limits. The stones of a loaded arch slide by up to 19 cm with 2, 15
+/// with 3, and 10 to 13 from 4 on (docs/notes/sub-steps-direct-solver.md).
 constexpr int32 kMaxRounds = 8;
 /// A kinematic body that presses against a static one has no solution: the impulses of least energy
 /// grow without bound. Contacts of such an island are softened by this fraction of what their
