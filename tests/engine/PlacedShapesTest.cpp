@@ -92,8 +92,8 @@ TEST(PlacedShapes, MayBePutAnywhereLater)
     scene.Step(120);
     EXPECT_NEAR(box->GetPosition().y, 0.5f, 1e-4f);
 
-    b2Body* wall = scene.Body(b2_staticBody, 2.0f, 1.0f);
-    Scene::AddBox(wall, 0.5f, 1.0f); // beside the box
+    b2Body* wall = scene.Body(b2_staticBody, 2.0f, 0.0f);
+    Scene::AddBox(wall, 0.5f, 2.0f); // beside the box
     scene.Step(120);
     EXPECT_NEAR(box->GetPosition().x, 1.0f, 1e-4f);
 }
@@ -125,6 +125,51 @@ TEST(PlacedShapes, SlideOverSeparateEdges)
     scene.Step(180);
     EXPECT_NEAR(box->GetPosition().x, 9.0f, 0.01f);
     EXPECT_NEAR(box->GetAngle(), 0.0f, 0.01f);
+}
+
+/// A ground of boxes, each 2 m wide, whose top is at y = 0.
+void AddTiles(Scene& scene)
+{
+    for (int i = 0; i < 20; ++i)
+    {
+        Scene::AddBox(scene.Body(b2_staticBody, 2.0f * float32(i), -0.5f), 1.0f, 0.5f, 0.0f);
+    }
+}
+
+TEST(PlacedShapes, SlideOverSeparateBoxes)
+{
+    for (const float32 start : {0.0f, 0.5f, 0.55f, 1.0f})
+    {
+        Scene scene;
+        scene.world.SetSubStepCount(4);
+        AddTiles(scene);
+        b2Body* box = scene.Box(start, 0.5f, 0.4f, 0.5f);
+        box->SetLinearVelocity(b2Vec2(3.0f, 0.0f));
+        scene.Step(180);
+        EXPECT_NEAR(box->GetPosition().x, start + 9.0f, 0.05f) << start;
+        EXPECT_NEAR(box->GetAngle(), 0.0f, 0.01f) << start;
+    }
+}
+
+/// It rises before it comes to the end of the first box.
+TEST(PlacedShapes, SlideOverSeparateBoxesWhenTheyArePushedLater)
+{
+    for (const float32 force : {0.05f, 0.2f, 1.0f})
+    {
+        Scene scene;
+        scene.world.SetSubStepCount(4);
+        scene.world.SetAllowSleeping(false);
+        AddTiles(scene);
+        b2Body* box = scene.Box(0.0f, 0.5f, 0.4f, 0.5f);
+        scene.Step(30);
+        ASSERT_NEAR(box->GetPosition().y, 0.5f, 1e-4f);
+        while (box->GetPosition().x < 0.55f)
+        {
+            box->ApplyForceToCenter(b2Vec2(force, 0.0f), true);
+            scene.Step();
+        }
+        EXPECT_NEAR(box->GetPosition().y, 0.5f + kRestingGap, 0.003f) << force;
+    }
 }
 
 /// Only the skin of a shape gets thinner, not a rounding that the program gave to it.

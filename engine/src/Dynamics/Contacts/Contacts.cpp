@@ -8,6 +8,7 @@
 #include "../State/World.h"
 #include "Narrowphase.h"
 #include "ReadAhead.h"
+#include "Skins.h"
 #include "Sweeps.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
@@ -247,43 +248,6 @@ void FindNewContacts(World& world)
 namespace
 {
 
-/// Returns the skin of a shape [m]. The rest of a radius is part of the shape.
-float32 SkinOf(const b2Shape& shape)
-{
-    return shape.GetType() == b2Shape::e_circle ? 0.0f : b2Min(shape.m_radius, b2_polygonRadius);
-}
-
-/// Where skins were put into each other by more than this [m], they become thinner. Less is about
-/// the overlap that bodies have at rest.
-constexpr float32 kPlacedOverlap = 1.5f * b2_linearSlop;
-/// The overlap that they then have [m]: as ContactSystem leaves it.
-constexpr float32 kRestOverlap = 0.8f * b2_linearSlop;
-
-/// True if the program has put one of the bodies here since the last step. Only with sub-steps: 1
-/// is the scheme of Box2D.
-bool IsPlaced(const World& world, const ContactData& c)
-{
-    return world.settings.subStepCount > 1 && (Data(*c.bodyA).placedAt == world.stepNumber ||
-                                               Data(*c.bodyB).placedAt == world.stepNumber);
-}
-
-/// Returns the share of the skins that keeps apart two shapes that were put somewhere. Skins that
-/// were put into each other are thinner for as long as the shapes touch, so that what a program has
-/// put together stays where it is. Pushed apart by their skins, card houses burst. The shapes
-/// themselves are pushed apart all the same.
-float32 SkinsOf(const ContactData& c, float32 skins, const b2Transform& bInA)
-{
-    b2WorldManifold manifold;
-    manifold.Initialize(&c.manifold, b2Transform(), c.radiusA, bInA, c.radiusB);
-    float32 overlap = 0.0f;
-    for (int32 i = 0; i < c.manifold.pointCount; ++i)
-    {
-        overlap = b2Max(overlap, -manifold.separations[i]);
-    }
-    const float32 thinner = overlap > kPlacedOverlap ? overlap - kRestOverlap : 0.0f;
-    return thinner < skins ? 1.0f - thinner / skins : 0.0f;
-}
-
 /// `isFirst`: the bodies have not moved in this step.
 void ComputeManifold(World& world, ContactData& c, const b2Transform& bInA, bool isFirst)
 {
@@ -306,21 +270,7 @@ void ComputeManifold(World& world, ContactData& c, const b2Transform& bInA, bool
         c.gap = Collide(&c.manifold, shapeA, c.ChildA(), shapeB, c.ChildB(), bInA);
         CopyImpulses(c.manifold, old);
         touching = c.manifold.pointCount > 0;
-        const float32 skinA = SkinOf(shapeA);
-        const float32 skinB = SkinOf(shapeB);
-        // On the outline of a ground of edges a body would catch on the end of the next one.
-        const bool isEdge =
-            shapeA.GetType() == b2Shape::e_edge || shapeA.GetType() == b2Shape::e_chain;
-        const bool placed = isFirst && !isEdge && IsPlaced(world, c);
-        if (!touching || !c.IsTouching() || placed)
-        {
-            c.skins = touching && placed ? SkinsOf(c, skinA + skinB, bInA) : 1.0f;
-        }
-        if (c.skins < 1.0f)
-        {
-            c.radiusA -= (1.0f - c.skins) * skinA;
-            c.radiusB -= (1.0f - c.skins) * skinB;
-        }
+        UpdateSkins(world, c, bInA, isFirst);
     }
     // A circle's manifold is cheap to compute.
     const bool kept = touching && !c.IsSensor() && shapeB.GetType() == b2Shape::e_polygon;

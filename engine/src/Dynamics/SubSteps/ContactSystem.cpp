@@ -2,6 +2,7 @@
 #include "ContactSystem.h"
 #include "../Solver/OverlapSolver.h"
 
+#include "../Contacts/Skins.h"
 #include "../Joints/JointEnergy.h"
 #include "../Solver/SolverMemory.h"
 #include "JointSystem.h"
@@ -44,11 +45,8 @@ constexpr double kMaxLoad = 10.0;
 /// The speed of the weight in a kick is this many tolerances: the inverse of kRestTolerance in
 /// SubStepSolver.cpp.
 constexpr float32 kTolerancesOfWeight = 100.0f;
-/// Overlaps deeper than kMaxOverlap are brought to this [m]. It is less, so that rounding or a
-/// small load does not make them deeper than kMaxOverlap again at once.
-constexpr float32 kOverlap = 0.8f * b2_linearSlop;
 /// Displacements that an inactive row may violate its condition by [m]: far below the 0.15 slops
-/// between kMaxOverlap and kOverlap.
+/// between kMaxOverlap and kRestOverlap.
 constexpr float32 kDisplacementTolerance = 0.01f * b2_linearSlop;
 /// Where shapes overlap by more than this [m], there is no room for them. It is the size of the
 /// smallest bodies that the manual advises.
@@ -226,7 +224,7 @@ void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverB
         const b2Vec2 tangent = share * b2Cross(overlap.normal, 1.0f);
         a.AddTo(2, -tangent, -b2Cross(overlap.armA, tangent));
         b.AddTo(2, tangent, b2Cross(overlap.armB, tangent));
-        const float32 out = -pace.rate * (overlap.separation + kOverlap);
+        const float32 out = -pace.rate * (overlap.separation + kRestOverlap);
         item.speeds.at[i] = double(b2Min(out, pace.maximum));
         item.maximum.at[i] = BoundedSystem::kUnbounded;
         item.active = uint8(item.active | int(out > 0.0f) << i);

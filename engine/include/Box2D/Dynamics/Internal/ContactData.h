@@ -61,7 +61,7 @@ struct ContactData
     std::uint8_t solvedAs = 0; ///< Form() of its last block
     b2Manifold manifold;
     float32 tangentSpeed = 0.0f; ///< of a conveyor belt [m/s]
-    float32 skins = 1.0f;        ///< share of the skins that keeps the shapes apart: see SkinsOf
+    float32 skins = 1.0f; ///< share of the skins that keeps the shapes apart: see UpdateSkins
 
     const b2FixtureProxy* proxyA = nullptr; ///< a child of a fixture of body A
     const b2FixtureProxy* proxyB = nullptr;

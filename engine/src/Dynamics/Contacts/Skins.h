@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Box2D/Dynamics/Internal/ContactData.h>
+
+namespace box2d
+{
+
+struct World;
+
+/// Overlap of skins that are left or made thinner [m]. The direct solution of overlaps starts at
+/// 0.95 slops, and rounding or a small load does not bring them there at once.
+inline constexpr float32 kRestOverlap = 0.8f * b2_linearSlop;
+
+/// Sets the share of the skins that keeps apart two shapes, and their radii. To be called after the
+/// manifold has been computed. Skins that a program has put into each other are thinner for as long
+/// as the shapes touch, so that what it has put together stays where it is. Pushed apart by their
+/// skins, card houses burst. The shapes themselves are pushed apart all the same.
+///
+/// `bInA`: frame of body B relative to body A's. `isFirst`: the bodies have not moved in this step.
+void UpdateSkins(const World& world, ContactData& c, const b2Transform& bInA, bool isFirst);
+
+} // namespace box2d
