@@ -90,11 +90,6 @@ inline Mask4 Not(Mask4 a)
 {
     return {_mm_xor_ps(a.v, _mm_castsi128_ps(_mm_set1_epi32(-1)))};
 }
-/// Returns the bitwise or: +0 or -0 if both are zero.
-inline Float4 OrBits(Float4 a, Float4 b)
-{
-    return {_mm_or_ps(a.v, b.v)};
-}
 inline Mask4 Or(Mask4 a, Mask4 b)
 {
     return {_mm_or_ps(a.v, b.v)};
@@ -196,11 +191,6 @@ inline bool Any(Mask4 a)
 inline Mask4 Not(Mask4 a)
 {
     return {vmvnq_u32(a.v)};
-}
-inline Float4 OrBits(Float4 a, Float4 b)
-{
-    return {
-        vreinterpretq_f32_u32(vorrq_u32(vreinterpretq_u32_f32(a.v), vreinterpretq_u32_f32(b.v)))};
 }
 inline Mask4 Or(Mask4 a, Mask4 b)
 {
@@ -330,13 +320,6 @@ inline Mask4 Not(Mask4 a)
 {
     return {{!a.v[0], !a.v[1], !a.v[2], !a.v[3]}};
 }
-inline Float4 OrBits(Float4 a, Float4 b)
-{
-    return EachLane([&](int i) {
-        return std::bit_cast<float>(std::bit_cast<std::uint32_t>(a.v[i]) |
-                                    std::bit_cast<std::uint32_t>(b.v[i]));
-    });
-}
 inline Mask4 Or(Mask4 a, Mask4 b)
 {
     return {{a.v[0] || b.v[0], a.v[1] || b.v[1], a.v[2] || b.v[2], a.v[3] || b.v[3]}};
@@ -434,11 +417,6 @@ inline bool Any(Mask1 a)
 inline Mask1 Not(Mask1 a)
 {
     return {!a.v};
-}
-inline Float1 OrBits(Float1 a, Float1 b)
-{
-    return {std::bit_cast<float>(std::bit_cast<std::uint32_t>(a.v) |
-                                 std::bit_cast<std::uint32_t>(b.v))};
 }
 inline Mask1 Or(Mask1 a, Mask1 b)
 {

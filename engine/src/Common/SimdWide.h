@@ -64,10 +64,6 @@ inline Mask8 Not(Mask8 a)
 {
     return {_mm256_xor_ps(a.v, _mm256_castsi256_ps(_mm256_set1_epi32(-1)))};
 }
-inline Float8 OrBits(Float8 a, Float8 b)
-{
-    return {_mm256_or_ps(a.v, b.v)};
-}
 inline Mask8 Or(Mask8 a, Mask8 b)
 {
     return {_mm256_or_ps(a.v, b.v)};
@@ -181,10 +177,6 @@ inline bool Any(Mask16 a)
 inline Mask16 Not(Mask16 a)
 {
     return {__mmask16(~a.v)};
-}
-inline Float16 OrBits(Float16 a, Float16 b)
-{
-    return {_mm512_or_ps(a.v, b.v)};
 }
 inline Mask16 Or(Mask16 a, Mask16 b)
 {

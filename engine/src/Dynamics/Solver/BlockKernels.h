@@ -18,7 +18,7 @@ struct BlockKernels
     void (*addToTotals)(const ContactBlock& block, BlockTotals& totals);
     void (*findErrors)(const ContactBlock& block, const float32* bodies, float32 sticks,
                        float32* off);
-    bool (*solve)(ContactBlock& block, float32* bodies);
+    bool (*solve)(ContactBlock& block, float32* bodies, float32 unchanged);
     float32 (*solveOverlaps)(const OverlapBlock& block, const MassLanes& masses, float32* bodies,
                              PushPace pace);
 };

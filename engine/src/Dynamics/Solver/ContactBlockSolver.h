@@ -66,7 +66,7 @@ struct BlockSolver
     Vector<F> normal;
     F invMassA, invInertiaA, invMassB, invInertiaB, invMass;
     MotionLanes<F> m;
-    F changes = F::Set(0.0f); // no bit set: no impulse has changed so far
+    F changes = F::Set(0.0f); // maximum change of an impulse so far
 
     BlockSolver(ContactBlock& from, int first, const float32* bodies) : block(from), lane(first)
     {
@@ -103,12 +103,9 @@ struct BlockSolver
     F At(const float32* field) const { return F::Load(field + lane); }
     F AtOrZero(bool any, const float32* field) const { return any ? At(field) : F::Set(0.0f); }
 
-    bool HasChanged() const
-    {
-        const F zero = F::Set(0.0f);
-        return Any(Not(And(AtLeast(changes, zero), AtLeast(zero, changes))));
-    }
-    void Note(F change) { changes = OrBits(changes, change); }
+    /// True if an impulse changed the speed of its bodies' centres by more than this [m/s].
+    bool HasChanged(float32 speed) const { return Any(Less(F::Set(speed), invMass * changes)); }
+    void Note(F change) { changes = Max(changes, Abs(change)); }
 
     void WarmStart(const PointLanes& p)
     {
@@ -350,18 +347,19 @@ void WarmStartBlock(ContactBlock& block, float32* bodies)
 /// Solves lanes of a block with two points, of which some are too close to be solved together.
 /// Apart from the others, whose solver then stays in registers.
 template <class F>
-BOX2D_NOINLINE bool SolveMixedLanes(ContactBlock& block, int lane, float32* bodies)
+BOX2D_NOINLINE bool SolveMixedLanes(ContactBlock& block, int lane, float32* bodies,
+                                    float32 unchanged)
 {
     BlockSolver<F> solver(block, lane, bodies);
     solver.SolveFriction(0);
     solver.SolveFriction(1);
     solver.SolveMixed();
     solver.Store(bodies);
-    return solver.HasChanged();
+    return solver.HasChanged(unchanged);
 }
 
 template <class F>
-BOX2D_INLINE bool SolveLanes(ContactBlock& block, int lane, float32* bodies)
+BOX2D_INLINE bool SolveLanes(ContactBlock& block, int lane, float32* bodies, float32 unchanged)
 {
     BlockSolver<F> solver(block, lane, bodies);
     solver.SolveFriction(0);
@@ -375,19 +373,18 @@ BOX2D_INLINE bool SolveLanes(ContactBlock& block, int lane, float32* bodies)
         solver.SolvePair();
     }
     solver.Store(bodies);
-    return solver.HasChanged();
+    return solver.HasChanged(unchanged);
 }
 
-/// False if no impulse changed.
 template <class F>
-bool SolveBlock(ContactBlock& block, float32* bodies)
+bool SolveBlock(ContactBlock& block, float32* bodies, float32 unchanged)
 {
     const bool mixed = block.pointCount == 2 && !block.allCoupled;
     bool changed = false;
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
-        const bool some =
-            mixed ? SolveMixedLanes<F>(block, lane, bodies) : SolveLanes<F>(block, lane, bodies);
+        const bool some = mixed ? SolveMixedLanes<F>(block, lane, bodies, unchanged)
+                                : SolveLanes<F>(block, lane, bodies, unchanged);
         changed = changed || some;
     }
     return changed;

@@ -401,9 +401,9 @@ void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sti
     KernelsOf(block).findErrors(block, reinterpret_cast<const float32*>(bodies), sticks, off);
 }
 
-bool SolveBlock(ContactBlock& block, SolverBody* bodies)
+bool SolveBlock(ContactBlock& block, SolverBody* bodies, float32 unchanged)
 {
-    return KernelsOf(block).solve(block, Numbers(bodies));
+    return KernelsOf(block).solve(block, Numbers(bodies), unchanged);
 }
 
 float32 SolveBlock(const OverlapBlock& block, const MassLanes& masses, SolverBody* bodies,

@@ -209,9 +209,9 @@ void AddToTotals(const ContactBlock& block, BlockTotals& totals);
 /// limit.
 void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sticks,
                 float32 (&off)[kBlockLanes]);
-/// One iteration. False when no impulse changed: when none of all contacts does, no other iteration
-/// over them would change one.
-bool SolveBlock(ContactBlock& block, SolverBody* bodies);
+/// One iteration. False if no impulse changed a speed by more than `unchanged` [m/s]. With 0: if
+/// that is so for all contacts, no other iteration over them would change an impulse.
+bool SolveBlock(ContactBlock& block, SolverBody* bodies, float32 unchanged = 0.0f);
 /// One position iteration: moves overlapping bodies apart. Returns the smallest separation that was
 /// met [m].
 float32 SolveBlock(const OverlapBlock& block, const MassLanes& masses, SolverBody* bodies,

@@ -223,7 +223,8 @@ void StepSolver::AssignBlocks(int32 color)
 // Blocks of a colour share no bodies. The direction within a colour matters only for the overflow,
 // which is one part.
 
-bool StepSolver::SolveContacts(Direction direction)
+/// False if no impulse changed a speed by more than `unchanged` [m/s].
+bool StepSolver::SolveContacts(Direction direction, float32 unchanged)
 {
     std::atomic<bool> changed = false;
     ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
@@ -231,7 +232,7 @@ bool StepSolver::SolveContacts(Direction direction)
         for (int32 i = 0; i < end - begin; ++i)
         {
             const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
-            some = SolveBlock(blocks.Contacts(index), m_context.bodies) || some;
+            some = SolveBlock(blocks.Contacts(index), m_context.bodies, unchanged) || some;
         }
         if (some && !changed.load(std::memory_order_relaxed))
         {

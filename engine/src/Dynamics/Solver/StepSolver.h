@@ -55,7 +55,7 @@ protected:
     void ForBodies(Function&& function);
     SolverBody WithForces(const BodyData& body) const;
     bool WriteBack(BodyData& body, SolverBody& moved) const;
-    bool SolveContacts(Direction direction);
+    bool SolveContacts(Direction direction, float32 unchanged = 0.0f);
     float32 SolveOverlaps(Direction direction, PushPace pace);
     void TurnAsSeen();
 

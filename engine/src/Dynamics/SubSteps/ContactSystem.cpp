@@ -492,6 +492,11 @@ bool ContactSystem::IsAtRisk(const ContactIsland& island, SolverMemory& solver,
            });
 }
 
+void ContactSystem::NoteBalance(const IslandGroup& group)
+{
+    ForSelected(group, [](ContactIsland& island) { island.inImpact = false; });
+}
+
 void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& group,
                                     JointSystem& joints, const SolverContext& context,
                                     float32 tolerance)

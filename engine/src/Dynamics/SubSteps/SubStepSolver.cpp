@@ -44,6 +44,11 @@ constexpr float32 kPushSpeed = 3.0f;
 /// step, a box that is pressed against a wall is thrown with 8 sub-steps.
 constexpr int32 kManySubSteps = 4;
 
+/// Iterations end if none of them changed a speed by more than this fraction of the speed that
+/// weight adds in a kick. That is the rounding of an impulse that carries 150 bodies. With 2e-5, a
+/// stack of 30 that leans sways by 4 cm.
+constexpr float32 kUnchanged = 1e-5f;
+
 /// The iterations of a kick reverse their direction once, as in a whole step. The next kick starts
 /// in the direction in which this one ended. A kick of one iteration reverses with every second
 /// kick, which is equivalent.
@@ -297,39 +302,51 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     WarmStartGuard& guard = m_subSteps.warmStartGuard;
     if (AnyHeld())
     {
-        guard.Note(m_memory, m_group, m_subSteps.kicks.data());
+        guard.Note(m_memory, m_group);
     }
     joints.WarmStart(kick, share);
     ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
         KickBlock(blocks.Contacts(i), blocks.Totals(i), m_context.bodies, share, m_kick > 0);
     });
-    Iterate(iterations);
-    if (AnyHeld() && guard.HasGained(m_memory, m_group, m_subSteps.kicks.data(), joints))
+    const float32 weight = duration * m_world.settings.gravity.Length();
+    const bool balanced = Iterate(iterations, kUnchanged * weight);
+    // Balanced contacts only lower the energy.
+    if (!(balanced && !joints.HasRows()) && AnyHeld() &&
+        guard.HasGained(m_memory, m_group, m_subSteps.kicks.data(), joints))
     {
         guard.Restore(m_memory, m_group);
         joints.StartAgain(kick,
                           [&](const RowSides& sides) { return guard.HasGained(m_memory, sides); });
-        Iterate(b2Max(iterations, kMinColdIterations));
+        (void)Iterate(b2Max(iterations, kMinColdIterations), kUnchanged * weight);
     }
     ++m_kick;
-    m_subSteps.contacts.SolveVelocities(
-        m_memory, m_group, m_subSteps.joints, m_context,
-        kRestTolerance * duration * m_world.settings.gravity.Length() + 1e-6f);
+    if (balanced)
+    {
+        m_subSteps.contacts.NoteBalance(m_group);
+    }
+    else
+    {
+        m_subSteps.contacts.SolveVelocities(m_memory, m_group, m_subSteps.joints, m_context,
+                                            kRestTolerance * weight + 1e-6f);
+    }
 }
 
-void SubStepSolver::Iterate(int32 iterations)
+/// `unchanged`: see SolveBlock. True if there are contacts, and the last iteration did not change
+/// them.
+bool SubStepSolver::Iterate(int32 iterations, float32 unchanged)
 {
     JointSystem& joints = m_subSteps.joints;
     for (int32 i = 0; i < iterations; ++i)
     {
         joints.SolveVelocities(m_context, i == 0);
-        const bool changed =
-            SolveContacts(KickDirectionOf(m_kick, i, iterations, m_world.directionReversed));
+        const bool changed = SolveContacts(
+            KickDirectionOf(m_kick, i, iterations, m_world.directionReversed), unchanged);
         if (!changed && joints.IsExact())
         {
-            break;
+            return m_memory.colorCount > 0;
         }
     }
+    return false;
 }
 
 /// Contacts in the overflow have no colour, so ModeOf does not see them.

@@ -34,7 +34,7 @@ private:
     void ForTogether(Function&& function);
     bool AnyHeld() const;
     void Bounce();
-    void Iterate(int32 iterations);
+    bool Iterate(int32 iterations, float32 unchanged);
     void LimitPushes(float32 maximum);
     void HoldOverflow();
     void Fly(std::size_t index);

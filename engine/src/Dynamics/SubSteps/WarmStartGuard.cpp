@@ -123,43 +123,35 @@ std::span<WarmStartGuard::Island> WarmStartGuard::Of(const IslandGroup& group)
                                         std::size_t(group.endIsland - group.firstIsland));
 }
 
-void WarmStartGuard::AddEnergies(const SolverMemory& solver, const IslandGroup& group,
-                                 const BodyKick* kicks, double Island::*sum)
+void WarmStartGuard::Note(const SolverMemory& solver, const IslandGroup& group)
 {
-    int32 last = -1;
-    double energy = 0.0;
-    for (auto i = std::size_t(group.firstBody) + 1; i <= std::size_t(group.endBody); ++i)
+    if (m_checksAny)
     {
-        const int32 island = solver.islands.Of(int32(i));
-        if (island == -1)
-        {
-            continue;
-        }
-        if (island != last)
-        {
-            energy = m_islands[std::size_t(island)].*sum;
-            last = island;
-        }
-        const BodyKick& of = kicks[i - 1];
-        energy += KineticEnergy(solver.bodies[i], double(of.mass), double(of.inertia));
-        m_islands[std::size_t(island)].*sum = energy;
+        std::copy(solver.bodies.begin() + group.firstBody + 1,
+                  solver.bodies.begin() + group.endBody + 1,
+                  m_before.begin() + group.firstBody + 1);
     }
 }
 
-void WarmStartGuard::Note(const SolverMemory& solver, const IslandGroup& group,
-                          const BodyKick* kicks)
+void WarmStartGuard::FindEnergies(const SolverMemory& solver, const IslandGroup& group,
+                                  const BodyKick* kicks)
 {
-    if (!m_checksAny)
-    {
-        return;
-    }
-    std::copy(solver.bodies.begin() + group.firstBody + 1,
-              solver.bodies.begin() + group.endBody + 1, m_before.begin() + group.firstBody + 1);
     for (Island& island : Of(group))
     {
         island.before = island.after = 0.0;
     }
-    AddEnergies(solver, group, kicks, &Island::before);
+    for (auto i = std::size_t(group.firstBody) + 1; i <= std::size_t(group.endBody); ++i)
+    {
+        const int32 number = solver.islands.Of(int32(i));
+        if (number != -1)
+        {
+            const auto mass = double(kicks[i - 1].mass);
+            const auto inertia = double(kicks[i - 1].inertia);
+            Island& island = m_islands[std::size_t(number)];
+            island.before += KineticEnergy(m_before[i], mass, inertia);
+            island.after += KineticEnergy(solver.bodies[i], mass, inertia);
+        }
+    }
 }
 
 bool WarmStartGuard::HasGained(SolverMemory& solver, const IslandGroup& group,
@@ -169,7 +161,7 @@ bool WarmStartGuard::HasGained(SolverMemory& solver, const IslandGroup& group,
     {
         return false;
     }
-    AddEnergies(solver, group, kicks, &Island::after);
+    FindEnergies(solver, group, kicks);
     SolverContext start, end;
     start.bodies = m_before.data();
     end.bodies = solver.bodies.data();

@@ -21,7 +21,7 @@ public:
     /// Call once per step, before its first kick, after the awake islands were found.
     void Begin(SolverMemory& solver, const JointSystem& joints);
     /// After the kick of the bodies, before the warm start.
-    void Note(const SolverMemory& solver, const IslandGroup& group, const BodyKick* kicks);
+    void Note(const SolverMemory& solver, const IslandGroup& group);
     /// True if an island gained more energy than its motors, springs and kinematic bodies can
     /// supply.
     bool HasGained(SolverMemory& solver, const IslandGroup& group, const BodyKick* kicks,
@@ -45,9 +45,7 @@ private:
         bool HasGained() const;
     };
 
-    /// Adds the kinetic energy of its bodies to this sum of each island.
-    void AddEnergies(const SolverMemory& solver, const IslandGroup& group, const BodyKick* kicks,
-                     double Island::*sum);
+    void FindEnergies(const SolverMemory& solver, const IslandGroup& group, const BodyKick* kicks);
     std::span<Island> Of(const IslandGroup& group);
     bool HasGained(int32 island) const;
     void Exempt(int32 island, bool really);
