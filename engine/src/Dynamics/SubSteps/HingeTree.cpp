@@ -20,21 +20,6 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kMaxDrifts = 128; ///< per step
-/// Repetitions of a step with more drifts. A bound, because each costs a step: four doublings take
-/// 8 drifts to kMaxDrifts. With 1 no test fails, but a chain of 1000:1 at a low post opens by
-/// 0.16 m instead of 0.07 (docs/notes/tuned-constants.md).
-constexpr int32 kMaxTries = 4;
-/// Maximum squared rotation of a swing per drift [rad^2], by the estimate from the last step, and
-/// by the actual value. A leapfrog is stable below 4 (Hairer, Lubich and Wanner, "Geometric
-/// Numerical Integration", 2006, I.5). Tuned on 20 links with a ball of 1000:1,
-/// docs/notes/sub-steps-chains.md.
-constexpr double kEstimated = 1.8;
-constexpr double kFound = 2.8;
-/// A rotating body is followed as closely as one that swings this many times as fast, so it rotates
-/// by at most sqrt(1.8) / 3 = 0.45 rad in a drift. A bound, not a tuned number: from 0 to 6 the
-/// gaps of chains stay below 0.1 mm. More uses unnecessary drifts (docs/notes/tuned-constants.md).
-constexpr double kTurns = 3.0;
 /// Only half a kick follows the last drift. Impulses that carry weight then act for half of the
 /// drift's time, those that turn the links for all of it. This is the mean of both shares.
 constexpr float32 kLastShare = 0.75f;
@@ -42,19 +27,13 @@ constexpr float32 kLastShare = 0.75f;
 /// Relative energy error of a step: more than the truncation error of drifts that resolve all
 /// swings.
 constexpr double kWonShare = 2e-3;
-constexpr float32 kHardlyOpen = 5e-3f; ///< overlap that contacts allow [m]
+/// A step that gained energy or tore a hinge is repeated in this many times as many sub-steps, and
+/// in no fewer than these. With as many as before, a swinging ball of 1e5:1 opens its chain of 3.5
+/// m by 2 m instead of 4 cm (docs/notes/sub-steps-chains.md).
+constexpr int32 kSafeShare = 4;
+constexpr int32 kMinSafe = 16;
 constexpr float32 kTorn = 0.05f;       ///< a larger gap is hard to close [m]
-
-int32 CountFor(double mostSquared, double squaredFrequency, float32 timeStep, int32 minimum)
-{
-    const double square = squaredFrequency * double(timeStep) * double(timeStep) / mostSquared;
-    int32 count = minimum;
-    while (double(count) * double(count) < square && count < kMaxDrifts)
-    {
-        ++count;
-    }
-    return count;
-}
+constexpr float32 kHardlyOpen = 5e-3f; ///< overlap that contacts allow [m]
 
 b2Vec2 ArmOf(const BodyData& body, const b2Vec2& local)
 {
@@ -167,54 +146,31 @@ bool HingeTree::Begin(const SolverContext& context, const BodyKick* kicks)
     return true;
 }
 
-/// Tension forces F at arms r make a body oscillate with the frequency sqrt(sum F.r / I). A
-/// leapfrog needs at least three drifts per oscillation. The number of drifts stays constant in a
-/// step, because changing it adds errors as well. If it was too small, or energy was gained, the
-/// step is repeated.
 void HingeTree::Step(float32 timeStep, int32 subSteps)
 {
     for (Link& link : m_links)
     {
         link.start = *link.state;
     }
-    const double expected = LastStrain(double(timeStep)) / double(timeStep);
+    TakeLastStiffness(double(timeStep));
     const bool wereClosed = WidestGap() < kHardlyOpen;
-    int32 count = CountFor(kEstimated, expected, timeStep, subSteps);
-    Outcome outcome = StepIn(count, timeStep, true);
-    for (int32 tries = 0; tries < kMaxTries; ++tries)
+    const auto fails = [&](int32 count) {
+        return StepIn(count, timeStep, true) || (wereClosed && WidestGap() > kTorn);
+    };
+    if (fails(subSteps))
     {
-        const double found = outcome.squaredFrequency;
-        int32 needed = CountFor(kFound, found, timeStep, subSteps);
-        needed = outcome.won ? b2Max(needed, b2Min(2 * count, kMaxDrifts)) : needed;
-        if (needed <= count)
-        {
-            break;
-        }
-        count = b2Max(needed, CountFor(kEstimated, found, timeStep, subSteps));
+        const int32 count = b2Max(kSafeShare * subSteps, kMinSafe);
         GoBack();
-        outcome = StepIn(count, timeStep, true);
-    }
-    if (outcome.won)
-    {
-        StepSafely(count, timeStep);
+        if (fails(count))
+        {
+            StepSafely(count, timeStep);
+        }
     }
     if (wereClosed && WidestGap() > kNearlyClosed)
     {
         CloseWholly(timeStep);
     }
     LeaveImpulses();
-}
-
-/// Closes gaps that a fast swing has opened within a step; initial gaps close slowly.
-void HingeTree::CloseWholly(float32 timeStep)
-{
-    for (Link& link : m_links)
-    {
-        link.open.SetZero();
-    }
-    ClosePoses(timeStep);
-    Prepare();
-    Stop();
 }
 
 /// For motion that cannot be resolved, such as a heavy ball that suddenly tightens a slack chain:
@@ -233,6 +189,18 @@ void HingeTree::StepSafely(int32 count, float32 timeStep)
     TakeWonEnergy();
 }
 
+/// Closes gaps that a fast swing has opened within a step; initial gaps close slowly.
+void HingeTree::CloseWholly(float32 timeStep)
+{
+    for (Link& link : m_links)
+    {
+        link.open.SetZero();
+    }
+    ClosePoses(timeStep);
+    Prepare();
+    Stop();
+}
+
 void HingeTree::GoBack()
 {
     for (Link& link : m_links)
@@ -242,35 +210,28 @@ void HingeTree::GoBack()
 }
 
 /// A leapfrog: half a kick, drifts alternating with whole kicks, half a kick. Without impulses the
-/// hinges are closed in a way that only loses energy.
-HingeTree::Outcome HingeTree::StepIn(int32 count, float32 timeStep, bool byImpulses)
+/// hinges are closed in a way that only loses energy. True if energy was gained.
+bool HingeTree::StepIn(int32 count, float32 timeStep, bool byImpulses)
 {
-    const float32 time = timeStep / float32(count);
+    m_drift = timeStep / float32(count);
     for (Link& link : m_links)
     {
         link.total = Pair();
     }
-    Kick(0.5f * time);
-    Outcome outcome;
-    double before = 0.0;
+    Kick(0.5f * m_drift);
     for (int32 i = 1; i <= count; ++i)
     {
         for (Link& link : m_links)
         {
             link.noted = link.total;
-            MoveByVelocity(*link.state, time, kMaxSmallMove);
+            MoveByVelocity(*link.state, m_drift, kMaxSmallMove);
         }
-        byImpulses ? Close(time) : ClosePoses(time);
-        Kick(i < count ? time : 0.5f * time);
-        const double given = double(i < count ? time : kLastShare * time);
-        const double strain = Strain(given) / given;
-        // An impact is not a swing: only values of two consecutive drifts count.
-        outcome.squaredFrequency = std::max(outcome.squaredFrequency, std::min(strain, before));
-        before = strain;
+        byImpulses ? Close(m_drift) : ClosePoses(m_drift);
+        Kick(i < count ? m_drift : 0.5f * m_drift);
+        FindStiffness(double(i < count ? m_drift : kLastShare * m_drift));
     }
     const Energy energy = WonEnergy();
-    outcome.won = energy.now - energy.due > kWonShare * energy.moved;
-    return outcome;
+    return energy.now - energy.due > kWonShare * energy.moved;
 }
 
 HingeTree::Energy HingeTree::WonEnergy() const
@@ -343,32 +304,32 @@ void HingeTree::Kick(float32 time)
     Stop();
 }
 
-/// Returns the maximum of sum F.r / I times the duration of the impulses since they were noted.
-double HingeTree::Strain(double time)
+/// Finds the stiffness from the impulses since they were noted, which acted for this time: forces F
+/// at arms r turn a body back with the torque sum F.r per radian.
+void HingeTree::FindStiffness(double time)
 {
-    double highest = 0.0;
-    for (std::size_t i = m_links.size(); i-- > 0;)
+    for (Link& link : m_links)
     {
-        Link& link = m_links[i];
+        link.stiffness = 0.0;
+    }
+    for (Link& link : m_links)
+    {
         if (link.joint != nullptr)
         {
-            const Pair f{link.total.x - link.noted.x, link.total.y - link.noted.y};
-            link.pull += link.lever.x * f.y - link.lever.y * f.x;
+            const double x = (link.total.x - link.noted.x) / time;
+            const double y = (link.total.y - link.noted.y) / time;
+            link.stiffness += link.lever.x * y - link.lever.y * x;
             if (link.parent != -1)
             {
-                m_links[std::size_t(link.parent)].pull -=
-                    link.aboveLever.x * f.y - link.aboveLever.y * f.x;
+                m_links[std::size_t(link.parent)].stiffness -=
+                    link.aboveLever.x * y - link.aboveLever.y * x;
             }
         }
-        const double w = kTurns * double(link.state->w);
-        highest = std::max({highest, link.pull / link.turning, w * w * time});
-        link.pull = 0.0;
     }
-    return highest;
 }
 
-/// Same as above, for the impulses of the last step.
-double HingeTree::LastStrain(double time)
+/// Finds the stiffness from the impulses of the last step.
+void HingeTree::TakeLastStiffness(double time)
 {
     for (Link& link : m_links)
     {
@@ -380,7 +341,7 @@ double HingeTree::LastStrain(double time)
             link.noted = Pair();
         }
     }
-    return Strain(time);
+    FindStiffness(time);
 }
 
 void HingeTree::LeaveImpulses() const

@@ -24,7 +24,7 @@ public:
     /// Call at the start of a step; the kicks are by awake body. False if the tree cannot be used
     /// in this step, because of motors, limits, moving platforms or bodies without mass.
     bool Begin(const SolverContext& context, const BodyKick* kicks);
-    /// Performs the whole step, in at least `subSteps` sub-steps, and stores the sums of the
+    /// Performs the whole step, in `subSteps` sub-steps, and stores the sums of the
     /// impulses in the joints.
     void Step(float32 timeStep, int32 subSteps);
 
@@ -83,7 +83,7 @@ private:
         Pair given;             ///< impulse from the subtree
         double givenTurn = 0.0; ///< its moment
         double load = 0.0;      ///< the mass of its subtree
-        double pull = 0.0;      ///< restoring torque of the body [N m]
+        double stiffness = 0.0; ///< restoring torque of the body by its rotation [N m/rad]
         Pair change;            ///< of velocity
         double changeTurn = 0.0;
         Pair impulse; ///< impulse in the hinge
@@ -101,12 +101,6 @@ private:
     };
 
     void AddLink(b2Joint& joint, const BodyData& above, int32 parent);
-    double LastStrain(double time);
-    struct Outcome
-    {
-        double squaredFrequency = 0.0; ///< maximum in the step [1/s^2]
-        bool won = false;              ///< energy was gained
-    };
     /// Energy of all bodies in a step [J].
     struct Energy
     {
@@ -115,14 +109,15 @@ private:
         double moved = 0.0; ///< sum of the absolute values
     };
     void CloseWholly(float32 timeStep);
-    void StepSafely(int32 count, float32 timeStep);
     void GoBack();
-    Outcome StepIn(int32 count, float32 timeStep, bool byImpulses);
+    void StepSafely(int32 count, float32 timeStep);
+    bool StepIn(int32 count, float32 timeStep, bool byImpulses);
     Energy WonEnergy() const;
     void TakeWonEnergy();
     float32 WidestGap() const;
     void Kick(float32 time);
-    double Strain(double time);
+    void FindStiffness(double time);
+    void TakeLastStiffness(double time);
     void Prepare();
     void Stop();
     void Close(float32 timeStep);
@@ -148,6 +143,7 @@ private:
     Array<Link> m_links;      ///< parents first
     Array<JointEnd> m_ends;   ///< scratch of Build
     bool m_stiffened = false; ///< bodies have added inertia
+    float32 m_drift = 0.0f;   ///< length of a sub-step [s]
 };
 
 } // namespace box2d

@@ -14,6 +14,10 @@ namespace
 /// Last resort: rotational inertia added to a body, as a fraction of its subtree's mass at the
 /// hinge.
 constexpr double kStiffening = 0.01;
+/// Maximum squared rotation of a swing in a drift [rad^2]. A leapfrog is stable below 4 (Hairer,
+/// Lubich and Wanner, "Geometric Numerical Integration", 2006, I.5). All tests pass with 1 to 2.8;
+/// with 1000 a ball of 1e5:1 opens its chain (docs/notes/tuned-constants.md).
+constexpr double kMostSwing = 1.8;
 /// The cosine's next term, angle^4 / 24, is below half an ulp up to 0.029 rad. This is a third of
 /// that; larger corrections are rare [rad].
 constexpr float32 kSmallAngle = 0.01f;
@@ -77,12 +81,17 @@ b2Vec2 HingeTree::TakeLevers(Link& link)
     return open;
 }
 
-/// Factors from the leaves to the root.
+/// Factors from the leaves to the root. Under tension, light bodies swing back too fast for the
+/// drifts. They get the inertia with which they do not: geometric stiffness on the diagonal
+/// (Tournier et al., "Stable Constrained Dynamics", 2015). It is exact here, because the rotation
+/// of one body does not strain another one. Whatever swings slowly enough keeps its inertia.
 void HingeTree::Factor()
 {
+    const double square = double(m_drift) * double(m_drift) / kMostSwing;
     for (Link& link : m_links)
     {
-        link.inertia = {link.mass, 0.0, link.mass, 0.0, 0.0, link.turning};
+        const double turning = std::max(link.turning, square * link.stiffness);
+        link.inertia = {link.mass, 0.0, link.mass, 0.0, 0.0, turning};
         link.load = link.mass;
     }
     for (std::size_t i = m_links.size(); i-- > 0;)
@@ -90,8 +99,8 @@ void HingeTree::Factor()
         Link& link = m_links[i];
         if (m_stiffened)
         {
-            const double square = link.lever.x * link.lever.x + link.lever.y * link.lever.y;
-            link.inertia.turning += kStiffening * link.load * square;
+            const double squaredArm = link.lever.x * link.lever.x + link.lever.y * link.lever.y;
+            link.inertia.turning += kStiffening * link.load * squaredArm;
             if (link.parent != -1)
             {
                 m_links[std::size_t(link.parent)].load += link.load;
