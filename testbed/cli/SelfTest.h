@@ -12,6 +12,6 @@ namespace boxreel
 std::uint64_t RunSelfTest();
 
 /// The result of RunSelfTest on every machine.
-inline constexpr std::uint64_t kSelfTestState = 0x8730ad542abf62fd;
+inline constexpr std::uint64_t kSelfTestState = 0x76f9475970e48d78;
 
 } // namespace boxreel

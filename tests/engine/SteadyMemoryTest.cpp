@@ -83,6 +83,7 @@ void Piles(SmallScene& s)
 }
 
 /// The balls are a hundred times as heavy as a link. One hangs freely, the other is on the ground.
+/// Air slows them down, because a chain that swings for ever may touch itself in new places.
 void ChainsWithBalls(SmallScene& s)
 {
     s.Ground();
@@ -93,11 +94,13 @@ void ChainsWithBalls(SmallScene& s)
         {
             b2Body* link = s.Load(float32(i) + 0.5f, height, 0.5f, 0.1f);
             s.Hinge(last, link, float32(i), height);
+            link->SetLinearDamping(0.3f);
             last = link;
         }
         b2Body* ball = s.Ball(8.0f, height);
         ball->GetFixtureList()->SetDensity(25.0f);
         ball->ResetMassData();
+        ball->SetLinearDamping(0.3f);
         s.Hinge(last, ball, 8.0f, height);
     }
 }
