@@ -12,6 +12,6 @@ namespace boxreel
 std::uint64_t RunSelfTest();
 
 /// The result of RunSelfTest on every machine.
-inline constexpr std::uint64_t kSelfTestState = 0x76f9475970e48d78;
+inline constexpr std::uint64_t kSelfTestState = 0x4795eb420a3a36a0;
 
 } // namespace boxreel

@@ -160,7 +160,7 @@ TEST_P(MassRatios, KeepASwingingChainClosed)
         Judge(name + ", stretch in 10 s", n, first.stretch, "%", FromRecommended(n, 1.0));
         Judge(name + ", energy won in 10 s", n, first.Won(), "%", 1.0);
         Judge(name + ", gap in 20 s", n, 1000.0 * all.widest, "mm", kNoBound);
-        // Drifts that are too few for what the links do have won 20 to 49 % here.
+        // Where links swung faster than drifts can follow, 20 to 49 % were won here.
         Judge(name + ", energy won in 20 s", n, all.Won(), "%", 1.0);
     }
 }

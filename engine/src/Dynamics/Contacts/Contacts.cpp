@@ -380,7 +380,8 @@ bool NeedsAttention(World& world, b2Contact& contact)
 
 /// Performs the first part of all updates, on all threads. With one thread and no listener that
 /// could see the difference, it does nothing and returns false. Each contact is then updated in its
-/// turn. The results are the same, because poses do not change meanwhile.
+/// turn. The results are the same, because poses and velocities do not change
+/// meanwhile.
 bool ComputeContacts(World& world)
 {
     const bool keepOld = world.listener != nullptr;

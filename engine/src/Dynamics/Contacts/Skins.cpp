@@ -43,30 +43,50 @@ bool IsPlaced(const World& world, const ContactData& c)
 /// how long the body stays on it [s]: longer than pushing out its skins takes.
 constexpr float32 kWithin = 4.0f * b2_polygonRadius;
 constexpr float32 kWithinFor = 0.5f;
-/// How far below the points that is tested [m], because they are on the surface.
-constexpr float32 kBelow = 0.5f * b2_polygonRadius;
+bool IsEdge(const b2Shape& shape)
+{
+    return shape.GetType() == b2Shape::e_edge || shape.GetType() == b2Shape::e_chain;
+}
 
-/// True if a contact without a ground, or if the body will stay well within this shape of it. On
-/// the outline of the ground the body would catch on the next shape.
+/// Returns how far below a point of a contact a ground is tested [m]: the point is between the
+/// surfaces of the skins, so at most by its radius above the shape itself.
+float32 DepthOfTest(const b2Shape& ground)
+{
+    return b2_linearSlop + (ground.GetType() == b2Shape::e_circle ? 0.0f : ground.m_radius);
+}
+
+/// Returns the velocity of body B relative to A at a point, in body A's frame.
+b2Vec2 RelativeVelocity(const BodyData& a, const BodyData& b, const b2Transform& bInA,
+                        const b2Vec2& point)
+{
+    return b2MulT(a.rotation, b.linearVelocity - a.linearVelocity) +
+           b2Cross(b.angularVelocity, point - b2Mul(bInA, b.localCenter)) -
+           b2Cross(a.angularVelocity, point - a.localCenter);
+}
+
+/// True if neither body is a ground, or if the other one will stay well within this shape of it. On
+/// the outline of a ground a body would catch on the next shape. Edges have no inside.
 bool StaysWithinGround(const ContactData& c, const b2WorldManifold& manifold,
                        const b2Transform& bInA)
 {
     const BodyData& a = Data(*c.bodyA);
     const BodyData& b = Data(*c.bodyB);
-    if (a.IsDynamic() && b.IsDynamic())
+    const b2Shape& shapeA = *c.FixtureA()->GetShape();
+    if (IsEdge(shapeA) || (a.IsDynamic() && b.IsDynamic()))
     {
-        return true;
+        return !IsEdge(shapeA); // of a pair with an edge it is shape A
     }
     const bool isGroundA = !a.IsDynamic();
-    const b2Shape& ground = *(isGroundA ? c.FixtureA() : c.FixtureB())->GetShape();
+    const b2Shape& ground = isGroundA ? shapeA : *c.FixtureB()->GetShape();
     const b2Transform frame = isGroundA ? b2Transform() : bInA;
-    const b2Vec2 down = (isGroundA ? -kBelow : kBelow) * manifold.normal;
+    const b2Vec2 down = DepthOfTest(ground) * (isGroundA ? -manifold.normal : manifold.normal);
     const b2Vec2 tangent = b2Cross(1.0f, manifold.normal);
-    const b2Vec2 speed = b2MulT(a.rotation, b.linearVelocity - a.linearVelocity);
-    const b2Vec2 along = (kWithin + kWithinFor * b2Abs(b2Dot(speed, tangent))) * tangent;
     bool isWithin = true;
     for (int32 i = 0; i < c.manifold.pointCount; ++i)
     {
+        const b2Vec2 velocity = RelativeVelocity(a, b, bInA, manifold.points[i]);
+        const float32 path = kWithinFor * b2Abs(b2Dot(velocity, tangent));
+        const b2Vec2 along = (kWithin + path) * tangent;
         const b2Vec2 point = manifold.points[i] + down;
         isWithin &=
             ground.TestPoint(frame, point + along) && ground.TestPoint(frame, point - along);

@@ -15,7 +15,8 @@ inline constexpr float32 kRestOverlap = 0.8f * b2_linearSlop;
 /// Sets the share of the skins that keeps apart two shapes, and their radii. To be called after the
 /// manifold has been computed. Skins that a program has put into each other are thinner for as long
 /// as the shapes touch, so that what it has put together stays where it is. Pushed apart by their
-/// skins, card houses burst. The shapes themselves are pushed apart all the same.
+/// skins, card houses burst. The shapes themselves are pushed apart all the same. On a body that is
+/// not dynamic, that holds only well within one of its shapes.
 ///
 /// `bInA`: frame of body B relative to body A's. `isFirst`: the bodies have not moved in this step.
 void UpdateSkins(const World& world, ContactData& c, const b2Transform& bInA, bool isFirst);

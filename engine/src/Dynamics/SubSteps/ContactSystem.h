@@ -38,7 +38,7 @@ public:
     /// normal speed is off by more than `tolerance` [m/s].
     void SolveVelocities(SolverMemory& solver, const IslandGroup& group, JointSystem& joints,
                          const SolverContext& context, float32 tolerance);
-    /// Same as above, if the iterations have already solved the velocities.
+    /// To be called instead if the iterations have already solved the velocities.
     void NoteBalance(const IslandGroup& group);
     /// Same as SolveVelocities, for islands with overlaps deeper than kMaxOverlap.
     void SolveOverlaps(SolverMemory& solver, const IslandGroup& group, JointSystem& joints,

@@ -24,12 +24,12 @@ namespace
 /// drift's time, those that turn the links for all of it. This is the mean of both shares.
 constexpr float32 kLastShare = 0.75f;
 
-/// Relative energy error of a step: more than the truncation error of drifts that resolve all
-/// swings.
+/// Relative energy error of a step: more than the truncation error of swings that drifts can
+/// follow.
 constexpr double kWonShare = 2e-3;
 /// A step that gained energy or tore a hinge is repeated in this many times as many sub-steps, and
 /// in no fewer than these. With as many as before, a swinging ball of 1e5:1 opens its chain of 3.5
-/// m by 2 m instead of 4 cm (docs/notes/sub-steps-chains.md).
+/// m by 2 m and more instead of 0.9 at most (docs/notes/sub-steps-chains.md).
 constexpr int32 kSafeShare = 4;
 constexpr int32 kMinSafe = 16;
 constexpr float32 kTorn = 0.05f;       ///< a larger gap is hard to close [m]
@@ -160,7 +160,7 @@ void HingeTree::Step(float32 timeStep, int32 subSteps)
     if (fails(subSteps))
     {
         const int32 count = b2Max(kSafeShare * subSteps, kMinSafe);
-        GoBack();
+        GoBack(timeStep);
         if (fails(count))
         {
             StepSafely(count, timeStep);
@@ -177,11 +177,11 @@ void HingeTree::Step(float32 timeStep, int32 subSteps)
 /// dissipates energy instead of gaining it.
 void HingeTree::StepSafely(int32 count, float32 timeStep)
 {
-    GoBack();
+    GoBack(timeStep);
     (void)StepIn(count, timeStep, false);
     if (WidestGap() > kTorn)
     {
-        GoBack();
+        GoBack(timeStep);
         m_stiffened = true;
         (void)StepIn(count, timeStep, false);
         m_stiffened = false;
@@ -201,12 +201,13 @@ void HingeTree::CloseWholly(float32 timeStep)
     Stop();
 }
 
-void HingeTree::GoBack()
+void HingeTree::GoBack(float32 timeStep)
 {
     for (Link& link : m_links)
     {
         *link.state = link.start;
     }
+    TakeLastStiffness(double(timeStep));
 }
 
 /// A leapfrog: half a kick, drifts alternating with whole kicks, half a kick. Without impulses the

@@ -40,8 +40,9 @@ constexpr int32 kMaxBounces = 64;       ///< iterations over what bounces in a r
 /// smaller.
 constexpr float32 kPushSpeed = 3.0f;
 
-/// From this number of sub-steps, overlaps are pushed out after every second one. With two per
-/// step, a box that is pressed against a wall is thrown with 8 sub-steps.
+/// From this number of sub-steps, if it is even, overlaps are pushed out after every second one, by
+/// the pushes of both. With two pushes per step, a box that is pressed against a wall is thrown
+/// with 8 sub-steps.
 constexpr int32 kManySubSteps = 4;
 
 /// Iterations end if none of them changed a speed by more than this fraction of the speed that
@@ -114,12 +115,11 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
     const int32 count = world.settings.subStepCount;
     const float32 h = timeStep / float32(count);
     const int32 kickIterations = b2IterationsOfASubStep(velocityIterations, count);
-    const int32 pushEvery = count < kManySubSteps ? 1 : 2;
-    const int32 pushes = count / pushEvery;
-    const int32 pushIterations = b2IterationsOfASubStep(positionIterations, pushes);
-    // Overlaps go at the same pace for every number of pushes: a faster one adds energy.
+    const int32 pushIterations = b2IterationsOfASubStep(positionIterations, count);
+    const int32 pushEvery = count >= kManySubSteps && count % 2 == 0 ? 2 : 1;
+    // Overlaps go at the same pace for every number of sub-steps: a faster one adds energy.
     const float32 rate =
-        b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(pushes));
+        b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));
     SubStepSolver solve(world, timeStep);
     {
         ProfileScope init(world.profiling, world.profile.solveInit);
@@ -145,9 +145,9 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
                 group.Drift(h);
                 if (i % pushEvery == 0)
                 {
-                    group.MoveApart(float32(pushEvery) * h, pushIterations, rate);
-                    group.CloseAfterPushes(pushIterations);
+                    group.MoveApart(float32(pushEvery) * h, pushEvery * pushIterations, rate);
                 }
+                group.CloseAfterPushes(pushIterations);
             }
             const bool last = i == count;
             // From half a kick to a whole one, and back.
@@ -309,7 +309,7 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
         KickBlock(blocks.Contacts(i), blocks.Totals(i), m_context.bodies, share, m_kick > 0);
     });
     const float32 weight = duration * m_world.settings.gravity.Length();
-    const bool balanced = Iterate(iterations, kUnchanged * weight);
+    bool balanced = Iterate(iterations, kUnchanged * weight);
     // Balanced contacts only lower the energy.
     if (!(balanced && !joints.HasRows()) && AnyHeld() &&
         guard.HasGained(m_memory, m_group, m_subSteps.kicks.data(), joints))
@@ -317,7 +317,7 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
         guard.Restore(m_memory, m_group);
         joints.StartAgain(kick,
                           [&](const RowSides& sides) { return guard.HasGained(m_memory, sides); });
-        (void)Iterate(b2Max(iterations, kMinColdIterations), kUnchanged * weight);
+        balanced = Iterate(b2Max(iterations, kMinColdIterations), kUnchanged * weight);
     }
     ++m_kick;
     if (balanced)
