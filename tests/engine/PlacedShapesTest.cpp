@@ -108,7 +108,7 @@ TEST(PlacedShapes, MayBePutTogetherWhereTheyTouch)
     EXPECT_NEAR(box->GetPosition().y, 0.5f, 1e-4f);
 }
 
-/// On the outline of an edge they would catch on the end of the next one, whatever has the edges.
+/// On the outline of an edge, a box would catch on the end of the next edge.
 TEST(PlacedShapes, SlideOverSeparateEdges)
 {
     for (const b2BodyType type : {b2_staticBody, b2_kinematicBody, b2_dynamicBody})

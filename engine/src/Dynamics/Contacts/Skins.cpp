@@ -43,6 +43,7 @@ bool IsPlaced(const World& world, const ContactData& c)
 /// how long the body stays on it [s]: longer than pushing out its skins takes.
 constexpr float32 kWithin = 4.0f * b2_polygonRadius;
 constexpr float32 kWithinFor = 0.5f;
+
 bool IsEdge(const b2Shape& shape)
 {
     return shape.GetType() == b2Shape::e_edge || shape.GetType() == b2Shape::e_chain;
@@ -72,9 +73,13 @@ bool StaysWithinGround(const ContactData& c, const b2WorldManifold& manifold,
     const BodyData& a = Data(*c.bodyA);
     const BodyData& b = Data(*c.bodyB);
     const b2Shape& shapeA = *c.FixtureA()->GetShape();
-    if (IsEdge(shapeA) || (a.IsDynamic() && b.IsDynamic()))
+    if (IsEdge(shapeA)) // of a pair with an edge it is shape A
     {
-        return !IsEdge(shapeA); // of a pair with an edge it is shape A
+        return false;
+    }
+    if (a.IsDynamic() && b.IsDynamic())
+    {
+        return true;
     }
     const bool isGroundA = !a.IsDynamic();
     const b2Shape& ground = isGroundA ? shapeA : *c.FixtureB()->GetShape();

@@ -29,7 +29,7 @@ constexpr float32 kLastShare = 0.75f;
 constexpr double kWonShare = 2e-3;
 /// A step that gained energy or tore a hinge is repeated in this many times as many sub-steps, and
 /// in no fewer than these. With as many as before, a swinging ball of 1e5:1 opens its chain of 3.5
-/// m by 2 m and more instead of 0.9 at most (docs/notes/sub-steps-chains.md).
+/// m by 2 m and more instead of 1 at most (docs/notes/sub-steps-chains.md).
 constexpr int32 kSafeShare = 4;
 constexpr int32 kMinSafe = 16;
 constexpr float32 kTorn = 0.05f;       ///< a larger gap is hard to close [m]

@@ -82,9 +82,9 @@ b2Vec2 HingeTree::TakeLevers(Link& link)
 }
 
 /// Factors from the leaves to the root. Under tension, light bodies swing back too fast for the
-/// drifts. They get the inertia with which they do not: geometric stiffness on the diagonal
-/// (Tournier et al., "Stable Constrained Dynamics", 2015). It is exact here, because the rotation
-/// of one body does not strain another one. Whatever swings slowly enough keeps its inertia.
+/// drifts. They get so much inertia that they do not: geometric stiffness on the diagonal (Tournier
+/// et al., "Stable Constrained Dynamics", 2015). It is exact here, because the restoring torque of
+/// a body depends on its own rotation only. Bodies that swing slowly keep their inertia.
 void HingeTree::Factor()
 {
     const double square = double(m_drift) * double(m_drift) / kMostSwing;
