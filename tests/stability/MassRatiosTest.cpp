@@ -224,6 +224,50 @@ TEST_P(MassRatios, LetRopesAndRodsHoldAHeavyBall)
     }
 }
 
+/// Slim blocks and a ball, tied by short rods and released above the anchor: the ball tears at
+/// links that point in all directions.
+TEST_P(MassRatios, LetRodsHoldABallThatFallsFromAbove)
+{
+    for (const int32 blocks : {6, 11, 21})
+    {
+        for (const float32 angle : {2.0f, 2.6f}) // from below
+        {
+            Trial trial(GetParam());
+            const b2Vec2 along = b2Mul(b2Rot(angle), b2Vec2(0.0f, -1.0f));
+            b2Body* last = trial.Post();
+            b2Vec2 end(0.0f, 0.0f);
+            std::vector<b2Joint*> rods;
+            for (int32 i = 0; i <= blocks; ++i)
+            {
+                const b2Vec2 start = end + 0.2f * along;
+                end = start + 0.4f * along;
+                const b2Vec2 middle = 0.5f * (start + end);
+                b2Body* next = trial.Part(middle.x, middle.y, 0.05f, 0.2f);
+                next->SetTransform(middle, angle);
+                rods.push_back(trial.Rod(last, next, start - 0.2f * along, start));
+                last = next;
+            }
+            Trial::SetDensity(last, 1000.0f);
+            const double before = trial.EnergyOfAll();
+            double widest = 0.0, won = 0.0, maximum = 0.0;
+            trial.Run(10.0, [&](double) {
+                for (const b2Joint* rod : rods)
+                {
+                    const double length = b2Distance(rod->GetAnchorA(), rod->GetAnchorB());
+                    widest = Worst(std::abs(length - 0.2), widest);
+                }
+                won = Worst(trial.EnergyOfAll() - before, won);
+                maximum = Worst(trial.KineticOfAll(), maximum);
+            });
+            const std::string name = std::to_string(blocks + 1) + " rods from " +
+                                     std::to_string(int32(angle * 180.0f / b2_pi)) + " degrees";
+            Judge(name + ", gap", GetParam(), widest, "m", Bound(GetParam(), 0.1));
+            Judge(name + ", energy won", GetParam(), 100.0 * won / maximum, "%",
+                  Bound(GetParam(), 2.0));
+        }
+    }
+}
+
 /// Hinges that turn by so much and no more: where they stop, they carry.
 TEST_P(MassRatios, KeepASwingingChainWithLimitsClosed)
 {

@@ -179,6 +179,12 @@ void AddActive(double* sum, const double* of, uint32 active)
     }
 }
 
+/// Returns the inverse of a mass or moment of inertia after something was added to it.
+double Lessened(double inverse, double added)
+{
+    return added > 0.0 ? inverse / (1.0 + inverse * added) : inverse;
+}
+
 /// Returns J M^-1 J^T of a single row.
 double OwnOf(const JointRows& rows, int32 row)
 {
@@ -604,19 +610,19 @@ Vector3 SpeedOf(const SolverContext& context, const JointRows& rows)
     return speed;
 }
 
-void Push(const SolverContext& context, JointRows& rows, const Vector3& impulse)
+void RowSystem::PushRows(const SolverContext& context, std::size_t item, const Vector3& impulse)
 {
+    JointRows& rows = m_rows[item];
     for (int32 i = 0; i < rows.rows; ++i)
     {
         rows.impulse[i] += float32(impulse.at[i]);
     }
-    for (int32 side = 0; side < rows.bodies; ++side)
+    const auto [first, last] = SidesOf(item);
+    for (int32 k = first; k < last; ++k)
     {
-        const JointRows::Column& column = rows.columns[side];
-        if (!Moves(column.invMass, column.invInertia))
-        {
-            continue;
-        }
+        const RowPattern::Side& side = m_pattern.sides[std::size_t(k)];
+        const JointRows::Column& column = rows.columns[side.side];
+        const AddedMass& added = m_addedMass[std::size_t(side.place)];
         double x = 0.0;
         double y = 0.0;
         double w = 0.0;
@@ -626,10 +632,12 @@ void Push(const SolverContext& context, JointRows& rows, const Vector3& impulse)
             y += double(column.y[i]) * impulse.at[i];
             w += double(column.w[i]) * impulse.at[i];
         }
+        const double invMass = Lessened(double(column.invMass), added.mass);
+        const double invInertia = Lessened(double(column.invInertia), added.inertia);
         SolverBody& body = context.bodies[column.body];
-        body.v.x = float32(double(body.v.x) + double(column.invMass) * x);
-        body.v.y = float32(double(body.v.y) + double(column.invMass) * y);
-        body.w = float32(double(body.w) + double(column.invInertia) * w);
+        body.v.x = float32(double(body.v.x) + invMass * x);
+        body.v.y = float32(double(body.v.y) + invMass * y);
+        body.w = float32(double(body.w) + invInertia * w);
     }
 }
 

@@ -97,6 +97,16 @@ struct JointRows
         std::fill_n(error, kMaxRows, 0.0f);
         std::fill_n(impulse, kMaxRows, 0.0f);
     }
+    /// Returns the largest error of a rigid row [m], [rad].
+    float32 WidestGap() const
+    {
+        float32 widest = 0.0f;
+        for (int32 k = 0; k < Rigid(); ++k)
+        {
+            widest = b2Max(widest, b2Abs(error[k]));
+        }
+        return widest;
+    }
     void SetImpulse(const float32 (&value)[kMaxRows]) { std::copy_n(value, kMaxRows, impulse); }
 
     int32 rows = 0;        ///< 0 to 3; the remaining array elements are zero

@@ -19,6 +19,10 @@ constexpr int32 kMaxTries = 12;
 /// From this solution on inactive rows stay inactive. Otherwise the active set may cycle, and the
 /// last one could contain rows far above their limit, by a factor of fifty in a random world.
 constexpr int32 kSettlingTry = 6;
+/// A part is torn if a joint is open by more than this [m], [rad].
+constexpr float32 kTorn = 2.0f * b2_linearSlop;
+/// The share of a torn part's mass that each of its bodies has at least, at its full radius.
+constexpr double kTornShare = 0.01;
 
 } // namespace
 
@@ -211,6 +215,38 @@ void JointSystem::Prepare(const SolverContext& context)
             part.driven = part.driven || m_system.Rows(item).IsDriven();
             part.lines = part.lines || m_system.Rows(item).length > 0.0f;
         });
+        if (part.IsByRows() && !part.touched)
+        {
+            HoldTorn(int32(i));
+        }
+    }
+}
+
+/// Light bodies under a heavy load may turn too fast for a drift. Their joints then open, and stay
+/// open as long as they turn so. Until they are closed, each has a share of the part's mass, which
+/// slows the turning. In contact with other bodies they keep their own masses, as contacts do.
+void JointSystem::HoldTorn(int32 part)
+{
+    float32 widest = 0.0f;
+    m_system.ForItems(
+        part, [&](std::size_t joint) { widest = b2Max(widest, m_system.Rows(joint).WidestGap()); });
+    if (widest > kTorn)
+    {
+        double mass = 0.0;
+        m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
+            mass += kTornShare / double(body.SolverInvMass());
+        });
+        m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+            const double reach = double(body.maxExtent);
+            const double turning = mass * reach * reach * double(body.SolverInvInertia());
+            m_system.SetAddedMass(place, b2Max(mass - 1.0 / double(body.SolverInvMass()), 0.0),
+                                  turning > 1.0 ? (turning - 1.0) / double(body.SolverInvInertia())
+                                                : 0.0);
+        });
+    }
+    else
+    {
+        LetGo(part);
     }
 }
 
@@ -240,7 +276,7 @@ void JointSystem::Start(const SolverContext& context, std::size_t joint, float32
     }
     if (any)
     {
-        Push(context, rows, impulse);
+        m_system.PushRows(context, joint, impulse);
     }
 }
 

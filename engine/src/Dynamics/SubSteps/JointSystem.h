@@ -56,6 +56,7 @@ public:
             m_system.ForBodies(
                 i, [&](const BodyData& body, std::size_t) { inPile = inPile || isInPile(body); });
             m_parts[std::size_t(i)] = Part();
+            LetGo(i);
             m_parts[std::size_t(i)].iterated = inPile && !IsAtRisk(i);
         }
         BeginParts(context, share, lastInverseStep, kicks);
@@ -256,6 +257,7 @@ private:
     float32 WantClosed(std::size_t joint, const SolverContext& context, float32 timeStep);
 
     bool IsAtRisk(int32 part) const;
+    void HoldTorn(int32 part);
     void BeginParts(const SolverContext& context, float32 share, float32 lastInverseStep,
                     const BodyKick* kicks);
     void Start(const SolverContext& context, std::size_t joint, float32 share);
