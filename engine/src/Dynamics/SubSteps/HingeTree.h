@@ -110,8 +110,7 @@ private:
     };
     void CloseWholly(float32 timeStep);
     void GoBack(float32 timeStep);
-    void StepSafely(int32 count, float32 timeStep);
-    bool StepIn(int32 count, float32 timeStep, bool byImpulses);
+    bool StepIn(int32 count, float32 timeStep);
     Energy WonEnergy() const;
     void TakeWonEnergy();
     float32 WidestGap() const;

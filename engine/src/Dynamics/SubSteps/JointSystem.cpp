@@ -215,7 +215,7 @@ void JointSystem::Prepare(const SolverContext& context)
             part.driven = part.driven || m_system.Rows(item).IsDriven();
             part.lines = part.lines || m_system.Rows(item).length > 0.0f;
         });
-        if (part.IsByRows() && !part.touched)
+        if (part.IsByRows())
         {
             HoldTorn(int32(i));
         }
@@ -224,7 +224,7 @@ void JointSystem::Prepare(const SolverContext& context)
 
 /// Light bodies under a heavy load may turn too fast for a drift. Their joints then open, and stay
 /// open as long as they turn so. Until they are closed, each has a share of the part's mass, which
-/// slows the turning. In contact with other bodies they keep their own masses, as contacts do.
+/// slows the turning. For contacts they keep their own masses.
 void JointSystem::HoldTorn(int32 part)
 {
     float32 widest = 0.0f;
