@@ -160,7 +160,7 @@ void JointSystem::ForgetImpulses(int32 part)
 }
 
 /// Fills the joint's rows at the current poses, with their current impulses.
-const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& context)
+const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& context, bool torn)
 {
     JointRows& rows = m_system.Rows(joint);
     Impulses kept;
@@ -168,6 +168,10 @@ const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& c
     rows.Clear();
     JointAccess::FillRows(*m_joints[joint], context, rows);
     rows.SetImpulse(kept.at);
+    if (torn)
+    {
+        m_system.TakeAddedMass(joint);
+    }
     return rows;
 }
 
@@ -175,7 +179,7 @@ const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& c
 void JointSystem::MeetKick(int32 part, const SolverContext& context)
 {
     Part& p = m_parts[std::size_t(part)];
-    m_system.ForItems(part, [&](std::size_t joint) { (void)FillHere(joint, context); });
+    m_system.ForItems(part, [&](std::size_t joint) { (void)FillHere(joint, context, p.torn); });
     p.factored = false;
     SolvePart(part, context);
     if (p.hasBounded)
@@ -265,9 +269,10 @@ void JointSystem::ClosePoses(int32 part, const SolverContext& context)
 /// maximum gap.
 float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
 {
+    const bool torn = m_parts[std::size_t(part)].torn;
     float32 widest = 0.0f;
     m_system.ForItems(part, [&](std::size_t joint) {
-        const JointRows& rows = FillHere(joint, context);
+        const JointRows& rows = FillHere(joint, context, torn);
         (void)SetActiveToClose(joint);
         Vector3& residual = m_system.Residual(joint);
         residual = Vector3{};
