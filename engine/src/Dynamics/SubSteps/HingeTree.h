@@ -24,8 +24,8 @@ public:
     /// Call at the start of a step; the kicks are by awake body. False if the tree cannot be used
     /// in this step, because of motors, limits, moving platforms or bodies without mass.
     bool Begin(const SolverContext& context, const BodyKick* kicks);
-    /// Performs the whole step and stores the sums of the impulses in the joints. Where `subSteps`
-    /// sub-steps gain energy or tear a hinge, it takes more, with stiffened hinges.
+    /// Performs the whole step, in `subSteps` sub-steps or, where that gains energy, in more, and
+    /// stores the sums of the impulses in the joints.
     void Step(float32 timeStep, int32 subSteps);
 
     template <class Function>
@@ -110,7 +110,8 @@ private:
     };
     void CloseWholly(float32 timeStep);
     void GoBack(float32 timeStep);
-    bool StepIn(int32 count, float32 timeStep);
+    void StepSafely(int32 count, float32 timeStep);
+    bool StepIn(int32 count, float32 timeStep, bool byImpulses);
     Energy WonEnergy() const;
     void TakeWonEnergy();
     float32 WidestGap() const;

@@ -289,7 +289,7 @@ bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, in
     {
         Vector3 difference{};
         difference.at[row] = double(bound) - double(impulse);
-        Push(context, rows, difference);
+        m_system.PushRows(context, joint, difference);
         rows.impulse[row] = bound;
     }
     const bool changed = moves || next != state;
@@ -395,7 +395,7 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
     {
         return false;
     }
-    Push(context, rows, Vector3{{double(difference.x), double(difference.y), 0.0}});
+    m_system.PushRows(context, joint, Vector3{{double(difference.x), double(difference.y), 0.0}});
     return true;
 }
 
