@@ -19,9 +19,11 @@ constexpr int32 kMaxTries = 12;
 /// From this solution on inactive rows stay inactive. Otherwise the active set may cycle, and the
 /// last one could contain rows far above their limit, by a factor of fifty in a random world.
 constexpr int32 kSettlingTry = 6;
-/// A part is torn if a joint is open by more than this [m], [rad].
+/// A part is torn if a joint is open by more than this [m], [rad]: twice what contacts allow.
 constexpr float32 kTorn = 2.0f * b2_linearSlop;
-/// The share of a torn part's mass that each of its bodies has at least, at its full radius.
+/// The share of a torn part's mass that each of its bodies has at least, at its full radius. With
+/// 0.003 rods of 1000:1 stretch by more, with 0.03 some gain energy
+/// (docs/notes/sub-steps-chains.md).
 constexpr double kTornShare = 0.01;
 
 } // namespace
@@ -223,7 +225,7 @@ void JointSystem::Prepare(const SolverContext& context)
 }
 
 /// Light bodies under a heavy load may turn too fast for a drift. Their joints then open, and stay
-/// open as long as they turn so. Until they are closed, each has a share of the part's mass, which
+/// open as long as they turn so. While they are open, each has a share of the part's mass, which
 /// slows the turning. In contact with other bodies they keep their own masses, as contacts do.
 void JointSystem::HoldTorn(int32 part)
 {
