@@ -180,9 +180,9 @@ void AddActive(double* sum, const double* of, uint32 active)
 }
 
 /// Returns the inverse of a mass or moment of inertia after something was added to it.
-double Lessened(double inverse, double added)
+float32 Lessened(float32 inverse, double added)
 {
-    return added > 0.0 ? inverse / (1.0 + inverse * added) : inverse;
+    return float32(double(inverse) / (1.0 + double(inverse) * added));
 }
 
 /// Returns J M^-1 J^T of a single row.
@@ -321,6 +321,19 @@ void RowSystem::FillDiagonal(const RowPattern::Component* component)
     const int32 first = m_pattern.columns[std::size_t(component[0].firstColumn)].firstEntry;
     const int32 last = m_pattern.columns[std::size_t(component[1].firstColumn)].firstEntry;
     std::fill(m_entries.begin() + first, m_entries.begin() + last, Block3{});
+}
+
+void RowSystem::TakeAddedMass(std::size_t item)
+{
+    const auto [first, last] = SidesOf(item);
+    for (int32 k = first; k < last; ++k)
+    {
+        const RowPattern::Side& side = m_pattern.sides[std::size_t(k)];
+        const AddedMass& added = m_addedMass[std::size_t(side.place)];
+        JointRows::Column& column = m_rows[item].columns[side.side];
+        column.invMass = Lessened(column.invMass, added.mass);
+        column.invInertia = Lessened(column.invInertia, added.inertia);
+    }
 }
 
 std::pair<int32, int32> RowSystem::SidesOf(std::size_t item) const
@@ -610,19 +623,19 @@ Vector3 SpeedOf(const SolverContext& context, const JointRows& rows)
     return speed;
 }
 
-void RowSystem::PushRows(const SolverContext& context, std::size_t item, const Vector3& impulse)
+void Push(const SolverContext& context, JointRows& rows, const Vector3& impulse)
 {
-    JointRows& rows = m_rows[item];
     for (int32 i = 0; i < rows.rows; ++i)
     {
         rows.impulse[i] += float32(impulse.at[i]);
     }
-    const auto [first, last] = SidesOf(item);
-    for (int32 k = first; k < last; ++k)
+    for (int32 side = 0; side < rows.bodies; ++side)
     {
-        const RowPattern::Side& side = m_pattern.sides[std::size_t(k)];
-        const JointRows::Column& column = rows.columns[side.side];
-        const AddedMass& added = m_addedMass[std::size_t(side.place)];
+        const JointRows::Column& column = rows.columns[side];
+        if (!Moves(column.invMass, column.invInertia))
+        {
+            continue;
+        }
         double x = 0.0;
         double y = 0.0;
         double w = 0.0;
@@ -632,12 +645,10 @@ void RowSystem::PushRows(const SolverContext& context, std::size_t item, const V
             y += double(column.y[i]) * impulse.at[i];
             w += double(column.w[i]) * impulse.at[i];
         }
-        const double invMass = Lessened(double(column.invMass), added.mass);
-        const double invInertia = Lessened(double(column.invInertia), added.inertia);
         SolverBody& body = context.bodies[column.body];
-        body.v.x = float32(double(body.v.x) + invMass * x);
-        body.v.y = float32(double(body.v.y) + invMass * y);
-        body.w = float32(double(body.w) + invInertia * w);
+        body.v.x = float32(double(body.v.x) + double(column.invMass) * x);
+        body.v.y = float32(double(body.v.y) + double(column.invMass) * y);
+        body.w = float32(double(body.w) + double(column.invInertia) * w);
     }
 }
 

@@ -42,6 +42,8 @@ struct Vector3
 
 /// Returns the speed of each row.
 Vector3 SpeedOf(const SolverContext& context, const JointRows& rows);
+/// Applies an impulse along the rows and adds it to theirs.
+void Push(const SolverContext& context, JointRows& rows, const Vector3& impulse);
 
 class RowSystem
 {
@@ -95,9 +97,6 @@ public:
     Vector3 SpeedOf(const SolverContext& context, std::size_t item, const Vector3& given) const;
     /// Applies impulses along an item's rows.
     void Push(const SolverContext& context, std::size_t item, const Vector3& impulse) const;
-    /// Same as above, along the rows as they are filled, with the added masses. Adds the impulses
-    /// to those of the rows.
-    void PushRows(const SolverContext& context, std::size_t item, const Vector3& impulse);
     /// Returns J M^-1 J^T of each of an item's rows.
     const Vector3& Response(std::size_t item) const { return m_responses[item]; }
 
@@ -113,6 +112,9 @@ public:
     {
         m_addedMass[place] = {mass, inertia};
     }
+    /// Makes the columns of an item's rows those of bodies with the added masses. Call it after the
+    /// rows are filled; without it only factorizations see them.
+    void TakeAddedMass(std::size_t item);
     /// Returns the residual of each row: its target speed minus its speed.
     Vector3& Residual(std::size_t item) { return m_residuals[item]; }
     /// Computes the impulses that remove the residuals.

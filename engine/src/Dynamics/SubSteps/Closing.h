@@ -14,6 +14,11 @@ inline constexpr float32 kNearlyClosed = 1e-4f;
 /// large one. With one, joints stay open visibly (docs/notes/tuned-constants.md).
 inline constexpr int32 kMaxCloses = 3;
 
+/// Iterations that close by poses only. A bound: Newton's method takes few from small gaps, but
+/// each closes 0.2 m at most. With 4 a swinging chain of 1000:1 opens by 6 mm instead of 0.1
+/// (docs/notes/tuned-constants.md).
+inline constexpr int32 kMaxPoseCloses = 12;
+
 /// Returns the part of an initial error that remains after a drift. A small error is closed at once
 /// by velocities. For a large one these velocities would persist, so a fraction of it is closed per
 /// drift by poses only. Large errors occur in iteratively solved joints, or are created by the

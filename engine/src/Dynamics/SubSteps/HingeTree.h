@@ -24,8 +24,8 @@ public:
     /// Call at the start of a step; the kicks are by awake body. False if the tree cannot be used
     /// in this step, because of motors, limits, moving platforms or bodies without mass.
     bool Begin(const SolverContext& context, const BodyKick* kicks);
-    /// Performs the whole step, in `subSteps` sub-steps or, where that gains energy, in more, and
-    /// stores the sums of the impulses in the joints.
+    /// Performs the whole step and stores the sums of the impulses in the joints. Where `subSteps`
+    /// sub-steps gain energy or tear a hinge, it takes more, with stiffened hinges.
     void Step(float32 timeStep, int32 subSteps);
 
     template <class Function>
@@ -104,14 +104,14 @@ private:
     /// Energy of all bodies in a step [J].
     struct Energy
     {
-        double now = 0.0;   ///< kinetic, at the end
-        double due = 0.0;   ///< expected: at the start, plus the work of kicks
-        double moved = 0.0; ///< sum of the absolute values
+        double now = 0.0; ///< kinetic, at the end
+        double due = 0.0; ///< expected: at the start, plus the work of kicks
+        /// Sum of the absolute values, and of what the kicks would give to bodies at rest.
+        double moved = 0.0;
     };
     void CloseWholly(float32 timeStep);
     void GoBack(float32 timeStep);
-    void StepSafely(int32 count, float32 timeStep);
-    bool StepIn(int32 count, float32 timeStep, bool byImpulses);
+    bool StepIn(int32 count, float32 timeStep);
     Energy WonEnergy() const;
     void TakeWonEnergy();
     float32 WidestGap() const;
@@ -140,10 +140,11 @@ private:
     bool CloseByImpulses(float32 timeStep);
     void ClosePoses(float32 timeStep);
 
-    Array<Link> m_links;      ///< parents first
-    Array<JointEnd> m_ends;   ///< scratch of Build
-    bool m_stiffened = false; ///< bodies have added inertia
-    float32 m_drift = 0.0f;   ///< length of a sub-step [s]
+    Array<Link> m_links;       ///< parents first
+    Array<JointEnd> m_ends;    ///< scratch of Build
+    bool m_stiffened = false;  ///< bodies have added inertia
+    float32 m_timeStep = 0.0f; ///< [s]
+    float32 m_drift = 0.0f;    ///< length of a sub-step [s]
 };
 
 } // namespace box2d

@@ -11,8 +11,9 @@ namespace box2d
 namespace
 {
 
-/// Last resort: rotational inertia added to a body, as a fraction of its subtree's mass at the
-/// hinge.
+/// Rotational inertia added to a body in a tree that is open or that a step would tear, as a
+/// fraction of its subtree's mass at the hinge. With 0.003 a ball of 1e5:1 opens its chain by five
+/// times its length, with 0.03 it gains energy (docs/notes/sub-steps-chains.md).
 constexpr double kStiffening = 0.01;
 /// Maximum squared rotation of a swing in a drift [rad^2]. A leapfrog is stable below 4 (Hairer,
 /// Lubich and Wanner, "Geometric Numerical Integration", 2006, I.5). All tests pass with 1 to 2.8;
@@ -22,10 +23,6 @@ constexpr double kMostSwing = 1.8;
 /// that; larger corrections are rare [rad].
 constexpr float32 kSmallAngle = 0.01f;
 constexpr float32 kClosed = 5e-6f; ///< the next drift closes this sufficiently [m]
-/// A bound: Newton's method takes few iterations from small gaps, but Correction limits each to
-/// 0.2 m. With 4 a swinging chain of 1000:1 opens by 6 mm instead of 0.1
-/// (docs/notes/tuned-constants.md).
-constexpr int32 kMaxPoseCloses = 12;
 
 /// Returns how far a hinge is closed at once: a large correction rotates bodies so that their
 /// levers become invalid.

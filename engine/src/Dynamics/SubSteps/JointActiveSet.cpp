@@ -289,7 +289,7 @@ bool JointSystem::Reconsider(const SolverContext& context, std::size_t joint, in
     {
         Vector3 difference{};
         difference.at[row] = double(bound) - double(impulse);
-        m_system.PushRows(context, joint, difference);
+        Push(context, rows, difference);
         rows.impulse[row] = bound;
     }
     const bool changed = moves || next != state;
@@ -395,7 +395,7 @@ bool JointSystem::ReconsiderDisc(const SolverContext& context, std::size_t joint
     {
         return false;
     }
-    m_system.PushRows(context, joint, Vector3{{double(difference.x), double(difference.y), 0.0}});
+    Push(context, rows, Vector3{{double(difference.x), double(difference.y), 0.0}});
     return true;
 }
 

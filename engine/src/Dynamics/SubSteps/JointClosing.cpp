@@ -15,18 +15,14 @@ namespace
 
 /// The compliance (see the header) for poses at which closing with the usual one fails. It damps as
 /// in Levenberg, "A Method for the Solution of Certain Non-Linear Problems in Least Squares", 1944.
-/// Joints then stay slightly open. With a hundredth of it, a chain of 1000:1 opens by 3.6 m at a
-/// post, with 100 times by 0.4 m, with this by 0.07 m (docs/notes/tuned-constants.md).
+/// With a hundredth of it a bridge without slack does not come to rest, with 100 times a jammed
+/// train of gears slips by 1.5 mrad (docs/notes/tuned-constants.md).
 constexpr double kDamped = 1e-2;
 /// In loops, where joints that hold the same twice share the load. With a hundredth a mesh does not
 /// come to rest, with 100 times a jammed train of gears trembles. In a tree more than RowSystem's
 /// own would let a heavy load sag.
 constexpr double kLoopCompliance = 1e-5;
 
-/// A bound: Newton's method takes few iterations, the damped one many. Hence twice as many as in a
-/// HingeTree, which never damps. With 8 no test fails, but a chain of 1000:1 on the ground opens by
-/// 19 mm instead of 1.4 (docs/notes/tuned-constants.md).
-constexpr int32 kMaxPoseCloses = 24;
 constexpr int32 kMaxCycles = 16; ///< drifts per sub-step
 /// Relative gain of kinetic energy by closing without a rotation, and the maximum with one: see
 /// HasGained. The tests pass with a minimum of 0.01, too.
@@ -164,7 +160,7 @@ void JointSystem::ForgetImpulses(int32 part)
 }
 
 /// Fills the joint's rows at the current poses, with their current impulses.
-const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& context)
+const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& context, bool torn)
 {
     JointRows& rows = m_system.Rows(joint);
     Impulses kept;
@@ -172,6 +168,10 @@ const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& c
     rows.Clear();
     JointAccess::FillRows(*m_joints[joint], context, rows);
     rows.SetImpulse(kept.at);
+    if (torn)
+    {
+        m_system.TakeAddedMass(joint);
+    }
     return rows;
 }
 
@@ -179,7 +179,7 @@ const JointRows& JointSystem::FillHere(std::size_t joint, const SolverContext& c
 void JointSystem::MeetKick(int32 part, const SolverContext& context)
 {
     Part& p = m_parts[std::size_t(part)];
-    m_system.ForItems(part, [&](std::size_t joint) { (void)FillHere(joint, context); });
+    m_system.ForItems(part, [&](std::size_t joint) { (void)FillHere(joint, context, p.torn); });
     p.factored = false;
     SolvePart(part, context);
     if (p.hasBounded)
@@ -236,40 +236,29 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
 }
 
 /// Closes by poses only, by Newton's method with the rows of each pose, except for m_left.
-/// Velocities that do not close the joints would disturb them for long. Near a pose with
-/// contradictory rows the system is damped (Levenberg, "A Method for the Solution of Certain
-/// Non-Linear Problems in Least Squares", 1944); the best pose is kept.
+/// Velocities that do not close the joints would disturb them for long. The best pose is kept.
 void JointSystem::ClosePoses(int32 part, const SolverContext& context)
 {
     float32 best = b2_maxFloat;
-    double compliance = ComplianceOf(part);
     for (int32 i = 0; i < kMaxPoseCloses; ++i)
     {
-        float32 widest = WantClosedPoses(part, context);
-        if (widest < best)
-        {
-            best = widest;
-            m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
-                m_opened[place] = context.bodies[body.SolverIndex()];
-            });
-        }
-        else
+        const float32 widest = WantClosedPoses(part, context);
+        if (widest >= best)
         {
             m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
                 context.bodies[body.SolverIndex()] = m_opened[place];
             });
-            if (compliance == kDamped)
-            {
-                break;
-            }
-            compliance = kDamped;
-            widest = WantClosedPoses(part, context);
+            break;
         }
+        best = widest;
+        m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+            m_opened[place] = context.bodies[body.SolverIndex()];
+        });
         if (widest < kNearlyClosed || i + 1 == kMaxPoseCloses)
         {
             break;
         }
-        Factor(part, compliance);
+        Factor(part, ComplianceOf(part));
         m_system.Solve(part);
         m_system.Apply(part, context, 1.0f, false);
     }
@@ -280,9 +269,10 @@ void JointSystem::ClosePoses(int32 part, const SolverContext& context)
 /// maximum gap.
 float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
 {
+    const bool torn = m_parts[std::size_t(part)].torn;
     float32 widest = 0.0f;
     m_system.ForItems(part, [&](std::size_t joint) {
-        const JointRows& rows = FillHere(joint, context);
+        const JointRows& rows = FillHere(joint, context, torn);
         (void)SetActiveToClose(joint);
         Vector3& residual = m_system.Residual(joint);
         residual = Vector3{};

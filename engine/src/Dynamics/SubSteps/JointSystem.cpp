@@ -5,6 +5,7 @@
 #include "../State/ConstraintGraph.h"
 
 #include <algorithm>
+#include <span>
 
 namespace box2d
 {
@@ -21,8 +22,8 @@ constexpr int32 kMaxTries = 12;
 constexpr int32 kSettlingTry = 6;
 /// A part is torn if a joint is open by more than this [m], [rad]: twice what contacts allow.
 constexpr float32 kTorn = 2.0f * b2_linearSlop;
-/// The share of a torn part's mass that each of its bodies has at least, at its full radius. With
-/// 0.003 rods of 1000:1 stretch by more, with 0.03 some gain energy
+/// The share of its heaviest body's mass that each body of a torn part has at least, at its full
+/// radius. With 0.003 rods of 1000:1 stretch more, with 0.03 some gain energy
 /// (docs/notes/sub-steps-chains.md).
 constexpr double kTornShare = 0.01;
 
@@ -217,7 +218,7 @@ void JointSystem::Prepare(const SolverContext& context)
             part.driven = part.driven || m_system.Rows(item).IsDriven();
             part.lines = part.lines || m_system.Rows(item).length > 0.0f;
         });
-        if (part.IsByRows() && !part.touched)
+        if (part.IsByRows())
         {
             HoldTorn(int32(i));
         }
@@ -225,31 +226,33 @@ void JointSystem::Prepare(const SolverContext& context)
 }
 
 /// Light bodies under a heavy load may turn too fast for a drift. Their joints then open, and stay
-/// open as long as they turn so. While they are open, each has a share of the part's mass, which
-/// slows the turning. In contact with other bodies they keep their own masses, as contacts do.
+/// open as long as they turn so. While they are open, each has a share of the load's mass, which
+/// slows the turning. For contacts they keep their own masses, so they keep them for motors and
+/// limits, too, where these work against contacts.
 void JointSystem::HoldTorn(int32 part)
 {
     float32 widest = 0.0f;
     m_system.ForItems(
         part, [&](std::size_t joint) { widest = b2Max(widest, m_system.Rows(joint).WidestGap()); });
-    if (widest > kTorn)
-    {
-        double mass = 0.0;
-        m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
-            mass += kTornShare / double(body.SolverInvMass());
-        });
-        m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
-            const double reach = double(body.maxExtent);
-            const double turning = mass * reach * reach * double(body.SolverInvInertia());
-            m_system.SetAddedMass(place, b2Max(mass - 1.0 / double(body.SolverInvMass()), 0.0),
-                                  turning > 1.0 ? (turning - 1.0) / double(body.SolverInvInertia())
-                                                : 0.0);
-        });
-    }
-    else
+    Part& p = m_parts[std::size_t(part)];
+    p.torn = widest > kTorn && !(p.touched && p.hasBounded);
+    if (!p.torn)
     {
         LetGo(part);
+        return;
     }
+    double mass = 0.0;
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
+        mass = b2Max(mass, kTornShare / double(body.SolverInvMass()));
+    });
+    m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
+        const double reach = double(body.maxExtent);
+        const double turning = mass * reach * reach * double(body.SolverInvInertia());
+        m_system.SetAddedMass(place, b2Max(mass - 1.0 / double(body.SolverInvMass()), 0.0),
+                              turning > 1.0 ? (turning - 1.0) / double(body.SolverInvInertia())
+                                            : 0.0);
+    });
+    m_system.ForItems(part, [&](std::size_t joint) { m_system.TakeAddedMass(joint); });
 }
 
 void JointSystem::WarmStart(const SolverContext& context, float32 share)
@@ -278,7 +281,7 @@ void JointSystem::Start(const SolverContext& context, std::size_t joint, float32
     }
     if (any)
     {
-        m_system.PushRows(context, joint, impulse);
+        Push(context, rows, impulse);
     }
 }
 
@@ -348,9 +351,21 @@ void JointSystem::SolveVelocities(const SolverContext& context, bool first)
     m_iterated.SolveVelocities(context, m_threads);
 }
 
+/// Returns the rows with the bodies' own masses.
+JointRows JointSystem::OwnRows(std::size_t joint) const
+{
+    JointRows rows = m_system.Rows(joint);
+    for (JointRows::Column& column : std::span(rows.columns, std::size_t(rows.bodies)))
+    {
+        column.invMass = column.data->SolverInvMass();
+        column.invInertia = column.data->SolverInvInertia();
+    }
+    return rows;
+}
+
 void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const
 {
-    rows = m_system.Rows(joint);
+    rows = OwnRows(joint);
     item = BoundedSystem::Item();
     for (int32 i = 0; i < rows.rows; ++i)
     {
@@ -371,7 +386,7 @@ void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::It
 void JointSystem::FillDisplacements(std::size_t joint, JointRows& rows,
                                     BoundedSystem::Item& item) const
 {
-    rows = m_system.Rows(joint);
+    rows = OwnRows(joint);
     item = BoundedSystem::Item();
     for (int32 i = 0; i < rows.rows; ++i)
     {

@@ -56,7 +56,6 @@ public:
             m_system.ForBodies(
                 i, [&](const BodyData& body, std::size_t) { inPile = inPile || isInPile(body); });
             m_parts[std::size_t(i)] = Part();
-            LetGo(i);
             m_parts[std::size_t(i)].iterated = inPile && !IsAtRisk(i);
         }
         BeginParts(context, share, lastInverseStep, kicks);
@@ -209,6 +208,7 @@ private:
         bool driven = false;     ///< contains bounded rows other than limits
         bool lines = false;      ///< contains ropes and rods
         bool damped = false;
+        bool torn = false; ///< its bodies have added mass
         bool factored = false;
         HingeTree* tree = nullptr;     ///< moves the component through this step
         double squaredFrequency = 0.0; ///< see RowSystem; from the last step's mean forces
@@ -241,7 +241,7 @@ private:
                        const BodyKick* kicks);
     void KickPart(int32 part, const SolverContext& context, float32 time, const BodyKick* kicks);
     void ForgetImpulses(int32 part);
-    const JointRows& FillHere(std::size_t joint, const SolverContext& context);
+    const JointRows& FillHere(std::size_t joint, const SolverContext& context, bool torn);
     void MeetKick(int32 part, const SolverContext& context);
     void NoteKick(std::size_t joint);
     void ClosePart(int32 part, const SolverContext& context, float32 timeStep);
@@ -258,6 +258,7 @@ private:
 
     bool IsAtRisk(int32 part) const;
     void HoldTorn(int32 part);
+    JointRows OwnRows(std::size_t joint) const;
     void BeginParts(const SolverContext& context, float32 share, float32 lastInverseStep,
                     const BodyKick* kicks);
     void Start(const SolverContext& context, std::size_t joint, float32 share);
