@@ -220,7 +220,7 @@ void SubStepSolver::Begin(int32 count)
         });
     if (AnyHeld())
     {
-        m_subSteps.warmStartGuard.Begin(m_memory, m_subSteps.joints);
+        m_subSteps.warmStartGuard.Begin(m_memory, m_subSteps.joints, m_subSteps.contacts);
     }
     m_subSteps.contacts.Begin(m_memory, m_subSteps.joints);
     if (m_threads != nullptr && m_memory.groups.Count() > 1)

@@ -78,11 +78,21 @@ void WarmStartGuard::Exempt(int32 island, bool really)
     }
 }
 
-void WarmStartGuard::Begin(SolverMemory& solver, const JointSystem& joints)
+void WarmStartGuard::Begin(SolverMemory& solver, const JointSystem& joints,
+                           const ContactSystem& contacts)
 {
     const AwakeIslands& islands = solver.islands;
     m_before.resize(solver.bodies.size());
-    m_islands.assign(std::size_t(islands.Count()), Island());
+    m_islands.resize(std::size_t(islands.Count()));
+    for (int32 i = 0; i < islands.Count(); ++i)
+    {
+        m_islands[std::size_t(i)] = {.exempt = contacts.IsLarge(i)};
+    }
+    m_checksAny = !std::ranges::all_of(m_islands, &Island::exempt);
+    if (!m_checksAny)
+    {
+        return;
+    }
     bool anyMoves = false;
     for (std::size_t i = 1; i < solver.bodies.size(); ++i)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ContactSystem.h"
 #include "JointSystem.h"
 
 #include <span>
@@ -19,7 +20,7 @@ class WarmStartGuard
 {
 public:
     /// Call once per step, before its first kick, after the awake islands were found.
-    void Begin(SolverMemory& solver, const JointSystem& joints);
+    void Begin(SolverMemory& solver, const JointSystem& joints, const ContactSystem& contacts);
     /// After the kick of the bodies, before the warm start.
     void Note(const SolverMemory& solver, const IslandGroup& group);
     /// True if an island gained more energy than its motors, springs and kinematic bodies can
@@ -39,8 +40,9 @@ private:
     {
         double before = 0.0, after = 0.0; ///< kinetic energy; before: plus the energy supplied
                                           ///< since [J]
-        /// Driven by kinematic bodies, or iteratively solved and held together by warm starting
-        /// only.
+        /// Driven by kinematic bodies, or solved by iterations alone and held by warm starting:
+        /// each time a pile lost its impulses, it would fall until its iterations had found them
+        /// again.
         bool exempt = false;
         bool HasGained() const;
     };
