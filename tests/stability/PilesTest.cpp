@@ -53,7 +53,7 @@ double MeanSpeed(const Trial& trial)
     return Mean(trial, [](const b2Body& body) { return body.GetLinearVelocity().Length(); });
 }
 
-/// The root mean square of all contacts [m].
+/// The root mean square of what touches, at the first point [m].
 double MeanOverlap(Trial& trial)
 {
     double sum = 0.0;

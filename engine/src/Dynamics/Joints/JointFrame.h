@@ -120,7 +120,9 @@ inline float32 WarmStartFactor(const SolverContext& context, const b2Joint& join
     // The direction of a pendulum's tension is then off by half of itself. With 1 rad some random
     // worlds gain energy without bound.
     constexpr float32 kMaxTurn = 0.5f; // [rad]
-    constexpr float32 kRadii = 2.0f; // limbs are rods, 1.7 long: without it their piles never rest
+    // Radii of gyration. A rod held at its end has 1.7: if that counted, a pile of limbs would lose
+    // its warm start again and again, and never rest.
+    constexpr float32 kRadii = 2.0f;
     const auto turns = [&context](const b2Body& body) {
         return b2Abs(context.timeStep * context.bodies[Data(body).SolverIndex()].w) > kMaxTurn;
     };

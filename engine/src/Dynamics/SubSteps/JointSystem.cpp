@@ -227,8 +227,8 @@ void JointSystem::Prepare(const SolverContext& context)
 
 /// Light bodies under a heavy load may turn too fast for a drift. Their joints then open, and stay
 /// open as long as they turn so. While they are open, each has a share of the load's mass, which
-/// slows the turning. For contacts they keep their own masses, so they keep them for motors and
-/// limits, too, where these work against contacts.
+/// slows the turning. A part in contact that has motors or limits keeps its own masses, because
+/// contacts solve both with them.
 void JointSystem::HoldTorn(int32 part)
 {
     float32 widest = 0.0f;

@@ -140,6 +140,7 @@ public:
             {
                 continue;
             }
+            m_parts[std::size_t(i)].torn = false; // the added masses are those of HoldStopped
             ClosePoses(i, context);
             LetGo(i);
             changed(i);

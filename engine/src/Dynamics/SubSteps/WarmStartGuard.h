@@ -9,7 +9,8 @@
 /// Detects islands that gain energy by the warm start of a kick. Iterations from zero impulses only
 /// lower the kinetic energy after the kick. A warm start with the impulses of a past impact must be
 /// undone first. Where joints connect contacts, the few iterations of a kick do not suffice for
-/// that, and bodies gain speed. Such islands are solved again from zero impulses.
+/// that, and bodies gain speed. Such islands are solved again from zero impulses, unless they are
+/// too large to be solved directly.
 namespace box2d
 {
 
@@ -19,7 +20,8 @@ struct SolverMemory;
 class WarmStartGuard
 {
 public:
-    /// Call once per step, before its first kick, after the awake islands were found.
+    /// Call once per step, before its first kick, after the contacts were counted and the joints
+    /// have begun.
     void Begin(SolverMemory& solver, const JointSystem& joints, const ContactSystem& contacts);
     /// After the kick of the bodies, before the warm start.
     void Note(const SolverMemory& solver, const IslandGroup& group);
@@ -32,7 +34,7 @@ public:
     void Restore(SolverMemory& solver, const IslandGroup& group) const;
     /// True if the island of these bodies gained energy.
     bool HasGained(const SolverMemory& solver, const RowSides& sides) const;
-    /// Returns the number of islands checked.
+    /// Returns the number of awake islands.
     std::size_t Count() const { return m_islands.size(); }
 
 private:
@@ -40,9 +42,8 @@ private:
     {
         double before = 0.0, after = 0.0; ///< kinetic energy; before: plus the energy supplied
                                           ///< since [J]
-        /// Driven by kinematic bodies, or solved by iterations alone and held by warm starting:
-        /// each time a pile lost its impulses, it would fall until its iterations had found them
-        /// again.
+        /// Driven by kinematic bodies, or held by warm starting and iterations: each time a large
+        /// pile lost its impulses, it would fall until its iterations had found them again.
         bool exempt = false;
         bool HasGained() const;
     };
