@@ -261,7 +261,7 @@ TEST_P(MassRatios, LetRodsHoldABallThatFallsFromAbove)
             });
             const std::string name = std::to_string(blocks + 1) + " rods from " +
                                      std::to_string(int32(angle * 180.0f / b2_pi)) + " degrees";
-            Judge(name + ", gap", GetParam(), widest, "m", Bound(GetParam(), 0.15));
+            Judge(name + ", gap", GetParam(), widest, "m", Bound(GetParam(), 0.1));
             Judge(name + ", energy won", GetParam(), 100.0 * won / maximum, "%",
                   Bound(GetParam(), 2.0));
         }
