@@ -106,6 +106,7 @@ void ChainsWithBalls(SmallScene& s)
 }
 
 /// Planks between two banks, each held at two heights, with boxes on them.
+/// Air slows the planks down, or the boxes slide off.
 void LoopsOfABridge(SmallScene& s)
 {
     b2Body* bank = s.Post();
@@ -114,6 +115,7 @@ void LoopsOfABridge(SmallScene& s)
     {
         b2Body* plank = s.Load(float32(i) + 0.5f, 0.0f, 0.5f, 0.1f);
         s.Hinge(last, plank, float32(i), 0.0f);
+        plank->SetLinearDamping(0.3f);
         last = plank;
     }
     s.Hinge(last, bank, 12.0f, 0.0f);

@@ -263,8 +263,9 @@ double RowSystem::SquaredFrequency(int32 component) const
             const JointRows::Column& column = rows.columns[side.side];
             Stiffness& stiffness = m_stiffness[std::size_t(side.place)];
             rows.point ? stiffness.AddPoint(rows, column) : stiffness.AddLine(rows, column);
+            // Its own masses, because those of the rows are less where a component was torn.
             const BodyData& body = *m_pattern.columns[std::size_t(side.place)].body;
-            highest = std::max(highest, stiffness.turning * double(column.invInertia) +
+            highest = std::max(highest, stiffness.turning * double(body.SolverInvInertia()) +
                                             stiffness.swaying * double(body.SolverInvMass()));
         }
     }

@@ -111,7 +111,7 @@ void Visit(Archive& archive, JointRows& rows)
     archive(rows.point, rows.length);
     for (JointRows::Column& column : rows.columns)
     {
-        archive(column.invInertia, column.w[0], column.w[1], column.reach);
+        archive(column.w[0], column.w[1], column.reach);
     }
 }
 
@@ -121,7 +121,7 @@ void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
     // The rest is made again with the pattern, or filled before it is read.
     auto& [pattern, places, rows, responses, active, stiff, weights, residuals, found, sides,
            squares, products, stiffness, x, diagonal, entries, addedMass] = system;
-    constexpr std::size_t leastBytes = 69;
+    constexpr std::size_t leastBytes = 53;
     auto count = int32(rows.size());
     archive.Count(count, leastBytes);
     rows.resize(std::size_t(count));

@@ -395,10 +395,10 @@ void AddToTotals(const ContactBlock& block, BlockTotals& totals)
     KernelsOf(block).addToTotals(block, totals);
 }
 
-void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sticks,
+void FindErrors(const ContactBlock& block, const SolverBody* bodies, const ErrorBounds& bounds,
                 float32 (&off)[kBlockLanes])
 {
-    KernelsOf(block).findErrors(block, reinterpret_cast<const float32*>(bodies), sticks, off);
+    KernelsOf(block).findErrors(block, reinterpret_cast<const float32*>(bodies), bounds, off);
 }
 
 bool SolveBlock(ContactBlock& block, SolverBody* bodies, float32 unchanged)

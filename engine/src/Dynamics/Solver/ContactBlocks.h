@@ -204,10 +204,16 @@ void KickBlock(ContactBlock& block, BlockTotals& totals, SolverBody* bodies, flo
                bool addsLast);
 /// Adds the impulses of the last kick to the totals of the step.
 void AddToTotals(const ContactBlock& block, BlockTotals& totals);
+/// What does not count as an error, see FindErrors.
+struct ErrorBounds
+{
+    float32 sticks;   ///< fraction of the friction limit
+    float32 rounding; ///< of impulses, at most [m/s]
+};
 /// Raises `off` to the error of each contact's speeds [m/s]. A normal error is an approach, or any
-/// speed of a point that pushes; tangential errors count while friction is below `sticks` times its
-/// limit.
-void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sticks,
+/// speed of a point that pushes, beyond the rounding of its impulse. Tangential errors count while
+/// friction is below its limit.
+void FindErrors(const ContactBlock& block, const SolverBody* bodies, const ErrorBounds& bounds,
                 float32 (&off)[kBlockLanes]);
 /// One iteration. False if no impulse changed a speed by more than `unchanged` [m/s]. With 0: if
 /// that is so for all contacts, no other iteration over them would change an impulse.

@@ -33,18 +33,26 @@ constexpr int32 kMaxRounds = 8;
 /// contacts contradict each other.
 /// Tuned on boxes between walls and at a door: docs/notes/sub-steps-motors-and-jams.md.
 constexpr float32 kJammedSoftness = 0.1f;
+/// Iterations suffice for an island if contacts are off by less than this fraction of the speed
+/// that weight adds in a kick. What is left in each kick makes a stack creep: with 0.01, one of 30
+/// boxes leans by 11 cm in 20 s (docs/notes/sub-steps-direct-solver.md).
+constexpr float32 kRestTolerance = 1e-4f;
+constexpr float32 kLeastTolerance = 1e-6f; ///< the same without weight [m/s]
+/// An impulse's rounding counts as no error up to this fraction of the speed that weight adds.
+constexpr float32 kMostRounding = 0.01f;
+/// Weight counts as at least this speed [m/s].
+constexpr float32 kLeastWeight = 1e-4f;
 /// An impact goes on in an island in which a contact is off by more than this multiple of the speed
 /// that weight adds in a kick. Loads at rest are off by at most that speed. With 0.3, 1 and 3
 /// pile-ups of ragdolls take the same time, with 10 a fifth more.
 constexpr float32 kImpact = 1.0f;
-/// Contacts are contradictory if they approach by more than this fraction of the pusher's speed.
+/// Contacts are contradictory if they approach by more than these fractions of the pusher's speed
+/// and of the speed that weight adds in a kick.
 constexpr double kHeld = 1e-3;
+constexpr double kHeldWeight = 0.01;
 /// They are also contradictory above this multiple of the impulse that brings the whole island to
 /// the pusher's speed and stops its weight.
 constexpr double kMaxLoad = 10.0;
-/// The speed of the weight in a kick is this many tolerances: the inverse of kRestTolerance in
-/// SubStepSolver.cpp.
-constexpr float32 kTolerancesOfWeight = 100.0f;
 /// Displacements that an inactive row may violate its condition by [m]: far below the 0.15 slops
 /// between kMaxOverlap and kRestOverlap.
 constexpr float32 kDisplacementTolerance = 0.01f * b2_linearSlop;
@@ -175,7 +183,7 @@ bool MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Hol
 /// True if the constraints of the first `contacts` items are contradictory: bodies become too fast,
 /// points still approach, or impulses exceed what the pusher and weight require.
 bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
-              double tolerance)
+              double weight)
 {
     if (system.HasBurst(context))
     {
@@ -191,12 +199,12 @@ bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& 
     {
         mass += 1.0 / double(body->SolverInvMass());
     }
-    const double maximum = kMaxLoad * mass * (driven + double(kTolerancesOfWeight) * tolerance);
+    const double maximum = kMaxLoad * mass * (driven + weight);
     for (std::size_t i = 0; i < contacts; ++i)
     {
         const Vector3 speed = SpeedOf(context, system.Rows(i));
         const Vector3& impulse = system.At(i).impulse;
-        if (b2Min(speed.at[0], speed.at[1]) < -(tolerance + kHeld * driven) ||
+        if (b2Min(speed.at[0], speed.at[1]) < -(kHeldWeight * weight + kHeld * driven) ||
             b2Max(impulse.at[0], impulse.at[1]) > maximum)
         {
             return true;
@@ -448,7 +456,7 @@ void ContactSystem::FollowAll(SolverMemory& solver, JointSystem& joints)
 
 /// Finds the largest error of each selected island.
 void ContactSystem::FindResiduals(const SolverMemory& solver, const IslandGroup& group,
-                                  const SolverBody* bodies)
+                                  const SolverBody* bodies, float32 mostRounding)
 {
     ForSelected(group, [](ContactIsland& island) { island.residual = 0.0f; });
     for (int32 i = 0; i < solver.colorCount; ++i)
@@ -459,7 +467,7 @@ void ContactSystem::FindResiduals(const SolverMemory& solver, const IslandGroup&
         {
             const ContactBlock& block = blocks.Contacts(k);
             float32 off[kBlockLanes] = {};
-            FindErrors(block, bodies, float32(kSticks), off);
+            FindErrors(block, bodies, {float32(kSticks), mostRounding}, off);
             for (int32 lane = 0; lane < block.count; ++lane)
             {
                 const int32 island = IslandOf(solver.islands, block, lane);
@@ -499,19 +507,20 @@ void ContactSystem::NoteBalance(const IslandGroup& group)
 
 void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& group,
                                     JointSystem& joints, const SolverContext& context,
-                                    float32 tolerance)
+                                    float32 weight)
 {
     if (m_used.empty())
     {
         return;
     }
-    FindResiduals(solver, group, context.bodies);
+    FindResiduals(solver, group, context.bodies, kMostRounding * weight);
+    const float32 tolerance = kRestTolerance * weight + kLeastTolerance;
     ForSelected(group, [&](ContactIsland& island) {
-        island.inImpact = island.residual > kImpact * kTolerancesOfWeight * tolerance &&
+        island.inImpact = island.residual > kImpact * (weight + kLeastWeight) &&
                           !IsAtRisk(island, solver, joints);
         if (island.residual > tolerance && !island.inImpact && Follow(island, solver, joints))
         {
-            SolveVelocities(island, solver, joints, context, tolerance);
+            SolveVelocities(island, solver, joints, context, {tolerance, weight + kLeastWeight});
         }
         for (const Place& place : island.contacts)
         {
@@ -524,8 +533,9 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
 
 void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
                                     JointSystem& joints, const SolverContext& context,
-                                    float32 tolerance)
+                                    const Speeds& speeds)
 {
+    const auto tolerance = double(speeds.tolerance);
     const auto contact = [&](std::size_t i) {
         const Place& place = island.contacts[i];
         return ContactItem(solver.contacts[place.color].Contacts(place.block), place.lane);
@@ -536,7 +546,7 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     {
         ContactItem item = contact(i);
         item.FillRows(system.Rows(i));
-        item.Fill(system.At(i), SpeedOf(context, system.Rows(i)), double(tolerance));
+        item.Fill(system.At(i), SpeedOf(context, system.Rows(i)), tolerance);
     }
     for (std::size_t i = 0; i < island.joints.size(); ++i)
     {
@@ -552,15 +562,15 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
         }
     };
     system.Mark(context);
-    bool found = MinimizeWithFriction(system, count, holds, context, double(tolerance));
-    const bool jammed = IsJammed(system, count, context, double(tolerance));
+    bool found = MinimizeWithFriction(system, count, holds, context, tolerance);
+    const bool jammed = IsJammed(system, count, context, double(speeds.weight));
     if (jammed)
     {
         system.GoBack(context);
         soften(kJammedSoftness);
         system.Begin(context);
         system.Mark(context); // soft contacts store energy
-        found = MinimizeWithFriction(system, count, holds, context, double(tolerance));
+        found = MinimizeWithFriction(system, count, holds, context, tolerance);
     }
     // What is squeezed may hold itself by friction with any load. Then limits that were not found
     // would let the loads grow from round to round.

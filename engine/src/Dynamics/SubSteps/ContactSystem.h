@@ -35,9 +35,9 @@ public:
     /// Returns the number of selected islands.
     std::size_t Count() const { return m_used.size(); }
     /// After iterations over a group's contacts: the velocities of its islands in which a contact's
-    /// normal speed is off by more than `tolerance` [m/s].
+    /// speed is off by a small fraction of `weight`, the speed that weight adds in the kick [m/s].
     void SolveVelocities(SolverMemory& solver, const IslandGroup& group, JointSystem& joints,
-                         const SolverContext& context, float32 tolerance);
+                         const SolverContext& context, float32 weight);
     /// To be called instead if the iterations have already solved the velocities.
     void NoteBalance(const IslandGroup& group);
     /// Same as SolveVelocities, for islands with overlaps deeper than kMaxOverlap.
@@ -61,6 +61,12 @@ private:
         float32 residual = 0.0f; // of the last kick's iterations [m/s]
     };
 
+    struct Speeds // [m/s]
+    {
+        float32 tolerance; // of a solution
+        float32 weight;    // that weight adds in a kick
+    };
+
     static float32 LeastSeparation(const ContactIsland& island, const SolverMemory& solver,
                                    const SolverBody* bodies);
     static bool IsAtRisk(const ContactIsland& island, SolverMemory& solver,
@@ -69,11 +75,11 @@ private:
     void Gather(SolverMemory& solver, JointSystem& joints);
     bool Follow(ContactIsland& island, SolverMemory& solver, JointSystem& joints);
     void SolveVelocities(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
-                         const SolverContext& context, float32 tolerance);
+                         const SolverContext& context, const Speeds& speeds);
     void SolveOverlaps(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
                        const SolverContext& context, PushPace pace);
     void FindResiduals(const SolverMemory& solver, const IslandGroup& group,
-                       const SolverBody* bodies);
+                       const SolverBody* bodies, float32 mostRounding);
     template <class Function>
     void ForSelected(const IslandGroup& group, Function&& function);
     int32 TakeContactIsland();

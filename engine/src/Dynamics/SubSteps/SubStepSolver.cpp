@@ -30,9 +30,6 @@ namespace box2d
 namespace
 {
 
-/// Iterations suffice for a contact island if contacts approach by less than this fraction of the
-/// speed that weight adds in a kick.
-constexpr float32 kRestTolerance = 0.01f;
 constexpr int32 kMinColdIterations = 8; ///< without a warm start
 constexpr int32 kMaxBounces = 64;       ///< iterations over what bounces in a row
 /// Maximum speed at which a contact pushes out an initial overlap [m/s]. A higher speed looks like
@@ -327,7 +324,7 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     else
     {
         m_subSteps.contacts.SolveVelocities(m_memory, m_group, m_subSteps.joints, m_context,
-                                            kRestTolerance * weight + 1e-6f);
+                                            weight);
     }
 }
 
