@@ -33,11 +33,7 @@ constexpr int32 kMaxRounds = 8;
 /// contacts contradict each other.
 /// Tuned on boxes between walls and at a door: docs/notes/sub-steps-motors-and-jams.md.
 constexpr float32 kJammedSoftness = 0.1f;
-/// Iterations suffice for an island if contacts are off by less than this fraction of the speed
-/// that weight adds in a kick. What is left in each kick makes a stack creep: with 0.01, one of 30
-/// boxes leans by 11 cm in 20 s (docs/notes/sub-steps-direct-solver.md).
-constexpr float32 kRestTolerance = 1e-4f;
-constexpr float32 kLeastTolerance = 1e-6f; ///< the same without weight [m/s]
+constexpr float32 kLeastTolerance = 1e-6f; ///< of contacts without weight [m/s]
 /// An impulse's rounding counts as no error up to this fraction of the speed that weight adds.
 constexpr float32 kMostRounding = 0.01f;
 /// Weight counts as at least this speed [m/s].
@@ -514,7 +510,7 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
         return;
     }
     FindResiduals(solver, group, context.bodies, kMostRounding * weight);
-    const float32 tolerance = kRestTolerance * weight + kLeastTolerance;
+    const float32 tolerance = kTolerance * weight + kLeastTolerance;
     ForSelected(group, [&](ContactIsland& island) {
         island.inImpact = island.residual > kImpact * (weight + kLeastWeight) &&
                           !IsAtRisk(island, solver, joints);

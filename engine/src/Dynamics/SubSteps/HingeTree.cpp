@@ -182,7 +182,7 @@ void HingeTree::CloseWholly(float32 timeStep)
         link.open.SetZero();
     }
     ClosePoses(timeStep);
-    Prepare();
+    TakeLevers();
     Stop();
 }
 
@@ -286,7 +286,7 @@ float32 HingeTree::WidestGap() const
 /// Applies a kick and solves the hinges' velocities.
 void HingeTree::Kick(float32 time)
 {
-    Prepare();
+    TakeLevers();
     for (Link& link : m_links)
     {
         link.kick.Give(*link.state, time);

@@ -118,7 +118,9 @@ private:
     void Kick(float32 time);
     void FindStiffness(double time);
     void TakeLastStiffness(double time);
-    void Prepare();
+    void TakeLevers();
+    void TakeInertias();
+    void Factor(Link& link);
     void Stop();
     void Close(float32 timeStep);
     void LeaveImpulses() const;
@@ -131,8 +133,7 @@ private:
     static void AddVelocity(Link& link);
     static void AddPose(Link& link, float32 timeStep);
     static float32 WantClosed(Link& link, float32 timeStep);
-    void Factor();
-    template <class Want>
+    template <bool factors, class Want>
     void Gather(Want&& want);
     template <class Take>
     void Spread(Take&& take);

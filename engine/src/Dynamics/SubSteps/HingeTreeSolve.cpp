@@ -57,7 +57,7 @@ b2Vec2 HingeTree::Measure(const Link& link, b2Vec2& arm, b2Vec2& aboveArm)
     return link.offset + body.d - above.d + arm - aboveArm;
 }
 
-void HingeTree::Prepare()
+void HingeTree::TakeLevers()
 {
     for (Link& link : m_links)
     {
@@ -66,7 +66,6 @@ void HingeTree::Prepare()
             link.open = TakeLevers(link);
         }
     }
-    Factor();
 }
 
 b2Vec2 HingeTree::TakeLevers(Link& link)
@@ -78,11 +77,11 @@ b2Vec2 HingeTree::TakeLevers(Link& link)
     return open;
 }
 
-/// Factors from the leaves to the root. Under tension, light bodies swing back too fast for the
+/// Sets the inertias that Factor adds up. Under tension, light bodies swing back too fast for the
 /// drifts. They get so much inertia that they do not: geometric stiffness on the diagonal (Tournier
 /// et al., "Stable Constrained Dynamics", 2015). It is exact here, because the restoring torque of
 /// a body depends on its own rotation only. Bodies that swing slowly keep their inertia.
-void HingeTree::Factor()
+void HingeTree::TakeInertias()
 {
     const double square = double(m_drift) * double(m_drift) / kMostSwing;
     for (Link& link : m_links)
@@ -91,23 +90,25 @@ void HingeTree::Factor()
         link.inertia = {link.mass, 0.0, link.mass, 0.0, 0.0, turning};
         link.load = link.mass;
     }
-    for (std::size_t i = m_links.size(); i-- > 0;)
+}
+
+/// Call from the leaves to the root.
+void HingeTree::Factor(Link& link)
+{
+    Link* parent = link.parent != -1 ? &m_links[std::size_t(link.parent)] : nullptr;
+    if (m_stiffened)
     {
-        Link& link = m_links[i];
-        if (m_stiffened)
+        const double squaredArm = link.lever.x * link.lever.x + link.lever.y * link.lever.y;
+        link.inertia.turning += kStiffening * link.load * squaredArm;
+        if (parent != nullptr)
         {
-            const double squaredArm = link.lever.x * link.lever.x + link.lever.y * link.lever.y;
-            link.inertia.turning += kStiffening * link.load * squaredArm;
-            if (link.parent != -1)
-            {
-                m_links[std::size_t(link.parent)].load += link.load;
-            }
+            parent->load += link.load;
         }
-        FactorAtHinge(link);
-        if (link.parent != -1)
-        {
-            AddInertia(link, m_links[std::size_t(link.parent)].inertia);
-        }
+    }
+    FactorAtHinge(link);
+    if (parent != nullptr)
+    {
+        AddInertia(link, parent->inertia);
     }
 }
 
@@ -148,12 +149,17 @@ void HingeTree::AddInertia(const Link& link, Inertia& parent)
 /// From the leaves to the root: an impulse f at a hinge, with the impulse g and the moment z from
 /// the subtree, gives
 ///   K u = f + g - a (z + t.g) / c.
-template <class Want>
+/// With `factors` the links are factored on the way: a processor does both side by side.
+template <bool factors, class Want>
 void HingeTree::Gather(Want&& want)
 {
     for (std::size_t i = m_links.size(); i-- > 0;)
     {
         Link& link = m_links[i];
+        if constexpr (factors)
+        {
+            Factor(link);
+        }
         link.givenTurn += link.lever.x * link.given.x + link.lever.y * link.given.y;
         link.given.x -= link.turn.x * link.givenTurn;
         link.given.y -= link.turn.y * link.givenTurn;
@@ -223,7 +229,8 @@ void HingeTree::FindChange(Link& link, const Link* parent)
 
 void HingeTree::Stop()
 {
-    Gather([](Link& link) {
+    TakeInertias();
+    Gather<true>([](Link& link) {
         const SolverBody& a = *link.aboveState;
         const SolverBody& b = *link.state;
         link.residual.x = double(a.v.x) - double(a.w) * link.aboveLever.x - double(b.v.x) +
@@ -292,7 +299,7 @@ bool HingeTree::CloseByImpulses(float32 timeStep)
     for (int32 i = 0; i < kMaxCloses; ++i)
     {
         float32 widest = 0.0f;
-        Gather([&](Link& link) { widest = b2Max(widest, WantClosed(link, timeStep)); });
+        Gather<false>([&](Link& link) { widest = b2Max(widest, WantClosed(link, timeStep)); });
         if (i > 0 && (widest > first || widest < kClosed))
         {
             ForgetGiven();
@@ -324,9 +331,9 @@ void HingeTree::ClosePoses(float32 timeStep)
                 (void)TakeLevers(link);
             }
         }
-        Factor();
+        TakeInertias();
         float32 widest = 0.0f;
-        Gather([&](Link& link) { widest = b2Max(widest, WantClosed(link, timeStep)); });
+        Gather<true>([&](Link& link) { widest = b2Max(widest, WantClosed(link, timeStep)); });
         Spread([&](Link& link) { AddPose(link, timeStep); });
         if (widest < kNearlyClosed)
         {

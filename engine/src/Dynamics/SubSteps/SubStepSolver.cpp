@@ -42,11 +42,6 @@ constexpr float32 kPushSpeed = 3.0f;
 /// with 8 sub-steps.
 constexpr int32 kManySubSteps = 4;
 
-/// Iterations end if none of them changed a speed by more than this fraction of the speed that
-/// weight adds in a kick. That is the rounding of an impulse that carries 150 bodies. With 2e-5, a
-/// stack of 30 that leans sways by 4 cm.
-constexpr float32 kUnchanged = 1e-5f;
-
 /// The iterations of a kick reverse their direction once, as in a whole step. The next kick starts
 /// in the direction in which this one ended. A kick of one iteration reverses with every second
 /// kick, which is equivalent.
@@ -306,7 +301,8 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
         KickBlock(blocks.Contacts(i), blocks.Totals(i), m_context.bodies, share, m_kick > 0);
     });
     const float32 weight = duration * m_world.settings.gravity.Length();
-    bool balanced = Iterate(iterations, kUnchanged * weight);
+    const float32 unchanged = ContactSystem::kTolerance * weight;
+    bool balanced = Iterate(iterations, unchanged);
     // Balanced contacts only lower the energy.
     if (!(balanced && !joints.HasRows()) && AnyHeld() &&
         guard.HasGained(m_memory, m_group, m_subSteps.kicks.data(), joints))
@@ -314,7 +310,7 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
         guard.Restore(m_memory, m_group);
         joints.StartAgain(kick,
                           [&](const RowSides& sides) { return guard.HasGained(m_memory, sides); });
-        balanced = Iterate(b2Max(iterations, kMinColdIterations), kUnchanged * weight);
+        balanced = Iterate(b2Max(iterations, kMinColdIterations), unchanged);
     }
     ++m_kick;
     if (balanced)
