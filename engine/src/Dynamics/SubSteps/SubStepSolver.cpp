@@ -42,6 +42,9 @@ constexpr float32 kPushSpeed = 3.0f;
 /// with 8 sub-steps.
 constexpr int32 kManySubSteps = 4;
 
+/// Overlaps up to this are left alone [m]. Less than kMaxOverlap by the rounding of a measurement.
+constexpr float32 kUnpushed = 0.998f * ContactSystem::kMaxOverlap;
+
 /// The iterations of a kick reverse their direction once, as in a whole step. The next kick starts
 /// in the direction in which this one ended. A kick of one iteration reverses with every second
 /// kick, which is equivalent.
@@ -386,8 +389,24 @@ void SubStepSolver::Drift(float32 timeStep)
     m_subSteps.joints.NotePoses(m_context);
 }
 
+/// True if no overlap can have become deep enough for a push since the last measurement.
+bool SubStepSolver::AreStillApart() const
+{
+    const std::size_t first = std::size_t(m_group.firstBody);
+    return m_measured >= -kUnpushed &&
+           m_measured - 2.0f * FarthestPush(m_subSteps.beforePushes.data() + first + 1,
+                                            m_memory.bodies.data() + first + 1,
+                                            m_subSteps.kicks.data() + first,
+                                            m_group.endBody - m_group.firstBody) >=
+               -kUnpushed;
+}
+
 void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
 {
+    if (AreStillApart())
+    {
+        return;
+    }
     const int32 first = m_group.firstBody + 1;
     std::copy_n(m_memory.bodies.begin() + first, m_group.endBody - m_group.firstBody,
                 m_subSteps.beforePushes.begin() + first);
@@ -405,6 +424,7 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
             break;
         }
     }
+    m_measured = found;
     if (found < -ContactSystem::kMaxOverlap)
     {
         m_subSteps.contacts.SolveOverlaps(m_memory, m_group, m_subSteps.joints, m_context,

@@ -33,6 +33,7 @@ private:
     template <class Function>
     void ForTogether(Function&& function);
     bool AnyHeld() const;
+    bool AreStillApart() const;
     void Bounce();
     bool Iterate(int32 iterations, float32 unchanged);
     void LimitPushes(float32 maximum);
@@ -41,6 +42,8 @@ private:
 
     SubStepMemory& m_subSteps;
     int32 m_kick = 0; ///< index of the next
+    /// Smallest separation of the last measurement in this step [m].
+    float32 m_measured = -b2_maxFloat;
 };
 
 /// The step of a world with a sub-step count above 1.
