@@ -38,6 +38,33 @@ TEST(PlacedShapes, StayWhereTheyTouch)
     }
 }
 
+TEST(PlacedShapes, StayOnAFastPlatform)
+{
+    for (const int32 subSteps : {2, 4, 8})
+    {
+        for (const b2Vec2& velocity : {b2Vec2(20.0f, 0.0f), b2Vec2(0.0f, 40.0f),
+                                       b2Vec2(-30.0f, 30.0f), b2Vec2(100.0f, 0.0f)})
+        {
+            Scene scene;
+            scene.world.SetSubStepCount(subSteps);
+            b2Body* const platform = scene.Body(b2_kinematicBody, 0.0f, -1.0f);
+            Scene::AddBox(platform, 4.0f, 1.0f);
+            b2Body* const lower = scene.Box(0.0f, 0.5f);
+            b2Body* const upper = scene.Box(0.2f, 1.5f);
+            for (b2Body* body : {platform, lower, upper})
+            {
+                body->SetLinearVelocity(velocity);
+            }
+            scene.Step(120);
+            EXPECT_NEAR(lower->GetPosition().x - platform->GetPosition().x, 0.0f, 1e-3f);
+            EXPECT_NEAR(lower->GetPosition().y - platform->GetPosition().y, 1.5f, 1e-3f);
+            EXPECT_NEAR(upper->GetPosition().x - platform->GetPosition().x, 0.2f, 1e-3f);
+            EXPECT_NEAR(upper->GetPosition().y - platform->GetPosition().y, 2.5f, 1e-3f)
+                << subSteps << " sub-steps, " << velocity.x << " m/s, " << velocity.y << " m/s";
+        }
+    }
+}
+
 /// Returns the height at which a box comes to rest that is put at `y` with a velocity upwards [m].
 float32 RestingHeight(int32 subSteps, float32 y, float32 velocity = 0.0f)
 {

@@ -102,6 +102,34 @@ TEST(Snapshot, ContinuesWithOneOfTwoJoinedBodiesPutToSleep)
     });
 }
 
+/// A heavy ball tears the rods at about one second: bodies have added masses from then on.
+TEST(Snapshot, ContinuesWhileAHeavyBallTearsItsRods)
+{
+    for (const int before : {50, 60, 65, 70, 80, 100})
+    {
+        SCOPED_TRACE(before);
+        const auto build = [&](Scene& scene) {
+            const b2Vec2 along = b2Mul(b2Rot(2.0f), b2Vec2(0.0f, -1.0f));
+            b2Body* last = scene.Body(b2_staticBody, 0.0f, 0.0f);
+            for (int i = 0; i <= 11; ++i)
+            {
+                const b2Vec2 start = (0.2f + 0.6f * float32(i)) * along;
+                b2Body* const next =
+                    scene.Box(start.x + 0.2f * along.x, start.y + 0.2f * along.y, 0.05f, 0.2f);
+                next->SetTransform(next->GetPosition(), 2.0f);
+                b2DistanceJointDef rod;
+                rod.Initialize(last, next, start - 0.2f * along, start);
+                scene.world.CreateJoint(&rod);
+                last = next;
+            }
+            last->GetFixtureList()->SetDensity(1000.0f);
+            last->ResetMassData();
+            scene.Step(before);
+        };
+        ExpectGoesOn(build, {.count = 40});
+    }
+}
+
 /// Contacts stay in the order that they were put in when the bodies had other places among those
 /// that are awake; small piles are solved in that order.
 TEST(Snapshot, ContinuesAfterAwakeBodiesWereRenumbered)

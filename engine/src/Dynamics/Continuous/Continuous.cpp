@@ -305,9 +305,12 @@ float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& co
     input.proxyB.Set(&shapeB, c.ChildB());
     input.tMax = 1.0f;
     const b2TOIOutput output = FindImpact(input, m_world.profiling, counts);
-    if (output.state == b2TOIOutput::e_overlapped && GoesDeeper(c, input.sweepA, input.sweepB))
+    // Shapes with thin skins rest nearer to each other than two that meet.
+    const bool rests = output.state == b2TOIOutput::e_touching && output.t == 0.0f &&
+                       c.IsTouching() && c.skins < 1.0f;
+    if (output.state == b2TOIOutput::e_overlapped || rests)
     {
-        return start;
+        return GoesDeeper(c, input.sweepA, input.sweepB) ? start : 1.0f;
     }
     return output.state == b2TOIOutput::e_touching ? b2Min(start + (1.0f - start) * output.t, 1.0f)
                                                    : 1.0f;

@@ -207,12 +207,12 @@ void AddToTotals(const ContactBlock& block, BlockTotals& totals);
 /// What does not count as an error, see FindErrors.
 struct ErrorBounds
 {
-    float32 sticks;   ///< fraction of the friction limit
-    float32 rounding; ///< of impulses, at most [m/s]
+    float32 sticks;   ///< a contact sticks below this fraction of its friction limit
+    float32 rounding; ///< at most so much is taken for rounding [m/s]
 };
-/// Raises `off` to the error of each contact's speeds [m/s]. A normal error is an approach, or any
-/// speed of a point that pushes, beyond the rounding of its impulse. Tangential errors count while
-/// friction is below its limit.
+/// Raises `off` to the error of each contact's speeds [m/s], beyond the rounding of its impulse and
+/// of its bodies' speeds. A normal error is an approach, or any speed of a point that pushes;
+/// tangential errors count while it sticks.
 void FindErrors(const ContactBlock& block, const SolverBody* bodies, const ErrorBounds& bounds,
                 float32 (&off)[kBlockLanes]);
 /// One iteration. False if no impulse changed a speed by more than `unchanged` [m/s]. With 0: if

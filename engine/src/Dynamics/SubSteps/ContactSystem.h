@@ -19,10 +19,11 @@ struct SolverMemory;
 class ContactSystem
 {
 public:
-    /// Contacts are solved to this fraction of the speed that weight adds in a kick: iterations end
-    /// where none changes a speed by more, and islands are solved directly where contacts are off
-    /// by more. What is left in each kick makes a stack creep: with 0.01, one of 30 boxes leans by
-    /// 11 cm in 20 s (docs/notes/sub-steps-direct-solver.md).
+    /// Errors of contacts up to this fraction of the speed that weight adds in a kick are left:
+    /// iterations end where none changes a speed by more, and islands that are small enough are
+    /// solved directly where contacts are off by more. What is left in each kick makes a stack
+    /// creep: with 0.01, one of 30 boxes leans by 11 cm in 20 s
+    /// (docs/notes/sub-steps-direct-solver.md).
     static constexpr float32 kTolerance = 1e-4f;
     /// Overlaps that iterations leave above this are brought to less [m]: under any load less than
     /// a slop is left.
@@ -40,7 +41,8 @@ public:
     /// Returns the number of selected islands.
     std::size_t Count() const { return m_used.size(); }
     /// After iterations over a group's contacts: the velocities of its islands in which a contact's
-    /// speed is off by a small fraction of `weight`, the speed that weight adds in the kick [m/s].
+    /// speed is off by more than kTolerance of `weight`, the speed that weight adds in the kick, or
+    /// by more than kLeastTolerance where nothing has weight [m/s].
     void SolveVelocities(SolverMemory& solver, const IslandGroup& group, JointSystem& joints,
                          const SolverContext& context, float32 weight);
     /// To be called instead if the iterations have already solved the velocities.
@@ -69,7 +71,7 @@ private:
     struct Speeds // [m/s]
     {
         float32 tolerance; // of a solution
-        float32 weight;    // that weight adds in a kick
+        float32 weight;    // that weight adds in a kick, at least kLeastWeight
     };
 
     static float32 LeastSeparation(const ContactIsland& island, const SolverMemory& solver,

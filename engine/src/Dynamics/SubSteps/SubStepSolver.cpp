@@ -44,6 +44,9 @@ constexpr int32 kManySubSteps = 4;
 
 /// Overlaps up to this are left alone [m]. Less than kMaxOverlap by the rounding of a measurement.
 constexpr float32 kUnpushed = 0.998f * ContactSystem::kMaxOverlap;
+/// Overlaps are measured again once a body has moved this far [m]. What turns by less is too little
+/// for a shorter lever to matter.
+constexpr float32 kStill = 0.01f * b2_linearSlop;
 
 /// The iterations of a kick reverse their direction once, as in a whole step. The next kick starts
 /// in the direction in which this one ended. A kick of one iteration reverses with every second
@@ -392,13 +395,15 @@ void SubStepSolver::Drift(float32 timeStep)
 /// True if no overlap can have become deep enough for a push since the last measurement.
 bool SubStepSolver::AreStillApart() const
 {
+    if (m_measured < -kUnpushed)
+    {
+        return false;
+    }
     const std::size_t first = std::size_t(m_group.firstBody);
-    return m_measured >= -kUnpushed &&
-           m_measured - 2.0f * FarthestPush(m_subSteps.beforePushes.data() + first + 1,
-                                            m_memory.bodies.data() + first + 1,
-                                            m_subSteps.kicks.data() + first,
-                                            m_group.endBody - m_group.firstBody) >=
-               -kUnpushed;
+    const float32 far =
+        FarthestPush(m_subSteps.beforePushes.data() + first + 1, m_memory.bodies.data() + first + 1,
+                     m_subSteps.kicks.data() + first, m_group.endBody - m_group.firstBody);
+    return far <= kStill && m_measured - 2.0f * far >= -kUnpushed;
 }
 
 void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
@@ -424,7 +429,7 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
             break;
         }
     }
-    m_measured = found;
+    m_measured = deepest;
     if (found < -ContactSystem::kMaxOverlap)
     {
         m_subSteps.contacts.SolveOverlaps(m_memory, m_group, m_subSteps.joints, m_context,

@@ -42,7 +42,7 @@ private:
 
     SubStepMemory& m_subSteps;
     int32 m_kick = 0; ///< index of the next
-    /// Smallest separation of the last measurement in this step [m].
+    /// Smallest separation of the last measurement in this step [m]; 0 if nothing overlapped.
     float32 m_measured = -b2_maxFloat;
 };
 
