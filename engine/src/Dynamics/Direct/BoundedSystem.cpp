@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "BoundedSystem.h"
 
+#include "../State/BodyPose.h"
+
 #include <Box2D/Dynamics/b2Body.h>
 
 #include <algorithm>
@@ -34,6 +36,9 @@ constexpr double kMaxWork = 10.0;
 
 /// Limits with a smaller relative difference are equal.
 constexpr double kSameLimit = 0.01;
+
+/// A difference of speeds may be rounded by this fraction of them.
+constexpr double kRounding = 8.0 * double(b2_epsilon);
 
 double Limited(double value, double minimum, double maximum)
 {
@@ -201,7 +206,8 @@ void BoundedSystem::GoBack(const SolverContext& context)
     Restore(context, m_marked);
 }
 
-double BoundedSystem::FastestGiven(const SolverContext& context) const
+template <class Motion>
+double BoundedSystem::FastestOfGiven(Motion&& motion) const
 {
     double fastest = 0.0;
     for (std::size_t i = 0; i < m_items.size(); ++i)
@@ -210,18 +216,39 @@ double BoundedSystem::FastestGiven(const SolverContext& context) const
         for (int32 side = 0; side < rows.bodies; ++side)
         {
             const JointRows::Column& c = rows.columns[side];
-            const SolverBody& s = context.bodies[c.body];
-            if (Moves(c.invMass, c.invInertia) || (s.v == b2Vec2_zero && s.w == 0.0f))
+            if (!Moves(c.invMass, c.invInertia))
             {
-                continue;
-            }
-            for (int32 row = 0; row < rows.rows; ++row)
-            {
-                fastest = std::max(fastest, std::abs(SpeedFrom(c, row, s)));
+                const SolverBody s = motion(*c.data);
+                for (int32 row = 0; row < rows.rows; ++row)
+                {
+                    fastest = std::max(fastest, std::abs(SpeedFrom(c, row, s)));
+                }
             }
         }
     }
     return fastest;
+}
+
+double BoundedSystem::FastestGiven(const SolverContext& context) const
+{
+    return FastestOfGiven([&](const BodyData& body) { return context.bodies[body.SolverIndex()]; });
+}
+
+/// All are compared with the first one, as if they were parts of it.
+double BoundedSystem::FastestDriven(const SolverContext& context) const
+{
+    const BodyData* first = nullptr;
+    double fastest = 0.0;
+    const double driven = FastestOfGiven([&](const BodyData& body) {
+        first = first != nullptr ? first : &body;
+        const SolverBody& whole = context.bodies[first->SolverIndex()];
+        SolverBody s = context.bodies[body.SolverIndex()];
+        fastest = std::max(fastest, double(s.v.Length() + whole.v.Length()));
+        s.v -= whole.v + b2Cross(whole.w, CenterOffset(*first, body));
+        s.w -= whole.w;
+        return s;
+    });
+    return std::max(driven - kRounding * fastest, 0.0);
 }
 
 bool BoundedSystem::HasBurst(const SolverContext& context) const

@@ -56,11 +56,15 @@ public:
     /// bound.
     bool HasBurst(const SolverContext& context) const;
     void GoBack(const SolverContext& context);
-    /// Returns the maximum speed that a body with infinite mass, such as a platform, gives to a row
-    /// [m/s].
-    double FastestGiven(const SolverContext& context) const;
+    /// Returns the maximum speed at which bodies with infinite mass, such as a platform and the
+    /// ground, move against each other at a row [m/s]. One alone, or all together, squeeze nothing.
+    double FastestDriven(const SolverContext& context) const;
 
 private:
+    template <class Motion>
+    double FastestOfGiven(Motion&& motion) const;
+    /// Returns the maximum speed that a body with infinite mass gives to a row [m/s].
+    double FastestGiven(const SolverContext& context) const;
     bool Improve(const SolverContext& context);
     bool Release(const SolverContext& context, double tolerance);
     bool Move(const SolverContext& context, double share);

@@ -16,6 +16,7 @@ struct BlockKernels
     void (*kick)(ContactBlock& block, BlockTotals& totals, float32* bodies, float32 share,
                  bool addsLast);
     void (*addToTotals)(const ContactBlock& block, BlockTotals& totals);
+    void (*limitFriction)(ContactBlock& block, float32* bodies);
     void (*findErrors)(const ContactBlock& block, const float32* bodies, const ErrorBounds& bounds,
                        float32* off);
     bool (*solve)(ContactBlock& block, float32* bodies, float32 unchanged);
@@ -27,9 +28,9 @@ namespace
 {
 
 template <class F>
-constexpr BlockKernels kBlockKernels = {PrepareBlock<F>,     WarmStartBlock<F>, KickBlock<F>,
-                                        AddToTotals<F>,      FindErrors<F>,     SolveBlock<F>,
-                                        SolveOverlapBlock<F>};
+constexpr BlockKernels kBlockKernels = {PrepareBlock<F>, WarmStartBlock<F>,   KickBlock<F>,
+                                        AddToTotals<F>,  LimitFriction<F>,    FindErrors<F>,
+                                        SolveBlock<F>,   SolveOverlapBlock<F>};
 
 } // namespace
 } // namespace box2d

@@ -126,15 +126,21 @@ struct BlockSolver
 
     void SolveFriction(int i)
     {
+        const PointLanes& p = block.points[i];
+        const F slip = m.across + m.wB * At(p.tangentLeverB) - m.wA * At(p.tangentLeverA) -
+                       AtOrZero(block.driven, block.tangentSpeed);
+        ChangeFriction(i, At(p.tangentImpulse) - At(block.pointMass[i]) * slip);
+    }
+
+    /// Sets the tangential impulse, within its limit.
+    void ChangeFriction(int i, F wanted)
+    {
         PointLanes& p = block.points[i];
         const F leverA = At(p.tangentLeverA);
         const F leverB = At(p.tangentLeverB);
-        const F slip =
-            m.across + m.wB * leverB - m.wA * leverA - AtOrZero(block.driven, block.tangentSpeed);
         const F limit = At(block.friction) * At(p.normalImpulse);
-        const F old = At(p.tangentImpulse);
-        const F total = Max(-limit, Min(old - At(block.pointMass[i]) * slip, limit));
-        const F change = total - old;
+        const F total = Max(-limit, Min(wanted, limit));
+        const F change = total - At(p.tangentImpulse);
         m.across = m.across + invMass * change;
         m.wA = m.wA - invInertiaA * leverA * change;
         m.wB = m.wB + invInertiaB * leverB * change;
@@ -299,6 +305,30 @@ void KickBlock(ContactBlock& block, BlockTotals& totals, float32* bodies, float3
             PassOn<F>(p.normalImpulse + lane, totals.firstNormal[i] + lane, share);
             PassOn<F>(p.tangentImpulse + lane, totals.firstTangent[i] + lane, share);
             solver.WarmStart(p);
+        }
+        solver.Store(bodies);
+    }
+}
+
+template <class F>
+void LimitFriction(ContactBlock& block, float32* bodies)
+{
+    for (int lane = 0; lane < block.count; lane += F::kLanes)
+    {
+        const auto at = [lane](const float32* field) { return F::Load(field + lane); };
+        const auto exceeds = [&](const PointLanes& p) {
+            return Any(Less(at(block.friction) * at(p.normalImpulse), Abs(at(p.tangentImpulse))));
+        };
+        const bool first = exceeds(block.points[0]);
+        const bool second = block.pointCount == 2 && exceeds(block.points[1]);
+        if (!first && !second)
+        {
+            continue;
+        }
+        BlockSolver<F> solver(block, lane, bodies);
+        for (int i = 0; i < block.pointCount; ++i)
+        {
+            solver.ChangeFriction(i, solver.At(block.points[i].tangentImpulse));
         }
         solver.Store(bodies);
     }

@@ -395,6 +395,11 @@ void AddToTotals(const ContactBlock& block, BlockTotals& totals)
     KernelsOf(block).addToTotals(block, totals);
 }
 
+void LimitFriction(ContactBlock& block, SolverBody* bodies)
+{
+    KernelsOf(block).limitFriction(block, Numbers(bodies));
+}
+
 void FindErrors(const ContactBlock& block, const SolverBody* bodies, const ErrorBounds& bounds,
                 float32 (&off)[kBlockLanes])
 {

@@ -204,6 +204,9 @@ void KickBlock(ContactBlock& block, BlockTotals& totals, SolverBody* bodies, flo
                bool addsLast);
 /// Adds the impulses of the last kick to the totals of the step.
 void AddToTotals(const ContactBlock& block, BlockTotals& totals);
+/// Reduces friction that exceeds its limit, because normal impulses have become smaller since it
+/// was solved.
+void LimitFriction(ContactBlock& block, SolverBody* bodies);
 /// What does not count as an error, see FindErrors.
 struct ErrorBounds
 {

@@ -55,7 +55,8 @@ constexpr float32 kDisplacementTolerance = 0.01f * b2_linearSlop;
 /// Where shapes overlap by more than this [m], there is no room for them. It is the size of the
 /// smallest bodies that the manual advises.
 constexpr float32 kSqueezed = 0.1f;
-constexpr float32 kAllPushes = 1.01f; ///< limit of a row of contacts, a little above the sum
+/// There is no room for displacements if a point is left by more than this [m].
+constexpr float32 kNoRoom = 0.05f * b2_linearSlop;
 
 /// A contact of a block as an item: one row per normal and one for the tangent.
 class ContactItem
@@ -185,7 +186,7 @@ bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& 
     {
         return true;
     }
-    const double driven = system.FastestGiven(context);
+    const double driven = system.FastestDriven(context);
     if (!(driven > 0.0))
     {
         return false;
@@ -233,6 +234,25 @@ void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverB
         item.maximum.at[i] = BoundedSystem::kUnbounded;
         item.active = uint8(item.active | int(out > 0.0f) << i);
     }
+}
+
+/// True if displacements separate the points of the first `contacts` items as far as they must.
+/// Otherwise there is no room, and what was found is rounding.
+bool AreApart(BoundedSystem& system, std::size_t contacts, const SolverContext& displacements)
+{
+    for (std::size_t i = 0; i < contacts; ++i)
+    {
+        const Vector3 moved = SpeedOf(displacements, system.Rows(i));
+        const BoundedSystem::Item& item = system.At(i);
+        for (int32 row = 0; row < 2; ++row)
+        {
+            if (item.maximum.at[row] > 0.0 && moved.at[row] < item.speeds.at[row] - double(kNoRoom))
+            {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 /// Returns the number of a contact's island; -1 without one.
@@ -571,7 +591,7 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     // What is squeezed may hold itself by friction with any load. Then limits that were not found
     // would let the loads grow from round to round.
     const auto isSqueezed = [&] {
-        return jammed || system.FastestGiven(context) > 0.0 ||
+        return jammed || system.FastestDriven(context) > 0.0 ||
                LeastSeparation(island, solver, context.bodies) < -kSqueezed;
     };
     if (!found && isSqueezed())
@@ -672,13 +692,7 @@ void ContactSystem::SolveOverlaps(ContactIsland& island, SolverMemory& solver, J
         }
     }
     system.Minimize(displacements, double(kDisplacementTolerance));
-    float32 farthest = 0.0f;
-    for (const BodyData* body : system.Bodies())
-    {
-        farthest = b2Max(farthest, m_moves[std::size_t(body->SolverIndex())].v.Length());
-    }
-    // Further than all pushes in a row: there is no solution, and the result is rounding.
-    const bool hasRoom = farthest <= kAllPushes * float32(count + 1) * pace.maximum;
+    const bool hasRoom = AreApart(system, count, displacements);
     for (const BodyData* body : system.Bodies())
     {
         SolverBody& move = m_moves[std::size_t(body->SolverIndex())];
