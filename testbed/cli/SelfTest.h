@@ -12,6 +12,6 @@ namespace boxreel
 std::uint64_t RunSelfTest();
 
 /// The result of RunSelfTest on every machine.
-inline constexpr std::uint64_t kSelfTestState = 0x4795eb420a3a36a0;
+inline constexpr std::uint64_t kSelfTestState = 0x685c72e38748c852;
 
 } // namespace boxreel
