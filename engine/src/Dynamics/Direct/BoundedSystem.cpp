@@ -251,6 +251,25 @@ double BoundedSystem::FastestDriven(const SolverContext& context) const
     return std::max(driven - kRounding * fastest, 0.0);
 }
 
+bool BoundedSystem::Separates(const SolverContext& context, std::size_t items,
+                              double tolerance) const
+{
+    for (std::size_t i = 0; i < items; ++i)
+    {
+        const Item& item = m_items[i];
+        const Vector3 speed = SpeedOf(context, m_system.Rows(i));
+        for (int32 row = 0; row < JointRows::kMaxRows; ++row)
+        {
+            const bool pushes = item.minimum.at[row] == 0.0 && item.maximum.at[row] >= kUnbounded;
+            if (pushes && speed.at[row] < item.speeds.at[row] - tolerance)
+            {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 bool BoundedSystem::HasBurst(const SolverContext& context) const
 {
     return Fastest(context) > kBurst * b2Max(m_markedFastest, kMinSpeedBefore) || HasEndlessWork();

@@ -56,6 +56,9 @@ public:
     /// bound.
     bool HasBurst(const SolverContext& context) const;
     void GoBack(const SolverContext& context);
+    /// True if rows of the first `items` that may only push have reached their target speeds, but
+    /// for this tolerance.
+    bool Separates(const SolverContext& context, std::size_t items, double tolerance) const;
     /// Returns the maximum speed at which bodies with infinite mass, such as a platform and the
     /// ground, move against each other at a row [m/s]. One alone, or all together, squeeze nothing.
     double FastestDriven(const SolverContext& context) const;

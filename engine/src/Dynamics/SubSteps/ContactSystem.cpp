@@ -236,25 +236,6 @@ void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverB
     }
 }
 
-/// True if displacements separate the points of the first `contacts` items as far as they must.
-/// Otherwise there is no room, and what was found is rounding.
-bool AreApart(BoundedSystem& system, std::size_t contacts, const SolverContext& displacements)
-{
-    for (std::size_t i = 0; i < contacts; ++i)
-    {
-        const Vector3 moved = SpeedOf(displacements, system.Rows(i));
-        const BoundedSystem::Item& item = system.At(i);
-        for (int32 row = 0; row < 2; ++row)
-        {
-            if (item.maximum.at[row] > 0.0 && moved.at[row] < item.speeds.at[row] - double(kNoRoom))
-            {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
 /// Returns the number of a contact's island; -1 without one.
 int32 IslandOf(const AwakeIslands& islands, const ContactBlock& block, int32 lane)
 {
@@ -692,7 +673,8 @@ void ContactSystem::SolveOverlaps(ContactIsland& island, SolverMemory& solver, J
         }
     }
     system.Minimize(displacements, double(kDisplacementTolerance));
-    const bool hasRoom = AreApart(system, count, displacements);
+    // Otherwise there is no room, and what was found is rounding.
+    const bool hasRoom = system.Separates(displacements, count, double(kNoRoom));
     for (const BodyData* body : system.Bodies())
     {
         SolverBody& move = m_moves[std::size_t(body->SolverIndex())];
