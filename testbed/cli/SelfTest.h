@@ -12,6 +12,6 @@ namespace boxreel
 std::uint64_t RunSelfTest();
 
 /// The result of RunSelfTest on every machine.
-inline constexpr std::uint64_t kSelfTestState = 0x685c72e38748c852;
+inline constexpr std::uint64_t kSelfTestState = 0x59b25ced2cb3ba58;
 
 } // namespace boxreel

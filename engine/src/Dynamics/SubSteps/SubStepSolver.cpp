@@ -325,10 +325,13 @@ void SubStepSolver::Kick(float32 duration, float32 share, int32 iterations)
     }
     else
     {
-        // An iteration solves friction first, by the normal impulses of the iteration before it.
-        ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
-            LimitFriction(blocks.Contacts(i), m_context.bodies);
-        });
+        // The only iteration solved friction by the normal impulses of the kick before.
+        if (iterations == 1)
+        {
+            ForEachBlock(Direction::Forward, m_threads, [&](ContactBlocks& blocks, int32 i) {
+                LimitFriction(blocks.Contacts(i), m_context.bodies);
+            });
+        }
         m_subSteps.contacts.SolveVelocities(m_memory, m_group, m_subSteps.joints, m_context,
                                             weight);
     }
