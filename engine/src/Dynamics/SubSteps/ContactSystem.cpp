@@ -34,7 +34,8 @@ constexpr int32 kMaxRounds = 8;
 /// Tuned on boxes between walls and at a door: docs/notes/sub-steps-motors-and-jams.md.
 constexpr float32 kJammedSoftness = 0.1f;
 constexpr float32 kLeastTolerance = 1e-6f; ///< of contacts without weight [m/s]
-/// An impulse's rounding counts as no error up to this fraction of the speed that weight adds.
+/// Rounding of impulses and speeds counts as no error up to this fraction of the speed that weight
+/// adds in a kick.
 constexpr float32 kMostRounding = 0.01f;
 /// Weight counts as at least this speed [m/s].
 constexpr float32 kLeastWeight = 1e-4f;
