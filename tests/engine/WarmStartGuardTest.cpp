@@ -98,24 +98,39 @@ class WarmStartGuard : public testing::TestWithParam<int32>
 {};
 INSTANTIATE_TEST_SUITE_P(SubSteps, WarmStartGuard, testing::Values(2, 4, 8));
 
+/// True if the heap never gains a twentieth of its least energy so far.
+bool AddsNoEnergy(Heap& heap)
+{
+    heap.Step(5); // boxes that overlap at the start are pushed apart
+    const double first = heap.Energy();
+    double least = first;
+    for (int i = 0; i < 180 && least > 0.001 * first; ++i)
+    {
+        heap.Step();
+        const double energy = heap.Energy();
+        if (energy >= 1.05 * least)
+        {
+            return false;
+        }
+        least = std::min(least, energy);
+    }
+    return true;
+}
+
+/// One heap in a few hundred does, where all that its impacts leave is a thousandth. Which one
+/// changes with the bits, so this counts them. Without the guard two thirds of them do.
 TEST_P(WarmStartGuard, LetsImpactsOfJointedBodiesAddNoEnergy)
 {
-    // Of the heaps 0 to 599, 67, 222 and 552 gain more with 4 sub-steps, and 193 with 8. Which ones
-    // changes with the bits.
-    for (unsigned seed = 68; seed < 168; ++seed)
+    std::vector<unsigned> gaining;
+    for (unsigned seed = 0; seed < 200; ++seed)
     {
         Heap heap(seed, GetParam());
-        heap.Step(5); // boxes that overlap at the start are pushed apart
-        const double first = heap.Energy();
-        double least = first;
-        for (int i = 0; i < 180 && least > 0.001 * first; ++i)
+        if (!AddsNoEnergy(heap))
         {
-            heap.Step();
-            const double energy = heap.Energy();
-            ASSERT_LT(energy, 1.05 * least) << "seed " << seed << ", step " << i;
-            least = std::min(least, energy);
+            gaining.push_back(seed);
         }
     }
+    EXPECT_LE(gaining.size(), 2u) << testing::PrintToString(gaining);
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 /// Large piles that are thrown together come to rest, and hold their own weight: their islands have
 /// too many contacts to be solved directly.
@@ -93,16 +95,16 @@ TEST_P(Piles, OfCirclesDoNotSinkIntoThemselves)
     Judge("pile of 1000 circles, kinetic", GetParam(), trial.KineticOfAll(), "J", 0.2);
 }
 
-/// With one step, limbs that turn fast kept nothing of what held them, and never stopped.
-TEST_P(Piles, OfJointedRodsComeToRest)
+/// Returns the mean speed of 400 chains of rods 8 s after they fell, shifted to the right [m/s].
+double SpeedOfRods(int32 subSteps, float32 shift)
 {
-    Trial trial(GetParam());
+    Trial trial(subSteps);
     AddContainer(trial, 20.0f);
     b2PolygonShape rod;
     rod.SetAsBox(0.2f, 0.07f);
     for (int i = 0; i < 400; ++i)
     {
-        const float32 x = -8.4f + 2.4f * float32(i % 8);
+        const float32 x = -8.4f + shift + 2.4f * float32(i % 8);
         const float32 y = 1.0f + 0.8f * float32(i / 8);
         b2Body* last = nullptr;
         for (int limb = 0; limb < 5; ++limb)
@@ -120,7 +122,20 @@ TEST_P(Piles, OfJointedRodsComeToRest)
         }
     }
     trial.Run(8.0);
-    Judge("pile of 400 chains of rods, mean speed", GetParam(), MeanSpeed(trial), "m/s", 0.2);
+    return MeanSpeed(trial);
+}
+
+/// With one step, limbs that turn fast kept nothing of what held them, and never stopped. A pile
+/// may still slide then, and which one does changes with the bits: the median of three is judged.
+TEST_P(Piles, OfJointedRodsComeToRest)
+{
+    double speeds[3];
+    for (int i = 0; i < 3; ++i)
+    {
+        speeds[i] = SpeedOfRods(GetParam(), 0.001f * float32(i));
+    }
+    std::sort(std::begin(speeds), std::end(speeds));
+    Judge("3 piles of 400 chains of rods, speed", GetParam(), speeds[1], "m/s", 0.2);
 }
 
 } // namespace

@@ -4,12 +4,18 @@
 #include "ContactBlockSolver.h"
 #include "Restitution.h"
 
+#include <limits>
+#include <utility>
+
 /// Computes both sides of a block from the gathered data of its contacts, for numbers F of 1, 4,
 /// 8 or 16 lanes. Included like ContactBlockSolver.h, so it has no external linkage either.
 namespace box2d
 {
 namespace
 {
+
+/// Of a body until the middle of the step; what turns faster has no contact for that long [rad].
+constexpr float32 kMostTurn = 0.25f;
 
 template <class F, OverlapKind kKind>
 struct BlockPreparer
@@ -75,13 +81,92 @@ struct BlockPreparer
         Vector<F> points[2];
     };
 
-    Geometry MeasureCircles(const Vector<F>& offset) const
+    struct Bodies
     {
+        F a[4], b[4]; // vx, vy, w, and the angle
+        F invMassA, invInertiaA, invMassB, invInertiaB;
+    };
+
+    /// What the geometry follows from: the overlap's, at some time of the step.
+    struct Places
+    {
+        Vector<F> offset, normal, reference;
+        Vector<F> points[2];
+    };
+
+    Places PlacesAtStart() const
+    {
+        Places p;
+        p.offset = At(overlap.offsetX, overlap.offsetY);
+        p.normal = At(overlap.normalX, overlap.normalY);
+        p.reference = At(overlap.referenceX, overlap.referenceY);
+        for (int i = 0; i < block.pointCount; ++i)
+        {
+            p.points[i] = At(overlap.pointX[i], overlap.pointY[i]);
+        }
+        return p;
+    }
+
+    /// Returns the time to the middle of the step, or 0 for what did not press in the last step: at
+    /// an impact the speeds turn, so nothing is known of the middle [s].
+    F TimeToMiddle() const
+    {
+        F press = At(from.normalImpulse[0]);
+        for (int i = 1; i < block.pointCount; ++i)
+        {
+            press = Max(press, At(from.normalImpulse[i]));
+        }
+        const auto pressed = AtLeast(press, F::Set(std::numeric_limits<float32>::min()));
+        return Select(pressed, F::Set(context.middle), F::Set(0.0f));
+    }
+
+    /// The sine and cosine of a small angle, or of the most that a contact turns.
+    std::pair<F, F> SmallTurn(F angle) const
+    {
+        const F most = F::Set(kMostTurn);
+        angle = Max(-most, Min(angle, most));
+        const F sine = angle - F::Set(1.0f / 6.0f) * angle * angle * angle;
+        return {sine, Sqrt(F::Set(1.0f) - sine * sine)};
+    }
+
+    /// Moves the bodies on to the middle of the step, but neither together nor apart.
+    void MoveOn(Places& p, const Geometry& start, const Bodies& bodies) const
+    {
+        const F time = TimeToMiddle();
+        const Vector<F> armB = Subtract(start.points[0], p.offset);
+        const Vector<F> centres = {bodies.b[0] - bodies.a[0], bodies.b[1] - bodies.a[1]};
+        const Vector<F> speed = {centres.x - bodies.b[2] * armB.y + bodies.a[2] * start.points[0].y,
+                                 centres.y + bodies.b[2] * armB.x -
+                                     bodies.a[2] * start.points[0].x};
+        const Vector<F> along = Subtract(centres, Scale(Dot(speed, start.normal), start.normal));
+        p.offset = Add(p.offset, Scale(time, along));
+        const auto [sineA, cosineA] = SmallTurn(time * bodies.a[2]);
+        const auto [sineB, cosineB] = SmallTurn(time * bodies.b[2]);
+        const F sineFace = kFaceOnB ? sineB : sineA;
+        const F cosineFace = kFaceOnB ? cosineB : cosineA;
+        const F sineOther = kFaceOnB ? sineA : sineB;
+        const F cosineOther = kFaceOnB ? cosineA : cosineB;
+        p.normal = Turn(sineFace, cosineFace, p.normal);
+        p.reference = Turn(sineFace, cosineFace, p.reference);
+        for (int i = 0; i < block.pointCount; ++i)
+        {
+            p.points[i] = Turn(sineOther, cosineOther, p.points[i]);
+        }
+    }
+
+    Geometry Measure(const Places& p) const
+    {
+        return kKind == OverlapKind::Centers ? MeasureCircles(p) : MeasureFace(p);
+    }
+
+    Geometry MeasureCircles(const Places& p) const
+    {
+        const Vector<F>& offset = p.offset;
         const F zero = F::Set(0.0f);
         const F one = F::Set(1.0f);
         Geometry g;
-        const Vector<F> reference = At(overlap.referenceX, overlap.referenceY);
-        const Vector<F> onB = Add(offset, At(overlap.pointX[0], overlap.pointY[0]));
+        const Vector<F>& reference = p.reference;
+        const Vector<F> onB = Add(offset, p.points[0]);
         const Vector<F> between = Subtract(onB, reference);
         const F length = Sqrt(between.x * between.x + between.y * between.y);
         const auto apart = AtLeast(length, F::Set(kMinLength));
@@ -94,19 +179,19 @@ struct BlockPreparer
         return g;
     }
 
-    Geometry MeasureFace(const Vector<F>& offset) const
+    Geometry MeasureFace(const Places& p) const
     {
         Geometry g;
-        const Vector<F> normal = At(overlap.normalX, overlap.normalY);
-        const Vector<F> reference = At(overlap.referenceX, overlap.referenceY);
+        const Vector<F>& offset = p.offset;
+        const Vector<F>& normal = p.normal;
+        const Vector<F>& reference = p.reference;
         const F radiusFace = At(from.radiusFace);
         const F radiusOther = At(from.radiusOther);
         g.normal = kFaceOnB ? Vector<F>{-normal.x, -normal.y} : normal;
         const Vector<F> face = kFaceOnB ? Add(offset, reference) : reference;
         for (int i = 0; i < block.pointCount; ++i)
         {
-            const Vector<F> point = At(overlap.pointX[i], overlap.pointY[i]);
-            const Vector<F> core = kFaceOnB ? point : Add(offset, point);
+            const Vector<F> core = kFaceOnB ? p.points[i] : Add(offset, p.points[i]);
             const F toFace = radiusFace - Dot(Subtract(core, face), normal);
             const Vector<F> onFace = Add(core, Scale(toFace, normal));
             const Vector<F> onOther = Subtract(core, Scale(radiusOther, normal));
@@ -130,12 +215,6 @@ struct BlockPreparer
         (push * share).Store(p.normalImpulse + lane);
         (drag * share).Store(p.tangentImpulse + lane);
     }
-
-    struct Bodies
-    {
-        F a[4], b[4]; // vx, vy, w, and the angle
-        F invMassA, invInertiaA, invMassB, invInertiaB;
-    };
 
     void FillPoint(int i, const Bodies& bodies, const Vector<F>& normal, const Vector<F>& armA,
                    const Vector<F>& armB) const
@@ -170,10 +249,6 @@ struct BlockPreparer
     {
         const auto* bodyNumbers = reinterpret_cast<const float32*>(context.bodies);
         FillOverlap();
-        const Vector<F> offset = At(overlap.offsetX, overlap.offsetY);
-        const Geometry g =
-            kKind == OverlapKind::Centers ? MeasureCircles(offset) : MeasureFace(offset);
-        Put(g.normal, block.normalX, block.normalY);
         Bodies bodies;
         LoadRows(bodyNumbers, kBodyStride, block.bodyA + lane, bodies.a);
         LoadRows(bodyNumbers, kBodyStride, block.bodyB + lane, bodies.b);
@@ -181,10 +256,18 @@ struct BlockPreparer
         bodies.invInertiaA = At(block.masses.invInertiaA);
         bodies.invMassB = At(block.masses.invMassB);
         bodies.invInertiaB = At(block.masses.invInertiaB);
+        Places places = PlacesAtStart();
+        Geometry g = Measure(places);
+        if (context.middle > 0.0f)
+        {
+            MoveOn(places, g, bodies);
+            g = Measure(places);
+        }
+        Put(g.normal, block.normalX, block.normalY);
         for (int i = 0; i < block.pointCount; ++i)
         {
             CopyImpulses(i);
-            FillPoint(i, bodies, g.normal, g.points[i], Subtract(g.points[i], offset));
+            FillPoint(i, bodies, g.normal, g.points[i], Subtract(g.points[i], places.offset));
         }
         block.allCoupled = block.allCoupled && !Any(Not(AreCoupled<F>(block, lane)));
     }

@@ -194,6 +194,7 @@ void SubStepSolver::Begin(int32 count)
         m_subSteps.kicks[i] = BodyKick(body, m_world.settings.gravity);
         m_subSteps.modes[i] = ModeOf(body);
     });
+    m_context.middle = 0.5f * m_context.timeStep;
     HoldOverflow();
     AssignContacts();
     PrepareContacts();
