@@ -109,7 +109,7 @@ struct BlockPreparer
 
     /// Returns the time to the middle of the step, or 0 for what did not press in the last step: at
     /// an impact the speeds turn, so nothing is known of the middle [s].
-    F TimeToMiddle() const
+    F TimeToMiddle(const Bodies& bodies) const
     {
         F press = At(from.normalImpulse[0]);
         for (int i = 1; i < block.pointCount; ++i)
@@ -117,31 +117,28 @@ struct BlockPreparer
             press = Max(press, At(from.normalImpulse[i]));
         }
         const auto pressed = AtLeast(press, F::Set(std::numeric_limits<float32>::min()));
-        return Select(pressed, F::Set(context.middle), F::Set(0.0f));
+        const F time = Select(pressed, F::Set(context.middle), F::Set(0.0f));
+        const F spin = Max(Max(bodies.a[2], -bodies.a[2]), Max(bodies.b[2], -bodies.b[2]));
+        return Min(time, F::Set(kMostTurn) / Max(spin, F::Set(1.0f)));
     }
 
-    /// The sine and cosine of a small angle, or of the most that a contact turns.
+    /// The sine and cosine of an angle up to the most that a contact turns.
     std::pair<F, F> SmallTurn(F angle) const
     {
-        const F most = F::Set(kMostTurn);
-        angle = Max(-most, Min(angle, most));
         const F sine = angle - F::Set(1.0f / 6.0f) * angle * angle * angle;
         return {sine, Sqrt(F::Set(1.0f) - sine * sine)};
     }
 
-    /// Moves the bodies on to the middle of the step, but neither together nor apart.
-    void MoveOn(Places& p, const Geometry& start, const Bodies& bodies) const
+    /// Moves the bodies on to the middle of the step: B by its motion as A sees it, so that what
+    /// turns with A stays where it is, in each of their contacts.
+    void MoveOn(Places& p, const Bodies& bodies) const
     {
-        const F time = TimeToMiddle();
-        const Vector<F> armB = Subtract(start.points[0], p.offset);
-        const Vector<F> centres = {bodies.b[0] - bodies.a[0], bodies.b[1] - bodies.a[1]};
-        const Vector<F> speed = {centres.x - bodies.b[2] * armB.y + bodies.a[2] * start.points[0].y,
-                                 centres.y + bodies.b[2] * armB.x -
-                                     bodies.a[2] * start.points[0].x};
-        const Vector<F> along = Subtract(centres, Scale(Dot(speed, start.normal), start.normal));
-        p.offset = Add(p.offset, Scale(time, along));
+        const F time = TimeToMiddle(bodies);
         const auto [sineA, cosineA] = SmallTurn(time * bodies.a[2]);
         const auto [sineB, cosineB] = SmallTurn(time * bodies.b[2]);
+        const Vector<F> seen = {bodies.b[0] - bodies.a[0] + bodies.a[2] * p.offset.y,
+                                bodies.b[1] - bodies.a[1] - bodies.a[2] * p.offset.x};
+        p.offset = Turn(sineA, cosineA, Add(p.offset, Scale(time, seen)));
         const F sineFace = kFaceOnB ? sineB : sineA;
         const F cosineFace = kFaceOnB ? cosineB : cosineA;
         const F sineOther = kFaceOnB ? sineA : sineB;
@@ -257,12 +254,11 @@ struct BlockPreparer
         bodies.invMassB = At(block.masses.invMassB);
         bodies.invInertiaB = At(block.masses.invInertiaB);
         Places places = PlacesAtStart();
-        Geometry g = Measure(places);
         if (context.middle > 0.0f)
         {
-            MoveOn(places, g, bodies);
-            g = Measure(places);
+            MoveOn(places, bodies);
         }
+        const Geometry g = Measure(places);
         Put(g.normal, block.normalX, block.normalY);
         for (int i = 0; i < block.pointCount; ++i)
         {

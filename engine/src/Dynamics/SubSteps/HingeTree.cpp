@@ -24,6 +24,10 @@ namespace
 /// drift's time, those that turn the links for all of it. This is the mean of both shares.
 constexpr float32 kLastShare = 0.75f;
 
+/// Forces of a drift that are this many times those of the last step are a jerk, which tears hinges
+/// if the inertia does not follow it. An inertia that follows smaller changes as well feeds the
+/// swings that change it (docs/notes/sub-steps-chains.md).
+constexpr double kJerk = 2.0;
 /// Relative energy error of a step: more than the truncation error of swings that drifts can
 /// follow.
 constexpr double kWonShare = 2e-3;
@@ -216,6 +220,10 @@ bool HingeTree::StepIn(int32 count, float32 timeStep)
         Close(m_drift);
         Kick(i < count ? m_drift : 0.5f * m_drift);
         FindStiffness(double(i < count ? m_drift : kLastShare * m_drift));
+        if (!m_stiffened)
+        {
+            HoldStiffness();
+        }
     }
     const Energy energy = WonEnergy();
     return energy.now - energy.due > kWonShare * energy.moved;
@@ -332,6 +340,22 @@ void HingeTree::TakeLastStiffness(double time)
         }
     }
     FindStiffness(time);
+    for (Link& link : m_links)
+    {
+        link.lastStiffness = link.stiffness;
+    }
+}
+
+/// Holds the stiffness of the last step but in a jerk.
+void HingeTree::HoldStiffness()
+{
+    for (Link& link : m_links)
+    {
+        if (link.stiffness < kJerk * link.lastStiffness)
+        {
+            link.stiffness = link.lastStiffness;
+        }
+    }
 }
 
 void HingeTree::LeaveImpulses() const

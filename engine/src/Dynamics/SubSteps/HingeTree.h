@@ -79,12 +79,13 @@ private:
         double ease;          ///< change of its angular velocity per angular impulse
 
         // Values of a solution.
-        Pair residual;          ///< of the hinge's speed
-        Pair given;             ///< impulse from the subtree
-        double givenTurn = 0.0; ///< its moment
-        double load = 0.0;      ///< the mass of its subtree
-        double stiffness = 0.0; ///< restoring torque of the body by its rotation [N m/rad]
-        Pair change;            ///< of velocity
+        Pair residual;              ///< of the hinge's speed
+        Pair given;                 ///< impulse from the subtree
+        double givenTurn = 0.0;     ///< its moment
+        double load = 0.0;          ///< the mass of its subtree
+        double stiffness = 0.0;     ///< restoring torque of the body by its rotation [N m/rad]
+        double lastStiffness = 0.0; ///< the same by the mean forces of the last step
+        Pair change;                ///< of velocity
         double changeTurn = 0.0;
         Pair impulse; ///< impulse in the hinge
     };
@@ -118,6 +119,7 @@ private:
     void Kick(float32 time);
     void FindStiffness(double time);
     void TakeLastStiffness(double time);
+    void HoldStiffness();
     void TakeLevers();
     void TakeInertias();
     void Factor(Link& link);
