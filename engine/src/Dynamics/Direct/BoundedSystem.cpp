@@ -79,7 +79,39 @@ double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context
     return speed;
 }
 
+/// What the row's speed is the difference of [m/s].
+double SpeedsOf(const JointRows& rows, int32 row, const SolverContext& context)
+{
+    double speeds = 0.0;
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& c = rows.columns[side];
+        const SolverBody& s = context.bodies[c.body];
+        speeds += std::abs(double(c.x[row] * s.v.x)) + std::abs(double(c.y[row] * s.v.y)) +
+                  std::abs(double(c.w[row] * s.w));
+    }
+    return speeds;
+}
+
 } // namespace
+
+float32 BoundedSystem::ErrorOf(const SolverContext& context, const JointRows& rows,
+                               const Item& item)
+{
+    const Vector3 speed = box2d::SpeedOf(context, rows);
+    double error = 0.0;
+    for (int32 row = 0; row < rows.rows; ++row)
+    {
+        const double impulse = item.impulse.at[row];
+        const double off =
+            speed.at[row] + double(rows.laws[row].softness) * impulse - item.speeds.at[row];
+        const bool mayMove =
+            off < 0.0 ? impulse >= item.maximum.at[row] : impulse <= item.minimum.at[row];
+        const double rounding = kRounding * SpeedsOf(rows, row, context);
+        error = std::max(error, mayMove ? 0.0 : std::abs(off) - rounding);
+    }
+    return float32(error);
+}
 
 void BoundedSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination)
 {

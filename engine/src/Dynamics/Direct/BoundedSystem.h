@@ -29,6 +29,10 @@ public:
         uint8 active = 0; ///< rows that are not at a bound
     };
 
+    /// Returns by how much rows miss their target speeds, beyond rounding [m/s]; a row at a bound
+    /// may move away from it.
+    static float32 ErrorOf(const SolverContext& context, const JointRows& rows, const Item& item);
+
     void Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination);
     bool IsExact() const { return m_system.IsExact(); }
     std::size_t Count() const { return m_items.size(); }

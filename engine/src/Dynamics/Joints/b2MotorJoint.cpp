@@ -60,7 +60,7 @@ void b2MotorJoint::FillRows(const box2d::SolverContext& context, box2d::JointRow
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
     const b2Vec2 armA = row.f.ArmA(m_linearOffset);
     const b2Vec2 armB = row.f.ArmB(b2Vec2(0.0f, 0.0f));
-    const float32 rate = context.inverseStep * m_correctionFactor;
+    const float32 rate = context.inverseWhole * m_correctionFactor; // a share of each step
     const b2Vec2 error = row.f.Offset() + armB - armA;
     row.AddPoint(armA, armB, b2Vec2(0.0f, 0.0f));
     row.GiveToFriction(m_maxForce, m_maxTorque);

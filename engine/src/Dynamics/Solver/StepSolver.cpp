@@ -37,6 +37,7 @@ SolverContext MakeContext(const World& world, float32 timeStep)
     context.settings = world.settings;
     context.timeStep = timeStep;
     context.inverseStep = 1.0f / timeStep;
+    context.inverseWhole = context.inverseStep;
     context.stepRatio = b2Min(world.inverseStep * timeStep, kMaxStepRatio);
     context.warmStarting = world.settings.warmStarting;
     return context;

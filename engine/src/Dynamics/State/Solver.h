@@ -77,6 +77,7 @@ struct SolverContext
     SolverBody* bodies = nullptr; ///< by BodyData::SolverIndex; 0 never moves
     float32 timeStep = 0.0f;      ///< [s]
     float32 inverseStep = 0.0f;   ///< [1/s]
+    float32 inverseWhole = 0.0f;  ///< the same of the whole step, also in a sub-step [1/s]
     float32 stepRatio = 1.0f; ///< this step's length divided by the last one's, for warm starting
     /// Time to the middle of the step, for whose poses sub-steps take normals and levers of contacts
     /// [s]; 0: those of the start.

@@ -514,6 +514,12 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
     FindResiduals(solver, group, context.bodies, kMostRounding * weight);
     const float32 tolerance = kTolerance * weight + kLeastTolerance;
     ForSelected(group, [&](ContactIsland& island) {
+        for (std::size_t i = 0; island.residual <= tolerance && i < island.joints.size(); ++i)
+        {
+            // A load that rests squarely on a joint's body is off by nothing after its contacts'
+            // iteration, whatever the joint is off by.
+            island.residual = joints.ErrorOf(std::size_t(island.joints[i]), context);
+        }
         island.inImpact = island.residual > kImpact * (weight + kLeastWeight) &&
                           !IsAtRisk(island, solver, joints);
         if (island.residual > tolerance && !island.inImpact && Follow(island, solver, joints))

@@ -383,6 +383,14 @@ void JointSystem::FillItem(std::size_t joint, JointRows& rows, BoundedSystem::It
     }
 }
 
+float32 JointSystem::ErrorOf(std::size_t joint, const SolverContext& context) const
+{
+    JointRows rows;
+    BoundedSystem::Item item;
+    FillItem(joint, rows, item);
+    return BoundedSystem::ErrorOf(context, rows, item);
+}
+
 void JointSystem::FillDisplacements(std::size_t joint, JointRows& rows,
                                     BoundedSystem::Item& item) const
 {

@@ -163,6 +163,8 @@ public:
     /// A joint as part of a larger system. Call after SolveVelocities for its rows; TakeItem stores
     /// the solved impulses.
     void FillItem(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
+    /// Returns by how much the joint's rows miss their target speeds [m/s, rad/s].
+    float32 ErrorOf(std::size_t joint, const SolverContext& context) const;
     void TakeItem(std::size_t joint, const BoundedSystem::Item& item);
     /// Same as above, with displacements instead of velocities. Rigid rows and active limits must
     /// not move. Motors and springs are omitted, because they have target velocities.
