@@ -150,4 +150,19 @@ TEST(MotorJoint, DoesNothingWithoutForceAndTorque)
     }
 }
 
+/// Its correction is a share of each step. As a share of each sub-step it swung for 20 s.
+TEST(MotorJoint, ReachesItsOffsetAsSoonInAnySubSteps)
+{
+    for (const int32 count : {1, 2, 4, 8, 16})
+    {
+        Drive drive(30.0f, 100.0f);
+        drive.world.SetSubStepCount(count);
+        drive.load->SetTransform(b2Vec2(1.0f, -1.0f), 0.0f);
+        drive.Step(150);
+        EXPECT_NEAR(b2Distance(drive.load->GetPosition(), b2Vec2(2.0f, 0.0f)), 0.0f, 0.01f)
+            << count;
+        EXPECT_LT(drive.load->GetLinearVelocity().Length(), 0.02f) << count;
+    }
+}
+
 } // namespace

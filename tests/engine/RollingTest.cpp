@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 /// Contacts whose normals and levers turn within a step.
 namespace
@@ -59,6 +60,36 @@ TEST(Rolling, GainsNoEnergyWhereAWeightRocksABall)
             }
             EXPECT_LT(most, 1.07 * first) << subSteps << " sub-steps, friction " << friction;
             EXPECT_GT(scene.Energy(), 0.6 * first) << subSteps << ", friction " << friction;
+        }
+    }
+}
+
+/// Both of its contacts must be turned as one pair of bodies. Turned apart they were like walls
+/// that close, and threw the box out at up to 10 km/s.
+TEST(Rolling, LeavesABoxInATiltingTray)
+{
+    for (const int32 subSteps : {2, 4, 8, 16})
+    {
+        for (int32 start = 0; start < 4; ++start)
+        {
+            Scene scene;
+            scene.world.SetSubStepCount(subSteps);
+            b2Body* tray = scene.Body(b2_kinematicBody, 0.0f, 0.0f);
+            for (const float32 side : {-1.0f, 1.0f})
+            {
+                b2PolygonShape wall;
+                wall.SetAsBox(0.1f, 2.0f, b2Vec2(0.9f * side, 1.0f), -0.5f * side);
+                Scene::Add(tray, wall, 0.8f, 0.0f);
+            }
+            b2Body* box = scene.Body(b2_dynamicBody, 0.0f, 0.9f, 0.1f * float32(start));
+            Scene::AddBox(box, 0.4f, 0.4f, 0.8f);
+            for (int32 i = 0; i < 600; ++i)
+            {
+                tray->SetAngularVelocity(0.3f * b2_pi *
+                                         std::cos(2.0f * b2_pi * (float32(i) + 0.5f) / 60.0f));
+                scene.Step();
+                ASSERT_LT(box->GetLinearVelocity().Length(), 4.0f) << subSteps << ", " << start;
+            }
         }
     }
 }

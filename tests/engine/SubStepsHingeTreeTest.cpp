@@ -194,4 +194,34 @@ TEST(SubStepsHingeTree, ClosesAnOpenHingeWithoutResidualSpeed)
     EXPECT_LT(second->GetLinearVelocity().Length(), 0.5f) << "at most " << fastest;
 }
 
+/// Links under this tension would swing back too fast for a drift, and get more inertia. While that
+/// followed each kick's tension, it fed swings of 18 rad/s, and the chain never came to rest.
+TEST(SubStepsHingeTree, ComesToRestUnderALoadOfAThousandLinks)
+{
+    for (const int32 count : {3, 4, 8})
+    {
+        SmallScene s(b2Vec2(0.0f, -kGravity), count);
+        b2Body* last = s.Post();
+        for (int32 i = 0; i <= 20; ++i)
+        {
+            b2Body* body = i < 20 ? s.Part(0.25f + 0.5f * float32(i), 0.0f, 0.25f, 0.05f)
+                                  : s.Part(10.0f, -1.0f, 0.75f, 0.75f);
+            if (i == 20)
+            {
+                body->GetFixtureList()->SetDensity(24.0f);
+                body->ResetMassData();
+            }
+            body->SetLinearDamping(0.3f);
+            body->SetAngularDamping(0.5f);
+            s.Hinge(last, body, 0.5f * float32(i), 0.0f);
+            last = body;
+        }
+        s.Step(2400);
+        for (const b2Body* body : s.parts)
+        {
+            ASSERT_LT(b2Abs(body->GetAngularVelocity()), 0.1f) << count;
+        }
+    }
+}
+
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "Trial.h"
 
+#include <algorithm>
+
 /// Chains that swing against obstacles. Links are thrown, stopped within a step, pressed against
 /// static bodies by the load below, and pushed out again. Their joints must stay closed.
 namespace
@@ -66,44 +68,74 @@ public:
     std::vector<b2Joint*> joints;
 };
 
-/// Tries chains of each weight against the obstacle of `add`.
+struct Outcome
+{
+    double widest = 0.0; ///< gap [m]
+    double left = 0.0;   ///< the same after 10 s [m]
+    double won = 0.0;    ///< energy, as a part of the greatest kinetic energy
+};
+
+Outcome SwingFor10Seconds(Chain& chain)
+{
+    Outcome found;
+    const double before = chain.trial.EnergyOfAll();
+    double won = 0.0, maximum = 0.0;
+    chain.trial.Run(10.0, [&](double time) {
+        found.left = time > 9.9 ? Worst(chain.WidestGap(), found.left) : 0.0;
+        found.widest = Worst(chain.WidestGap(), found.widest);
+        won = Worst(chain.trial.EnergyOfAll() - before, won);
+        maximum = Worst(chain.trial.KineticOfAll(), maximum);
+    });
+    found.won = won / maximum;
+    return found;
+}
+
+double Median(const Outcome (&found)[3], double Outcome::*part)
+{
+    const double a = found[0].*part, b = found[1].*part, c = found[2].*part;
+    return std::max(std::min(a, b), std::min(std::max(a, b), c));
+}
+
+/// Tries chains of each weight against the obstacle of `add`, which is 2 cm elsewhere each time:
+/// how far a whipped chain is torn after 10 s changes with the bits.
 template <class Add>
 void TryChains(int32 n, const std::string& against, const Add& add)
 {
     for (const float32 ratio : {1.0f, 10.0f, 100.0f, 1000.0f})
     {
-        Chain chain(n, ratio);
-        add(chain);
-        const double before = chain.trial.EnergyOfAll();
-        double widest = 0.0, left = 0.0, won = 0.0, maximum = 0.0;
-        chain.trial.Run(10.0, [&](double time) {
-            left = time > 9.9 ? Worst(chain.WidestGap(), left) : 0.0;
-            widest = Worst(chain.WidestGap(), widest);
-            won = Worst(chain.trial.EnergyOfAll() - before, won);
-            maximum = Worst(chain.trial.KineticOfAll(), maximum);
-        });
+        Outcome found[3];
+        for (int32 i = 0; i < 3; ++i)
+        {
+            Chain chain(n, ratio);
+            add(chain, 0.02f * float32(i));
+            found[i] = SwingFor10Seconds(chain);
+        }
         const std::string name = "chain against " + against + ", " + std::to_string(int(ratio));
         const bool torn = ratio > 100.0f;
-        Judge(name + ":1, gap", n, widest, "m", Bound(n, torn ? kTornOpen : kHardlyOpen));
-        Judge(name + ":1, gap after 10 s", n, left, "m",
+        Judge(name + ":1, gap", n, Median(found, &Outcome::widest), "m",
+              Bound(n, torn ? kTornOpen : kHardlyOpen));
+        Judge(name + ":1, gap after 10 s", n, Median(found, &Outcome::left), "m",
               Bound(n, torn ? kTornOpenAfterwards : kOpenAfterwards));
-        Judge(name + ":1, energy won", n, 100.0 * won / maximum, "%", Bound(n, 1.0));
+        Judge(name + ":1, energy won", n, 100.0 * Median(found, &Outcome::won), "%", Bound(n, 1.0));
     }
 }
 
 TEST_P(ChainImpact, KeepsTheChainTogetherOnAPostBelowIt)
 {
-    TryChains(GetParam(), "a post", [](Chain& chain) { chain.AddPost(6.0f, -1.2f); });
+    TryChains(GetParam(), "a post",
+              [](Chain& chain, float32 shift) { chain.AddPost(6.0f + shift, -1.2f); });
 }
 
 TEST_P(ChainImpact, KeepsTheChainTogetherOnAPostBelowTheAnchor)
 {
-    TryChains(GetParam(), "a low post", [](Chain& chain) { chain.AddPost(0.0f, -10.0f); });
+    TryChains(GetParam(), "a low post",
+              [](Chain& chain, float32 shift) { chain.AddPost(shift, -10.0f); });
 }
 
 TEST_P(ChainImpact, KeepsTheChainTogetherOnTheGround)
 {
-    TryChains(GetParam(), "the ground", [](Chain& chain) { chain.AddGround(-15.0f); });
+    TryChains(GetParam(), "the ground",
+              [](Chain& chain, float32 shift) { chain.AddGround(-15.0f - shift); });
 }
 
 /// The ball touches the last link but one. Its end would have to be nearer than the ball's radius

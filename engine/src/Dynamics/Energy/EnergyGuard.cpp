@@ -134,7 +134,7 @@ int32 EnergyGuard::AccountOf(const b2Joint& joint) const
     return a != -1 ? a : AccountOf(Data(*joint.GetBodyB()));
 }
 
-void EnergyGuard::Begin(const World& world, const SolverMemory& solver, float32 timeStep)
+void EnergyGuard::Begin(const World& world, SolverMemory& solver, float32 timeStep)
 {
     for (const Account& account : m_accounts)
     {
@@ -169,6 +169,7 @@ void EnergyGuard::Begin(const World& world, const SolverMemory& solver, float32 
     {
         return;
     }
+    solver.pushed.assign(solver.bodies.size(), b2Vec2_zero);
     for (b2Joint* joint : world.graph.Joints())
     {
         if (HasSpring(*joint) && AccountOf(*joint) != -1)
@@ -238,14 +239,27 @@ void EnergyGuard::Balance(const World& world, SolverMemory& solver)
     ShareOut(world, solver);
 }
 
+/// Returns the work of an acceleration along pushes [J/kg]. Without sub-steps joints are closed
+/// after each of them, and what they take back is no push.
+float32 EnergyGuard::WorkOfPushes(const b2Vec2& a, const SolverBody& s, const b2Vec2& pushed) const
+{
+    if (m_subSteps > 1)
+    {
+        return b2Dot(a, pushed);
+    }
+    const float32 corrected = b2Dot(a, s.d - m_timeStep * s.v);
+    return b2Clamp(b2Dot(a, pushed), b2Min(corrected, 0.0f), b2Max(corrected, 0.0f));
+}
+
 /// Returns the energy that a body gained beyond the work of gravity and forces along its path,
 /// including corrections of its pose [J]. A correction that lifts a body which keeps sinking is
-/// therefore no gain.
-double EnergyGuard::Won(const BodyData& body, const SolverBody& s) const
+/// therefore no gain. Nor is a push out of an overlap: bodies that start in one would owe what it
+/// lifts them by, and could not move until it is paid.
+double EnergyGuard::Won(const BodyData& body, const SolverBody& s, const b2Vec2& pushed) const
 {
     const b2Vec2 a = body.gravityScale * m_gravity + body.invMass * body.force;
     const float32 alpha = body.invInertia * body.torque;
-    const float32 push = b2Dot(a, s.d);
+    const float32 push = b2Dot(a, s.d) - WorkOfPushes(a, s, pushed);
     const float32 twist = alpha * s.angle;
     // Differences first: they are small, and so are their rounding errors.
     const float32 linear = 0.5f * b2Dot(s.v - body.linearVelocity, s.v + body.linearVelocity);
@@ -269,11 +283,12 @@ void EnergyGuard::AddBodies(const World& world, SolverMemory& solver)
         {
             Account& account = m_accounts[std::size_t(index)];
             SolverBody& s = solver.bodies[std::size_t(data.SolverIndex())];
-            double won = Won(data, s);
+            const b2Vec2 pushed = solver.pushed[std::size_t(data.SolverIndex())];
+            double won = Won(data, s, pushed);
             if (won != won)
             {
                 s = SolverBody(); // as it will be written back
-                won = Won(data, s);
+                won = Won(data, s, b2Vec2_zero);
             }
             account.debt += double(data.energyDebt) + won;
             const float32 past = PastOf(data);
@@ -355,12 +370,13 @@ void EnergyGuard::MoveAgain(const b2Body& first, SolverMemory& solver, Account& 
     {
         if (Data(*body).awakeIndex != -1)
         {
-            SolverBody& s = solver.bodies[std::size_t(Data(*body).SolverIndex())];
-            saved += Won(Data(*body), s);
+            const auto index = std::size_t(Data(*body).SolverIndex());
+            SolverBody& s = solver.bodies[index];
+            saved += Won(Data(*body), s, solver.pushed[index]);
             s.d = time * s.v;
             s.angle = time * s.w;
             s.q.Set(s.angle);
-            saved -= Won(Data(*body), s);
+            saved -= Won(Data(*body), s, b2Vec2_zero);
         }
     }
     for (Spring& spring : m_springs)

@@ -36,7 +36,7 @@ class EnergyGuard
 public:
     /// Call before the solver: velocities are those of the start of the step, with or without the
     /// first sub-step's impulse.
-    void Begin(const World& world, const SolverMemory& solver, float32 timeStep);
+    void Begin(const World& world, SolverMemory& solver, float32 timeStep);
     /// Call when velocities and paths are final, before they are written back.
     void Balance(const World& world, SolverMemory& solver);
     bool HasAccounts() const { return !m_accounts.empty(); }
@@ -80,7 +80,8 @@ private:
     void FindRisks(const ConstraintGraph& graph);
     void Open(const b2Joint& joint);
     int32 AccountOf(const b2Joint& joint) const;
-    double Won(const BodyData& body, const SolverBody& after) const;
+    float32 WorkOfPushes(const b2Vec2& a, const SolverBody& s, const b2Vec2& pushed) const;
+    double Won(const BodyData& body, const SolverBody& after, const b2Vec2& pushed) const;
     float32 PastOf(const BodyData& body) const;
     void AddBodies(const World& world, SolverMemory& solver);
     void AddJoints(const World& world, const SolverMemory& solver);

@@ -5,6 +5,7 @@
 #include "OverlapSolver.h"
 
 #include "../Contacts/Boxes.h"
+#include "../Energy/EnergyGuard.h"
 #include "../Islands/Sleep.h"
 #include "../Islands/SleepRule.h"
 #include "../Joints/JointKinds.h"
@@ -325,11 +326,24 @@ void StepSolver::ReportImpulses()
     }
 }
 
+/// Call with -1 before pushes and with 1 after them.
+void StepSolver::NotePushes(float32 sign)
+{
+    if (m_world.energyGuard->HasAccounts())
+    {
+        ForBodies([this, sign](std::size_t i) {
+            m_memory.pushed[i + 1] += sign * m_memory.bodies[i + 1].d;
+        });
+    }
+}
+
 void StepSolver::SolvePositions(int32 iterations)
 {
     for (int32 i = 0; i < iterations; ++i)
     {
+        NotePushes(-1.0f);
         const bool apart = SolveOverlaps(DirectionOf(i), {b2_baumgarte}) >= -kImpactOverlap;
+        NotePushes(1.0f);
         const bool joined = m_memory.joints.SolvePositions(m_context, m_threads);
         if (apart && joined)
         {

@@ -38,6 +38,7 @@ public:
     void NoteImpulses();
     void ReportImpulses();
     void IntegratePositions();
+    void NotePushes(float32 sign);
     void SolvePositions(int32 iterations);
     void WriteBack();
     void LetRest();

@@ -446,6 +446,14 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
     if (deepest < -b2_linearSlop)
     {
         LimitPushes(kFarthestPush * timeStep);
+        if (m_world.energyGuard->HasAccounts())
+        {
+            for (int32 i = first; i < first + m_group.endBody - m_group.firstBody; ++i)
+            {
+                m_memory.pushed[std::size_t(i)] +=
+                    m_memory.bodies[std::size_t(i)].d - m_subSteps.beforePushes[std::size_t(i)].d;
+            }
+        }
     }
 }
 
