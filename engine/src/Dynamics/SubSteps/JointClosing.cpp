@@ -118,15 +118,18 @@ void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& co
     });
     const float32 time = timeStep / float32(count);
     const float32 back = 0.5f * (time - timeStep);
+    FindCarriers(part, context);
     SolverContext cycle = context;
     cycle.inverseStep = 1.0f / time;
     KickPart(part, cycle, back, kicks);
+    PlaceCarriers(context, timeStep);
     MeetKick(part, cycle);
     for (int32 i = 1; i <= count; ++i)
     {
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t) {
             MoveByVelocity(cycle.bodies[body.SolverIndex()], time, kMaxSmallMove);
         });
+        PlaceCarriers(context, float32(count - i) * time);
         ClosePart(part, cycle, time);
         KickPart(part, cycle, i < count ? time : back, kicks);
         if (!m_parts[std::size_t(part)].hasBounded)
@@ -137,6 +140,42 @@ void JointSystem::DriftInCycles(int32 part, int32 count, const SolverContext& co
         {
             ForgetImpulses(part);
             MeetKick(part, cycle);
+        }
+    }
+}
+
+/// Finds the bodies of infinite mass that move the part's joints. They have drifted already.
+void JointSystem::FindCarriers(int32 part, const SolverContext& context)
+{
+    m_carriers.clear();
+    m_system.ForItems(part, [&](std::size_t joint) {
+        const JointRows& rows = m_system.Rows(joint);
+        for (int32 side = 0; side < rows.bodies; ++side)
+        {
+            const JointRows::Column& c = rows.columns[side];
+            const SolverBody& s = context.bodies[c.body];
+            const auto isSame = [&](const Carrier& carrier) { return carrier.body == c.body; };
+            if (!Moves(c.invMass, c.invInertia) && (s.v != b2Vec2_zero || s.w != 0.0f) &&
+                std::none_of(m_carriers.begin(), m_carriers.end(), isSame))
+            {
+                m_carriers.push_back({c.body, s});
+            }
+        }
+    });
+}
+
+/// Puts them where they are this long before the end of the drift [s].
+void JointSystem::PlaceCarriers(const SolverContext& context, float32 before)
+{
+    for (const Carrier& carrier : m_carriers)
+    {
+        SolverBody& s = context.bodies[carrier.body];
+        s = carrier.end;
+        if (before > 0.0f)
+        {
+            s.d -= before * s.v;
+            s.angle -= before * s.w;
+            s.q.Set(s.angle);
         }
     }
 }

@@ -239,9 +239,16 @@ private:
     void AddTotals(std::size_t joint);
 
     // JointClosing.cpp
+    struct Carrier
+    {
+        int32 body;     // solver index
+        SolverBody end; // of the drift
+    };
     int32 Cycles(int32 part, float32 timeStep) const;
     void DriftInCycles(int32 part, int32 count, const SolverContext& context, float32 timeStep,
                        const BodyKick* kicks);
+    void FindCarriers(int32 part, const SolverContext& context);
+    void PlaceCarriers(const SolverContext& context, float32 before);
     void KickPart(int32 part, const SolverContext& context, float32 time, const BodyKick* kicks);
     void ForgetImpulses(int32 part);
     const JointRows& FillHere(std::size_t joint, const SolverContext& context, bool torn);
@@ -296,6 +303,7 @@ private:
     Array<Totals> m_totals;          // per joint
     Array<Impulses> m_kicks;         // per joint: impulses before it was closed
     Array<SolverBody> m_poses;       // by index: before the drift
+    Array<Carrier> m_carriers;       // of infinite mass, of one part
     Array<SolverBody> m_opened;      // by index: before joints were closed
     Array<Impulses> m_left;          // per joint: the error that may remain
     Array<Vector3> m_speeds;         // scratch: per joint
