@@ -129,16 +129,14 @@ struct BlockPreparer
         return {sine, Sqrt(F::Set(1.0f) - sine * sine)};
     }
 
-    /// Moves the bodies on to the middle of the step: B by its motion as A sees it, so that what
-    /// turns with A stays where it is, in each of their contacts.
+    /// Moves the bodies on to the middle of the step, in each of their contacts alike.
     void MoveOn(Places& p, const Bodies& bodies) const
     {
         const F time = TimeToMiddle(bodies);
         const auto [sineA, cosineA] = SmallTurn(time * bodies.a[2]);
         const auto [sineB, cosineB] = SmallTurn(time * bodies.b[2]);
-        const Vector<F> seen = {bodies.b[0] - bodies.a[0] + bodies.a[2] * p.offset.y,
-                                bodies.b[1] - bodies.a[1] - bodies.a[2] * p.offset.x};
-        p.offset = Turn(sineA, cosineA, Add(p.offset, Scale(time, seen)));
+        p.offset.x = p.offset.x + time * (bodies.b[0] - bodies.a[0]);
+        p.offset.y = p.offset.y + time * (bodies.b[1] - bodies.a[1]);
         const F sineFace = kFaceOnB ? sineB : sineA;
         const F cosineFace = kFaceOnB ? cosineB : cosineA;
         const F sineOther = kFaceOnB ? sineA : sineB;

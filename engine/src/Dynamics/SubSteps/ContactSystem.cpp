@@ -121,6 +121,18 @@ public:
         }
     }
 
+    /// Counts the impulses and leaves nothing of them for the next kick.
+    void CountImpact(BlockTotals& totals)
+    {
+        for (int32 i = 0; i < m_block.pointCount; ++i)
+        {
+            totals.normal[i][m_lane] += Normal(i);
+            totals.tangent[i][m_lane] += Tangent(i);
+            Normal(i) = Tangent(i) = 0.0f;
+        }
+        PassOnInProportion(totals);
+    }
+
     /// Sets friction as a fraction of each point's limit.
     void Take(const BoundedSystem::Item& item)
     {
@@ -522,15 +534,20 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
         }
         island.inImpact = island.residual > kImpact * (weight + kLeastWeight) &&
                           !IsAtRisk(island, solver, joints);
+        island.driven = false;
         if (island.residual > tolerance && !island.inImpact && Follow(island, solver, joints))
         {
             SolveVelocities(island, solver, joints, context, {tolerance, weight + kLeastWeight});
         }
+        // What ended an impact is no load, and would act again in the next kick. WarmStartGuard
+        // takes that back, but not from what a platform moves.
+        const bool impact = island.driven && island.residual > kImpact * (weight + kLeastWeight);
         for (const Place& place : island.contacts)
         {
             ContactBlocks& blocks = solver.contacts[place.color];
-            ContactItem(blocks.Contacts(place.block), place.lane)
-                .PassOnInProportion(blocks.Totals(place.block));
+            ContactItem item(blocks.Contacts(place.block), place.lane);
+            BlockTotals& totals = blocks.Totals(place.block);
+            impact ? item.CountImpact(totals) : item.PassOnInProportion(totals);
         }
     });
 }
@@ -558,6 +575,7 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
                         system.At(count + i));
     }
     system.Begin(context);
+    island.driven = system.FastestDriven(context) > 0.0;
     const auto holds = [&](std::size_t i) { return contact(i).Holds(system.At(i)); };
     const auto soften = [&](float32 share) {
         for (std::size_t i = 0; i < count; ++i)
@@ -579,7 +597,7 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     // What is squeezed may hold itself by friction with any load. Then limits that were not found
     // would let the loads grow from round to round.
     const auto isSqueezed = [&] {
-        return jammed || system.FastestDriven(context) > 0.0 ||
+        return jammed || island.driven ||
                LeastSeparation(island, solver, context.bodies) < -kSqueezed;
     };
     if (!found && isSqueezed())

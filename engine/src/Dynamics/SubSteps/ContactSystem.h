@@ -65,6 +65,7 @@ private:
         BoundedSystem system;
         bool followed = false;   // up to date in this step
         bool inImpact = false;   // in the last kick, and left to iterations
+        bool driven = false;     // platforms squeezed it in the last solution
         float32 residual = 0.0f; // of the last kick's iterations [m/s]
     };
 
