@@ -5,6 +5,7 @@
 #include "../Contacts/Skins.h"
 #include "../Joints/JointEnergy.h"
 #include "../Solver/SolverMemory.h"
+#include "ContactItem.h"
 #include "JointSystem.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
@@ -21,8 +22,6 @@ namespace
 
 constexpr int32 kMaxContacts = 128; ///< per contact island
 constexpr int32 kMaxUpdates = 16;   ///< per body of the island, see RowPattern
-/// A contact sticks below this fraction of its friction limit.
-constexpr double kSticks = 0.9999;
 /// Of determining the friction limits. The stones of a loaded arch slide by up to 19 cm with 2, 15
 /// with 3, and 10 to 13 from 4 on (docs/notes/sub-steps-direct-solver.md).
 constexpr int32 kMaxRounds = 8;
@@ -50,6 +49,9 @@ constexpr double kHeldWeight = 0.01;
 /// They are also contradictory above this multiple of the impulse that brings the whole island to
 /// the pusher's speed and stops its weight.
 constexpr double kMaxLoad = 10.0;
+/// What wedges itself between two sides of the same body bears any load. It is let go above this
+/// multiple of the impulse that stops it and its weight.
+constexpr double kMaxWedged = 30.0;
 /// Displacements that an inactive row may violate its condition by [m]: far below the 0.15 slops
 /// between kMaxOverlap and kRestOverlap.
 constexpr float32 kDisplacementTolerance = 0.01f * b2_linearSlop;
@@ -58,114 +60,6 @@ constexpr float32 kDisplacementTolerance = 0.01f * b2_linearSlop;
 constexpr float32 kSqueezed = 0.1f;
 /// There is no room for displacements if a point is left by more than this [m].
 constexpr float32 kNoRoom = 0.05f * b2_linearSlop;
-
-/// A contact of a block as an item: one row per normal and one for the tangent.
-class ContactItem
-{
-public:
-    ContactItem(ContactBlock& block, int32 lane) : m_block(block), m_lane(lane) {}
-
-    void FillRows(JointRows& rows) const
-    {
-        const ContactData& contact = Data(*m_block.contact[m_lane]);
-        rows.Clear();
-        rows.rows = 3;
-        JointRows::Column& a = rows.Of(Data(*contact.bodyA));
-        JointRows::Column& b = rows.Of(Data(*contact.bodyB));
-        const b2Vec2 normal(m_block.normalX[m_lane], m_block.normalY[m_lane]);
-        const b2Vec2 tangent = b2Cross(normal, 1.0f);
-        const float32 share = 1.0f / float32(m_block.pointCount);
-        for (int32 i = 0; i < m_block.pointCount; ++i)
-        {
-            const PointLanes& p = m_block.points[i];
-            a.AddTo(i, -normal, -p.normalLeverA[m_lane]);
-            b.AddTo(i, normal, p.normalLeverB[m_lane]);
-            a.AddTo(2, -share * tangent, -share * p.tangentLeverA[m_lane]);
-            b.AddTo(2, share * tangent, share * p.tangentLeverB[m_lane]);
-        }
-    }
-
-    void Fill(BoundedSystem::Item& item, const Vector3& speed, double tolerance)
-    {
-        item = BoundedSystem::Item();
-        for (int32 i = 0; i < m_block.pointCount; ++i)
-        {
-            item.impulse.at[i] = double(Normal(i));
-            item.maximum.at[i] = BoundedSystem::kUnbounded;
-            const bool pushes = Normal(i) > 0.0f || speed.at[i] < -tolerance;
-            item.active = uint8(item.active | int(pushes) << i);
-            item.impulse.at[2] += double(Tangent(i));
-        }
-        item.speeds.at[2] = double(m_block.tangentSpeed[m_lane]);
-        const double limit = Holds(item);
-        item.minimum.at[2] = -limit;
-        item.maximum.at[2] = limit;
-        if (b2Abs(item.impulse.at[2]) < kSticks * limit)
-        {
-            item.active |= 4;
-        }
-    }
-
-    double Holds(const BoundedSystem::Item& item) const
-    {
-        return double(m_block.friction[m_lane]) * (item.impulse.at[0] + item.impulse.at[1]);
-    }
-
-    /// Marks the impulses as proportional to the kick's length.
-    void PassOnInProportion(BlockTotals& totals)
-    {
-        for (int32 i = 0; i < m_block.pointCount; ++i)
-        {
-            totals.firstNormal[i][m_lane] = Normal(i);
-            totals.firstTangent[i][m_lane] = Tangent(i);
-        }
-    }
-
-    /// Counts the impulses and leaves nothing of them for the next kick.
-    void CountImpact(BlockTotals& totals)
-    {
-        for (int32 i = 0; i < m_block.pointCount; ++i)
-        {
-            totals.normal[i][m_lane] += Normal(i);
-            totals.tangent[i][m_lane] += Tangent(i);
-            Normal(i) = Tangent(i) = 0.0f;
-        }
-        PassOnInProportion(totals);
-    }
-
-    /// Sets friction as a fraction of each point's limit.
-    void Take(const BoundedSystem::Item& item)
-    {
-        double load = 0.0;
-        for (int32 i = 0; i < m_block.pointCount; ++i)
-        {
-            load += item.impulse.at[i];
-        }
-        for (int32 i = 0; i < m_block.pointCount; ++i)
-        {
-            const double share = load > 0.0 ? item.impulse.at[i] / load : 0.0;
-            Normal(i) = float32(item.impulse.at[i]);
-            Tangent(i) = float32(share * item.impulse.at[2]);
-        }
-    }
-
-    /// Sets the approach speed of its points as a fraction of what their impulses would do to them
-    /// alone.
-    void SetSoftness(JointRows& rows, float32 share) const
-    {
-        for (int32 i = 0; i < m_block.pointCount; ++i)
-        {
-            rows.laws[i].softness = share / NormalMassOf(m_block, m_lane, i);
-        }
-    }
-
-private:
-    float32& Normal(int32 i) { return m_block.points[i].normalImpulse[m_lane]; }
-    float32& Tangent(int32 i) { return m_block.points[i].tangentImpulse[m_lane]; }
-
-    ContactBlock& m_block;
-    int32 m_lane;
-};
 
 /// With the friction limits of the first `contacts` items, which follow from the solution. True if
 /// they were found.
@@ -190,8 +84,29 @@ bool MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Hol
     return !changed;
 }
 
+/// What may press the bodies of a system in a kick [Ns].
+struct Load
+{
+    double mass = 0.0;
+    double fastest = 0.0; ///< speed of any point [m/s]
+    bool pushed = false;  ///< by forces, which are not counted
+};
+
+Load LoadOf(const BoundedSystem& system, const SolverContext& context)
+{
+    Load load;
+    for (const BodyData* body : system.Bodies())
+    {
+        const SolverBody& s = context.bodies[body->SolverIndex()];
+        load.mass += 1.0 / double(body->SolverInvMass());
+        load.fastest = std::max(load.fastest, double(s.v.Length() + b2Abs(s.w) * body->maxExtent));
+        load.pushed = load.pushed || body->force != b2Vec2_zero || body->torque != 0.0f;
+    }
+    return load;
+}
+
 /// True if the constraints of the first `contacts` items are contradictory: bodies become too fast,
-/// points still approach, or impulses exceed what the pusher and weight require.
+/// points still approach, or impulses exceed what the pusher, speeds and weight require.
 bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
               double weight)
 {
@@ -200,22 +115,21 @@ bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& 
         return true;
     }
     const double driven = system.FastestDriven(context);
-    if (!(driven > 0.0))
+    const Load load = LoadOf(system, context);
+    const bool squeezed = driven > 0.0;
+    if (!squeezed && (load.pushed || system.Count() > contacts))
     {
         return false;
     }
-    double mass = 0.0;
-    for (const BodyData* body : system.Bodies())
-    {
-        mass += 1.0 / double(body->SolverInvMass());
-    }
-    const double maximum = kMaxLoad * mass * (driven + weight);
+    const double maximum = squeezed ? kMaxLoad * load.mass * (driven + weight)
+                                    : kMaxWedged * load.mass * (load.fastest + weight);
     for (std::size_t i = 0; i < contacts; ++i)
     {
         const Vector3 speed = SpeedOf(context, system.Rows(i));
         const Vector3& impulse = system.At(i).impulse;
-        if (b2Min(speed.at[0], speed.at[1]) < -(kHeldWeight * weight + kHeld * driven) ||
-            b2Max(impulse.at[0], impulse.at[1]) > maximum)
+        const bool approach =
+            b2Min(speed.at[0], speed.at[1]) < -(kHeldWeight * weight + kHeld * driven);
+        if ((squeezed && approach) || b2Max(impulse.at[0], impulse.at[1]) > maximum)
         {
             return true;
         }
