@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 /// The friction of a step is at most its normal force times the coefficient.
 namespace
@@ -50,6 +51,45 @@ TEST(Friction, StaysWithinItsLimitOnACurve)
         EXPECT_LT(sum.tangent, 0.201f * sum.normal) << subSteps;
         EXPECT_NEAR(disc->GetLinearVelocity().Length(), 7.037f, 0.15f) << subSteps;
         scene.world.SetContactListener(nullptr);
+    }
+}
+
+/// What the impact of the pusher took was given again in each kick of the step, and shot the boxes
+/// away at 15 m/s.
+TEST(Friction, LeavesARowOfBoxesAtTheSpeedOfItsPusher)
+{
+    for (const int32 subSteps : {2, 4, 8, 16})
+    {
+        for (const float32 pitch : {1.0f, 1.015f, 1.03f})
+        {
+            for (const float32 speed : {0.2f, 1.0f, 5.0f})
+            {
+                Scene scene;
+                scene.world.SetSubStepCount(subSteps);
+                Scene::AddBox(scene.Body(b2_staticBody, 0.0f, -0.5f), 100.0f, 0.5f, 0.5f);
+                b2Body* pusher = scene.Body(b2_kinematicBody, -0.52f, 1.0f);
+                Scene::AddBox(pusher, 0.5f, 1.0f, 0.5f);
+                pusher->SetLinearVelocity(b2Vec2(speed, 0.0f));
+                std::vector<b2Body*> boxes;
+                for (int32 i = 0; i < 8; ++i)
+                {
+                    boxes.push_back(scene.Body(b2_dynamicBody, 1.0f + pitch * float32(i), 0.5f));
+                    Scene::AddBox(boxes.back(), 0.5f, 0.5f, 0.5f);
+                    boxes.back()->GetFixtureList()->SetDensity(i % 2 == 0 ? 1.0f : 4.0f);
+                    boxes.back()->ResetMassData();
+                }
+                float32 fastest = 0.0f;
+                for (int32 i = 0; i < 90; ++i)
+                {
+                    scene.Step();
+                    for (const b2Body* box : boxes)
+                    {
+                        fastest = b2Max(fastest, box->GetLinearVelocity().Length());
+                    }
+                }
+                EXPECT_LT(fastest, 1.1f * speed) << subSteps << ", " << pitch << ", " << speed;
+            }
+        }
     }
 }
 

@@ -94,4 +94,31 @@ TEST(Rolling, LeavesABoxInATiltingTray)
     }
 }
 
+/// A disc that spins on a hill, whose body may have its origin anywhere. The disc is the first body
+/// of the contact. Moved on in its own frame, the far centre of the hill went astray.
+TEST(Rolling, DoesNotDependOnWhereTheGroundHasItsOrigin)
+{
+    for (const int32 subSteps : {2, 4, 8})
+    {
+        b2Vec2 speeds[2];
+        for (int32 i = 0; i < 2; ++i)
+        {
+            const b2Vec2 origin(0.0f, i == 0 ? 0.0f : -300.0f);
+            Scene scene;
+            scene.world.SetSubStepCount(subSteps);
+            b2Body* disc = scene.Ball(0.0f, 0.52f, 0.5f);
+            disc->GetFixtureList()->SetFriction(0.5f);
+            disc->SetAngularVelocity(-20.0f);
+            b2CircleShape hill;
+            hill.m_radius = 50.0f;
+            hill.m_p = b2Vec2(0.0f, -50.0f) - origin;
+            Scene::Add(scene.Body(b2_staticBody, origin.x, origin.y), hill, 0.5f, 0.0f);
+            scene.Step(120);
+            speeds[i] = disc->GetLinearVelocity();
+        }
+        EXPECT_NEAR(speeds[1].x, speeds[0].x, 0.05f) << subSteps;
+        EXPECT_NEAR(speeds[1].y, speeds[0].y, 0.05f) << subSteps;
+    }
+}
+
 } // namespace

@@ -109,4 +109,64 @@ TEST_P(TightFit, StaysStillBetweenTwoWalls)
     }
 }
 
+/// A box in a closed case of its own size, but for the room, in free space.
+struct BoxInCase : Scene
+{
+    BoxInCase(int32 subSteps, float32 room, float32 speed) : Scene(b2Vec2_zero)
+    {
+        world.SetSubStepCount(subSteps);
+        const float32 half = 0.5f + 0.5f * room;
+        b2Body* shell = Body(b2_dynamicBody, 0.0f, 0.0f);
+        for (const float32 side : {-1.0f, 1.0f})
+        {
+            AddWall(shell, 0.1f, 1.0f, b2Vec2(side * (half + 0.1f), half));
+            AddWall(shell, 0.7f, 0.1f, b2Vec2(0.0f, half + side * (half + 0.1f)));
+        }
+        b2Body* box = Body(b2_dynamicBody, 0.0f, half);
+        AddBox(box, 0.5f, 0.5f, 0.3f);
+        for (b2Body* body : {shell, box})
+        {
+            const b2Vec2 c = body->GetWorldCenter();
+            body->SetLinearVelocity(speed * b2Vec2(-c.y, c.x));
+            body->SetAngularVelocity(speed);
+        }
+    }
+
+    static void AddWall(b2Body* body, float32 hx, float32 hy, const b2Vec2& center)
+    {
+        b2PolygonShape wall;
+        wall.SetAsBox(hx, hy, center, 0.0f);
+        Add(body, wall, 0.3f, 0.0f);
+    }
+
+    double AngularMomentum() const
+    {
+        double sum = 0.0;
+        for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+        {
+            const double own = double(body->GetInertia()) -
+                               double(body->GetMass() * body->GetLocalCenter().LengthSquared());
+            sum += double(body->GetMass() *
+                          b2Cross(body->GetWorldCenter(), body->GetLinearVelocity())) +
+                   own * double(body->GetAngularVelocity());
+        }
+        return sum;
+    }
+};
+
+/// Impulses of 1e8 Ns, which wedged the box, stopped the case within seconds.
+TEST_P(TightFit, TurnsOnWithItsCase)
+{
+    for (const float32 speed : {2.0f, 4.0f, 6.0f, 8.0f, 10.0f})
+    {
+        for (const float32 room : {0.01f, 0.02f, 0.03f, 0.05f})
+        {
+            BoxInCase scene(GetParam(), room, speed);
+            const double before = scene.AngularMomentum();
+            scene.Step(300);
+            EXPECT_NEAR(scene.AngularMomentum(), before, 0.05 * before) << room << ", " << speed;
+        }
+    }
+}
+
 } // namespace

@@ -454,7 +454,7 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
             SolveVelocities(island, solver, joints, context, {tolerance, weight + kLeastWeight});
         }
         // What ended an impact is no load, and would act again in the next kick. WarmStartGuard
-        // takes that back, but not from what a platform moves.
+        // takes that back, but not where a platform moves it.
         const bool impact = island.driven && island.residual > kImpact * (weight + kLeastWeight);
         for (const Place& place : island.contacts)
         {
