@@ -12,6 +12,6 @@ namespace boxreel
 std::uint64_t RunSelfTest();
 
 /// The result of RunSelfTest on every machine.
-inline constexpr std::uint64_t kSelfTestState = 0x59b25ced2cb3ba58;
+inline constexpr std::uint64_t kSelfTestState = 0xc110cefa5587b44e;
 
 } // namespace boxreel

@@ -143,6 +143,7 @@ void EnergyGuard::Begin(const World& world, SolverMemory& solver, float32 timeSt
     m_accounts.clear();
     m_springs.clear();
     m_motors.clear();
+    solver.pushed.clear();
     FindRisks(world.graph);
     if (m_risky.empty() && m_changing.empty())
     {

@@ -16,8 +16,8 @@ namespace box2d
 struct SolverMemory
 {
     Array<SolverBody> bodies;
-    /// By solver index: the way that pushes out of overlaps moved a body in this step [m]. Filled
-    /// only where the energy guard has accounts.
+    /// By solver index: the way that pushes out of overlaps moved a body in this step [m]. Empty
+    /// unless the energy guard wants to know.
     Array<b2Vec2> pushed;
     ContactBlocks contacts[ConstraintGraph::kColorCount]; ///< of the step, by colour
     int32 colors[ConstraintGraph::kColorCount]; ///< colours with contacts, in the order of solving

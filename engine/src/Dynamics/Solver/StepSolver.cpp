@@ -5,7 +5,6 @@
 #include "OverlapSolver.h"
 
 #include "../Contacts/Boxes.h"
-#include "../Energy/EnergyGuard.h"
 #include "../Islands/Sleep.h"
 #include "../Islands/SleepRule.h"
 #include "../Joints/JointKinds.h"
@@ -329,7 +328,7 @@ void StepSolver::ReportImpulses()
 /// Call with -1 before pushes and with 1 after them.
 void StepSolver::NotePushes(float32 sign)
 {
-    if (m_world.energyGuard->HasAccounts())
+    if (!m_memory.pushed.empty())
     {
         ForBodies([this, sign](std::size_t i) {
             m_memory.pushed[i + 1] += sign * m_memory.bodies[i + 1].d;

@@ -79,8 +79,8 @@ struct SolverContext
     float32 inverseStep = 0.0f;   ///< [1/s]
     float32 inverseWhole = 0.0f;  ///< the same of the whole step, also in a sub-step [1/s]
     float32 stepRatio = 1.0f; ///< this step's length divided by the last one's, for warm starting
-    /// Time to the middle of the step, for whose poses sub-steps take normals and levers of contacts
-    /// [s]; 0: those of the start.
+    /// Time to the middle of the step, for whose poses sub-steps take normals and levers of
+    /// contacts [s]; 0: those of the start.
     float32 middle = 0.0f;
     bool warmStarting = true; ///< that of the settings; false at impacts
     /// True in a step with sub-steps after another: the contacts' impulses are those of all of the

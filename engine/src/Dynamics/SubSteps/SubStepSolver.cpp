@@ -446,7 +446,7 @@ void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
     if (deepest < -b2_linearSlop)
     {
         LimitPushes(kFarthestPush * timeStep);
-        if (m_world.energyGuard->HasAccounts())
+        if (!m_memory.pushed.empty())
         {
             for (int32 i = first; i < first + m_group.endBody - m_group.firstBody; ++i)
             {
