@@ -169,4 +169,31 @@ TEST_P(TightFit, TurnsOnWithItsCase)
     }
 }
 
+/// An impact has large impulses, too, but holds nothing.
+TEST_P(TightFit, LandsHard)
+{
+    for (const float32 gravity : {0.0f, -10.0f})
+    {
+        for (const float32 speed : {5.0f, 10.0f, 20.0f})
+        {
+            Scene scene(b2Vec2(0.0f, gravity));
+            scene.world.SetSubStepCount(GetParam());
+            Scene::AddBox(scene.Body(b2_staticBody, 0.0f, -1.0f), 20.0f, 1.0f, 0.5f);
+            std::vector<b2Body*> boxes;
+            for (int32 i = 0; i < 3; ++i)
+            {
+                boxes.push_back(scene.Box(0.0f, 0.7f + 1.015f * float32(i)));
+                boxes.back()->SetLinearVelocity(b2Vec2(0.0f, -speed));
+            }
+            for (int32 i = 0; i < 30; ++i)
+            {
+                scene.Step();
+                ASSERT_GT(boxes.front()->GetPosition().y, 0.495f) << gravity << ", " << speed;
+            }
+            EXPECT_LT(boxes.back()->GetLinearVelocity().Length(), 0.05f)
+                << gravity << ", " << speed;
+        }
+    }
+}
+
 } // namespace

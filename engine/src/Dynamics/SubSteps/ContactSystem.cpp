@@ -49,8 +49,10 @@ constexpr double kHeldWeight = 0.01;
 /// They are also contradictory above this multiple of the impulse that brings the whole island to
 /// the pusher's speed and stops its weight.
 constexpr double kMaxLoad = 10.0;
-/// What wedges itself between two sides of the same body bears any load. It is let go above this
-/// multiple of the impulse that stops it and its weight.
+/// A body between two sides of another one holds itself by friction with any impulse. Without
+/// joints and forces, contacts are softened above this multiple of the impulse that stops the
+/// island and its weight. With 100 a tray that tilts still throws its box
+/// (docs/notes/sub-steps-motors-and-jams.md).
 constexpr double kMaxWedged = 30.0;
 /// Displacements that an inactive row may violate its condition by [m]: far below the 0.15 slops
 /// between kMaxOverlap and kRestOverlap.
@@ -84,29 +86,18 @@ bool MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Hol
     return !changed;
 }
 
-/// What may press the bodies of a system in a kick [Ns].
-struct Load
+double MassOf(const BoundedSystem& system)
 {
     double mass = 0.0;
-    double fastest = 0.0; ///< speed of any point [m/s]
-    bool pushed = false;  ///< by forces, which are not counted
-};
-
-Load LoadOf(const BoundedSystem& system, const SolverContext& context)
-{
-    Load load;
     for (const BodyData* body : system.Bodies())
     {
-        const SolverBody& s = context.bodies[body->SolverIndex()];
-        load.mass += 1.0 / double(body->SolverInvMass());
-        load.fastest = std::max(load.fastest, double(s.v.Length() + b2Abs(s.w) * body->maxExtent));
-        load.pushed = load.pushed || body->force != b2Vec2_zero || body->torque != 0.0f;
+        mass += 1.0 / double(body->SolverInvMass());
     }
-    return load;
+    return mass;
 }
 
 /// True if the constraints of the first `contacts` items are contradictory: bodies become too fast,
-/// points still approach, or impulses exceed what the pusher, speeds and weight require.
+/// points still approach, or impulses exceed what the pusher and weight require.
 bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
               double weight)
 {
@@ -115,21 +106,46 @@ bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& 
         return true;
     }
     const double driven = system.FastestDriven(context);
-    const Load load = LoadOf(system, context);
-    const bool squeezed = driven > 0.0;
-    if (!squeezed && (load.pushed || system.Count() > contacts))
+    if (!(driven > 0.0))
     {
         return false;
     }
-    const double maximum = squeezed ? kMaxLoad * load.mass * (driven + weight)
-                                    : kMaxWedged * load.mass * (load.fastest + weight);
+    const double maximum = kMaxLoad * MassOf(system) * (driven + weight);
     for (std::size_t i = 0; i < contacts; ++i)
     {
         const Vector3 speed = SpeedOf(context, system.Rows(i));
         const Vector3& impulse = system.At(i).impulse;
-        const bool approach =
-            b2Min(speed.at[0], speed.at[1]) < -(kHeldWeight * weight + kHeld * driven);
-        if ((squeezed && approach) || b2Max(impulse.at[0], impulse.at[1]) > maximum)
+        if (b2Min(speed.at[0], speed.at[1]) < -(kHeldWeight * weight + kHeld * driven) ||
+            b2Max(impulse.at[0], impulse.at[1]) > maximum)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// True if contacts hold each other by friction with impulses that nothing requires. What an impact
+/// requires follows from the speeds at the start of the step. Forces may require any.
+bool IsWedged(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
+              double weight)
+{
+    double fastest = 0.0;
+    for (const BodyData* body : system.Bodies())
+    {
+        const SolverBody& s = context.bodies[body->SolverIndex()];
+        const float32 v = b2Max(s.v.Length(), body->linearVelocity.Length());
+        const float32 w = b2Max(b2Abs(s.w), b2Abs(body->angularVelocity));
+        fastest = std::max(fastest, double(v + w * body->maxExtent));
+        if (body->force != b2Vec2_zero || body->torque != 0.0f)
+        {
+            return false;
+        }
+    }
+    const double maximum = kMaxWedged * MassOf(system) * (fastest + weight);
+    for (std::size_t i = 0; i < contacts; ++i)
+    {
+        const Vector3& impulse = system.At(i).impulse;
+        if (b2Max(impulse.at[0], impulse.at[1]) > maximum)
         {
             return true;
         }
@@ -442,8 +458,8 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
     ForSelected(group, [&](ContactIsland& island) {
         for (std::size_t i = 0; island.residual <= tolerance && i < island.joints.size(); ++i)
         {
-            // A load that rests squarely on a joint's body is off by nothing after its contacts'
-            // iteration, whatever the joint is off by.
+            // The last iteration of contacts leaves no error at a load that rests squarely on a
+            // joint's body, but all of it in the joint.
             island.residual = joints.ErrorOf(std::size_t(island.joints[i]), context);
         }
         island.inImpact = island.residual > kImpact * (weight + kLeastWeight) &&
@@ -453,8 +469,8 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
         {
             SolveVelocities(island, solver, joints, context, {tolerance, weight + kLeastWeight});
         }
-        // What ended an impact is no load, and would act again in the next kick. WarmStartGuard
-        // takes that back, but not where a platform moves it.
+        // Impulses of an impact are not passed on: the next kick would apply them again.
+        // WarmStartGuard exempts islands that a platform moves.
         const bool impact = island.driven && island.residual > kImpact * (weight + kLeastWeight);
         for (const Place& place : island.contacts)
         {
@@ -499,7 +515,9 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     };
     system.Mark(context);
     bool found = MinimizeWithFriction(system, count, holds, context, tolerance);
-    const bool jammed = IsJammed(system, count, context, double(speeds.weight));
+    const bool jammed =
+        IsJammed(system, count, context, double(speeds.weight)) ||
+        (island.joints.empty() && IsWedged(system, count, context, double(speeds.weight)));
     if (jammed)
     {
         system.GoBack(context);
