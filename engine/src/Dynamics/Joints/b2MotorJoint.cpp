@@ -34,7 +34,7 @@ void b2MotorJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
     const b2Vec2 armB = f.ArmB(b2Vec2(0.0f, 0.0f));
     const b2Vec2 error = f.Offset() + armB - armA;
     const double angle = f.Angle() - double(m_angularOffset);
-    const float32 rate = context.inverseStep * m_correctionFactor;
+    const float32 rate = context.inverseWhole * m_correctionFactor; // a share of each step
     const b2Mat22 matrix = box2d::PointMatrix(f, armA, armB);
     lane.Write(
         box2d::MotorLanes<float32>{.friction = {.impulse = box2d::InLanes(m_impulse),
