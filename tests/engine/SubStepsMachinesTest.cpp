@@ -414,8 +414,8 @@ TEST(SubStepsMachine, FollowsChangesBetweenSteps)
     }
 }
 
-/// The load rests squarely, so the last contact pass leaves no error at the contact, whatever the
-/// motor below is off by. The lift sank by 0.3 m in three seconds.
+/// The load rests squarely, so the last contact pass leaves no error at the contact, but all of it
+/// in the motor below. The lift sank by 0.3 m in three seconds.
 TEST(SubStepsMachine, LiftsALoadOfAHundredPlatforms)
 {
     for (const int32 count : {2, 4, 8, 16})
