@@ -14,7 +14,8 @@ namespace box2d
 namespace
 {
 
-/// Of a body until the middle of the step; what turns faster has no contact for that long [rad].
+/// Of a body or a normal until the middle of the step; what turns faster has no contact for that
+/// long [rad].
 constexpr float32 kMostTurn = 0.25f;
 
 template <class F, OverlapKind kKind>
@@ -109,7 +110,7 @@ struct BlockPreparer
 
     /// Returns the time to the middle of the step, or 0 for what did not press in the last step: at
     /// an impact the speeds turn, so nothing is known of the middle [s].
-    F TimeToMiddle(const Bodies& bodies) const
+    F TimeToMiddle(const Places& p, const Bodies& bodies) const
     {
         F press = At(from.normalImpulse[0]);
         for (int i = 1; i < block.pointCount; ++i)
@@ -119,7 +120,17 @@ struct BlockPreparer
         const auto pressed = AtLeast(press, F::Set(std::numeric_limits<float32>::min()));
         const F time = Select(pressed, F::Set(context.middle), F::Set(0.0f));
         const F spin = Max(Max(bodies.a[2], -bodies.a[2]), Max(bodies.b[2], -bodies.b[2]));
-        return Min(time, F::Set(kMostTurn) / Max(spin, F::Set(1.0f)));
+        const F slow = Min(time, F::Set(kMostTurn) / Max(spin, F::Set(1.0f)));
+        if (kKind != OverlapKind::Centers)
+        {
+            return slow;
+        }
+        // Two centres turn their line, too, the faster the nearer they are.
+        const Vector<F> line = Subtract(Add(p.offset, p.points[0]), p.reference);
+        const Vector<F> speed = {bodies.b[0] - bodies.a[0], bodies.b[1] - bodies.a[1]};
+        const F most = Sqrt(F::Set(kMostTurn * kMostTurn) * Dot(line, line) /
+                            Max(Dot(speed, speed), F::Set(std::numeric_limits<float32>::min())));
+        return Min(slow, most);
     }
 
     /// The sine and cosine of an angle up to the most that a contact turns.
@@ -132,7 +143,7 @@ struct BlockPreparer
     /// Moves the bodies on to the middle of the step, in each of their contacts alike.
     void MoveOn(Places& p, const Bodies& bodies) const
     {
-        const F time = TimeToMiddle(bodies);
+        const F time = TimeToMiddle(p, bodies);
         const auto [sineA, cosineA] = SmallTurn(time * bodies.a[2]);
         const auto [sineB, cosineB] = SmallTurn(time * bodies.b[2]);
         p.offset.x = p.offset.x + time * (bodies.b[0] - bodies.a[0]);
