@@ -99,13 +99,12 @@ double MassOf(const BoundedSystem& system)
 /// True if the constraints of the first `contacts` items are contradictory: bodies become too fast,
 /// points still approach, or impulses exceed what the pusher and weight require.
 bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
-              double weight)
+              double driven, double weight)
 {
     if (system.HasBurst(context))
     {
         return true;
     }
-    const double driven = system.FastestDriven(context);
     if (!(driven > 0.0))
     {
         return false;
@@ -456,33 +455,34 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
     FindResiduals(solver, group, context.bodies, kMostRounding * weight);
     const float32 tolerance = kTolerance * weight + kLeastTolerance;
     ForSelected(group, [&](ContactIsland& island) {
-        for (std::size_t i = 0; island.residual <= tolerance && i < island.joints.size(); ++i)
-        {
-            // The last iteration of contacts leaves no error at a load that rests squarely on a
-            // joint's body, but all of it in the joint.
-            island.residual = joints.ErrorOf(std::size_t(island.joints[i]), context);
-        }
-        island.inImpact = island.residual > kImpact * (weight + kLeastWeight) &&
-                          !IsAtRisk(island, solver, joints);
-        island.driven = false;
-        if (island.residual > tolerance && !island.inImpact && Follow(island, solver, joints))
-        {
-            SolveVelocities(island, solver, joints, context, {tolerance, weight + kLeastWeight});
-        }
+        const bool inImpact = island.residual > kImpact * (weight + kLeastWeight);
+        island.inImpact = inImpact && !IsAtRisk(island, solver, joints);
+        // The last iteration of contacts leaves no error at a load that rests squarely on a joint's
+        // body, but all of it in the joint.
+        const auto isOff = [&](int32 joint) {
+            return joints.ErrorOf(std::size_t(joint), context) > tolerance;
+        };
+        const bool solve =
+            !island.inImpact &&
+            (island.residual > tolerance || std::ranges::any_of(island.joints, isOff)) &&
+            Follow(island, solver, joints);
+        const bool driven = solve && SolveVelocities(island, solver, joints, context,
+                                                     {tolerance, weight + kLeastWeight});
         // Impulses of an impact are not passed on: the next kick would apply them again.
         // WarmStartGuard exempts islands that a platform moves.
-        const bool impact = island.driven && island.residual > kImpact * (weight + kLeastWeight);
+        const bool ends = driven && inImpact;
         for (const Place& place : island.contacts)
         {
             ContactBlocks& blocks = solver.contacts[place.color];
             ContactItem item(blocks.Contacts(place.block), place.lane);
             BlockTotals& totals = blocks.Totals(place.block);
-            impact ? item.CountImpact(totals) : item.PassOnInProportion(totals);
+            ends ? item.CountImpact(totals) : item.PassOnInProportion(totals);
         }
     });
 }
 
-void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
+/// True if platforms squeeze it.
+bool ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
                                     JointSystem& joints, const SolverContext& context,
                                     const Speeds& speeds)
 {
@@ -505,7 +505,7 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
                         system.At(count + i));
     }
     system.Begin(context);
-    island.driven = system.FastestDriven(context) > 0.0;
+    const double driven = system.FastestDriven(context);
     const auto holds = [&](std::size_t i) { return contact(i).Holds(system.At(i)); };
     const auto soften = [&](float32 share) {
         for (std::size_t i = 0; i < count; ++i)
@@ -516,7 +516,7 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     system.Mark(context);
     bool found = MinimizeWithFriction(system, count, holds, context, tolerance);
     const bool jammed =
-        IsJammed(system, count, context, double(speeds.weight)) ||
+        IsJammed(system, count, context, driven, double(speeds.weight)) ||
         (island.joints.empty() && IsWedged(system, count, context, double(speeds.weight)));
     if (jammed)
     {
@@ -529,7 +529,7 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     // What is squeezed may hold itself by friction with any load. Then limits that were not found
     // would let the loads grow from round to round.
     const auto isSqueezed = [&] {
-        return jammed || island.driven ||
+        return jammed || driven > 0.0 ||
                LeastSeparation(island, solver, context.bodies) < -kSqueezed;
     };
     if (!found && isSqueezed())
@@ -552,6 +552,7 @@ void ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     {
         joints.TakeItem(std::size_t(island.joints[i]), system.At(count + i));
     }
+    return driven > 0.0;
 }
 
 /// Returns the separation of the points of the island that overlap most [m]; 0 if none does.

@@ -65,7 +65,6 @@ private:
         BoundedSystem system;
         bool followed = false;   // up to date in this step
         bool inImpact = false;   // in the last kick, and left to iterations
-        bool driven = false;     // platforms squeezed it in the last solution
         float32 residual = 0.0f; // of the last kick's iterations [m/s]
     };
 
@@ -82,7 +81,7 @@ private:
     void ChooseContactIslands(const AwakeIslands& islands);
     void Gather(SolverMemory& solver, JointSystem& joints);
     bool Follow(ContactIsland& island, SolverMemory& solver, JointSystem& joints);
-    void SolveVelocities(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
+    bool SolveVelocities(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
                          const SolverContext& context, const Speeds& speeds);
     void SolveOverlaps(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
                        const SolverContext& context, PushPace pace);
