@@ -150,13 +150,13 @@ bool HingeTree::Begin(const SolverContext& context, const BodyKick* kicks)
     return true;
 }
 
-void HingeTree::Step(float32 timeStep, int32 subSteps)
+void HingeTree::Step(float32 timeStep, int32 subSteps, float32 lastStep)
 {
     for (Link& link : m_links)
     {
         link.start = *link.state;
     }
-    TakeLastStiffness(double(timeStep));
+    TakeLastStiffness(double(lastStep));
     const bool wereClosed = WidestGap() < kHardlyOpen;
     const auto fails = [&](int32 count) {
         return StepIn(count, timeStep) || (wereClosed && WidestGap() > kTorn);
@@ -164,7 +164,7 @@ void HingeTree::Step(float32 timeStep, int32 subSteps)
     m_stiffened = !wereClosed;
     if (fails(subSteps))
     {
-        GoBack(timeStep);
+        GoBack(lastStep);
         m_stiffened = true;
         if (fails(b2Max(kSafeShare * subSteps, kMinSafe)))
         {
@@ -190,13 +190,13 @@ void HingeTree::CloseWholly(float32 timeStep)
     Stop();
 }
 
-void HingeTree::GoBack(float32 timeStep)
+void HingeTree::GoBack(float32 lastStep)
 {
     for (Link& link : m_links)
     {
         *link.state = link.start;
     }
-    TakeLastStiffness(double(timeStep));
+    TakeLastStiffness(double(lastStep));
 }
 
 /// A leapfrog: half a kick, drifts alternating with whole kicks, half a kick. True if energy was
@@ -327,7 +327,7 @@ void HingeTree::FindStiffness(double time)
 }
 
 /// Finds the stiffness from the impulses of the last step.
-void HingeTree::TakeLastStiffness(double time)
+void HingeTree::TakeLastStiffness(double lastStep)
 {
     for (Link& link : m_links)
     {
@@ -339,7 +339,7 @@ void HingeTree::TakeLastStiffness(double time)
             link.noted = Pair();
         }
     }
-    FindStiffness(time);
+    FindStiffness(lastStep);
     for (Link& link : m_links)
     {
         link.lastStiffness = link.stiffness;

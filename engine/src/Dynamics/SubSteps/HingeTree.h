@@ -25,8 +25,9 @@ public:
     /// in this step, because of motors, limits, moving platforms or bodies without mass.
     bool Begin(const SolverContext& context, const BodyKick* kicks);
     /// Performs the whole step and stores the sums of the impulses in the joints. Where `subSteps`
-    /// sub-steps gain energy or tear a hinge, it takes more, with stiffened hinges.
-    void Step(float32 timeStep, int32 subSteps);
+    /// sub-steps gain energy or tear a hinge, it takes more, with stiffened hinges. `lastStep` is
+    /// the time of the step before [s].
+    void Step(float32 timeStep, int32 subSteps, float32 lastStep);
 
     template <class Function>
     void ForBodies(Function&& function) const
@@ -111,14 +112,14 @@ private:
         double moved = 0.0;
     };
     void CloseWholly(float32 timeStep);
-    void GoBack(float32 timeStep);
+    void GoBack(float32 lastStep);
     bool StepIn(int32 count, float32 timeStep);
     Energy WonEnergy() const;
     void TakeWonEnergy();
     float32 WidestGap() const;
     void Kick(float32 time);
     void FindStiffness(double time);
-    void TakeLastStiffness(double time);
+    void TakeLastStiffness(double lastStep);
     void HoldStiffness();
     void TakeLevers();
     void TakeInertias();

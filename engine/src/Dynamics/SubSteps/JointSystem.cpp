@@ -169,13 +169,13 @@ void JointSystem::TakeImpulses(std::size_t joint)
     }
 }
 
-void JointSystem::StepTrees(float32 timeStep, int32 subSteps)
+void JointSystem::StepTrees(float32 timeStep, int32 subSteps, float32 lastStep)
 {
     for (const Part& part : m_parts)
     {
         if (part.tree != nullptr)
         {
-            part.tree->Step(timeStep, subSteps);
+            part.tree->Step(timeStep, subSteps, lastStep);
         }
     }
 }

@@ -74,7 +74,7 @@ public:
     }
     /// True if there are joints outside of trees.
     bool HasRows() const { return !m_rowed.empty() || !m_iterated.IsEmpty(); }
-    void StepTrees(float32 timeStep, int32 subSteps);
+    void StepTrees(float32 timeStep, int32 subSteps, float32 lastStep);
     /// Computes the rows at the current poses and the velocities before a kick. The context has the
     /// step of the kick, and the inverse step of the following drift.
     void Prepare(const SolverContext& context);

@@ -525,7 +525,9 @@ void SubStepSolver::End()
             Fly(i);
         }
     });
-    m_subSteps.joints.StepTrees(m_context.timeStep, m_world.settings.subStepCount);
+    const float32 step = m_context.timeStep;
+    const float32 last = m_world.inverseStep > 0.0f ? 1.0f / m_world.inverseStep : step;
+    m_subSteps.joints.StepTrees(step, m_world.settings.subStepCount, last);
     m_subSteps.joints.End();
 }
 
