@@ -95,7 +95,9 @@ TEST(Rolling, LeavesABoxInATiltingTray)
 }
 
 /// A disc that spins on a hill, whose body may have its origin anywhere. The disc is the first body
-/// of the contact. Moved on in its own frame, the far centre of the hill went astray.
+/// of the contact. Moved on in its own frame, the far centre of the hill went astray. With 1 to
+/// 16 sub-steps the disc has 3.944 to 3.951 m/s; with normals from the start of the step it had
+/// 4.006.
 TEST(Rolling, DoesNotDependOnWhereTheGroundHasItsOrigin)
 {
     for (const int32 subSteps : {2, 4, 8})
@@ -116,8 +118,11 @@ TEST(Rolling, DoesNotDependOnWhereTheGroundHasItsOrigin)
             scene.Step(120);
             speeds[i] = disc->GetLinearVelocity();
         }
-        EXPECT_NEAR(speeds[1].x, speeds[0].x, 0.05f) << subSteps;
-        EXPECT_NEAR(speeds[1].y, speeds[0].y, 0.05f) << subSteps;
+        for (const b2Vec2& speed : speeds)
+        {
+            EXPECT_NEAR(speed.x, 3.95f, 0.02f) << subSteps;
+            EXPECT_NEAR(speed.y, -0.46f, 0.01f) << subSteps;
+        }
     }
 }
 

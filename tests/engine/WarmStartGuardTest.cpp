@@ -98,37 +98,48 @@ class WarmStartGuard : public testing::TestWithParam<int32>
 {};
 INSTANTIATE_TEST_SUITE_P(SubSteps, WarmStartGuard, testing::Values(2, 4, 8));
 
-/// True if the heap never gains a twentieth of its least energy so far.
-bool AddsNoEnergy(Heap& heap)
+/// The largest gain of a heap over its least energy so far.
+struct Gain
+{
+    double factor = 1.0; ///< of the least energy so far
+    double share = 0.0;  ///< of the energy at the start
+};
+
+Gain LargestGain(Heap& heap)
 {
     heap.Step(5); // boxes that overlap at the start are pushed apart
     const double first = heap.Energy();
     double least = first;
+    Gain gain;
     for (int i = 0; i < 180 && least > 0.001 * first; ++i)
     {
         heap.Step();
         const double energy = heap.Energy();
-        if (energy >= 1.05 * least)
-        {
-            return false;
-        }
+        gain.factor = std::max(gain.factor, energy / least);
+        gain.share = std::max(gain.share, (energy - least) / first);
         least = std::min(least, energy);
     }
-    return true;
+    return gain;
 }
 
-/// One heap in a few hundred does, where all that its impacts leave is a thousandth. Which one
-/// changes with the bits, so this counts them. Without the guard two thirds of them do.
+/// One heap in a few hundred gains a twentieth. Which one changes with the bits, so this counts
+/// them. Without the guard two thirds of them do, and some gain 400 times what they had.
+///
+/// Of heaps 0 to 600 one gains with 2 sub-steps, none with 4 and three with 8. They gain at most
+/// 15 % of their energy at the start. A gain that returns in each step is soon above a quarter.
 TEST_P(WarmStartGuard, LetsImpactsOfJointedBodiesAddNoEnergy)
 {
     std::vector<unsigned> gaining;
     for (unsigned seed = 0; seed < 200; ++seed)
     {
         Heap heap(seed, GetParam());
-        if (!AddsNoEnergy(heap))
+        const Gain gain = LargestGain(heap);
+        if (gain.factor >= 1.05)
         {
             gaining.push_back(seed);
         }
+        EXPECT_LT(gain.factor, 1.25) << "heap " << seed;
+        EXPECT_LT(gain.share, 0.25) << "heap " << seed;
     }
     EXPECT_LE(gaining.size(), 2u) << testing::PrintToString(gaining);
 }
