@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 /// Worlds made by chance, each from its number. To see one, with its description, the time line of
 /// its energy account and its verdict:
@@ -56,10 +57,11 @@ std::string Replay(const WorldPlan& plan)
 }
 
 /// With its own number of sub-steps, or the one given.
-WorldPlan Planned(int number, int subSteps = 0)
+WorldPlan Planned(int number, int subSteps = 0, int defaultCrowd = 1)
 {
     const char* crowd = std::getenv("BOXREEL_CROWD");
-    WorldPlan plan = PlanWorld(number, crowd != nullptr ? std::max(1, std::atoi(crowd)) : 1);
+    WorldPlan plan =
+        PlanWorld(number, crowd != nullptr ? std::max(1, std::atoi(crowd)) : defaultCrowd);
     plan.subSteps = subSteps > 0 ? subSteps : plan.subSteps;
     const char* seconds = std::getenv("BOXREEL_SECONDS");
     plan.duration = seconds != nullptr ? float32(std::atof(seconds)) : plan.duration;
@@ -161,6 +163,30 @@ TEST(RandomWorlds, PassTheLongRunsThatOnceFailed)
         WorldPlan plan = Planned(number, subSteps);
         plan.duration = 12.0f;
         EXPECT_EQ(WhyFailed(RunWorld(plan)), "") << Replay(plan);
+    }
+}
+
+/// Ten times the bodies and joints in ten times the area: their islands are larger. A hundred of
+/// them with each number of sub-steps have the label `full`; these three take 10 s in all.
+TEST(RandomWorlds, StayInBoundsWithTenTimesTheBodies)
+{
+#ifdef __SANITIZE_THREAD__
+    const std::vector<int> numbers = {4, 5};
+#else
+    const std::vector<int> numbers = {4, 5, 7};
+#endif
+    for (const int subSteps : {2, 4, 8})
+    {
+        Tally tally;
+        for (const int number : numbers)
+        {
+            const WorldPlan plan = Planned(number, subSteps, 10);
+            EXPECT_GE(plan.bodies.size(), 90u) << number;
+            EXPECT_FALSE(plan.joints.empty()) << number;
+            Try(plan, tally);
+        }
+        std::printf("%2d sub-steps: widest excess %g, %.3f m out of the walls at most\n", subSteps,
+                    tally.widest, tally.farthestOut);
     }
 }
 
