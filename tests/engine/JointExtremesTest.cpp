@@ -43,7 +43,7 @@ protected:
     MixedWorld m_mixed{15};
 };
 
-INSTANTIATE_TEST_SUITE_P(SubSteps, WorldFifteen, testing::Values(2, 4, 8, 16),
+INSTANTIATE_TEST_SUITE_P(SubSteps, WorldFifteen, testing::Values(1, 2, 4, 8, 16),
                          testing::PrintToStringParamName());
 
 /// It goes 19.84 m to where both joints pull equally, and then does not move at all.

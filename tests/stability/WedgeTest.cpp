@@ -105,4 +105,31 @@ TEST(Wedge, GivesABoxNoEnergy)
     }
 }
 
+/// Where it turns back it touches both walls at once, and each impulse against one wall presses
+/// against the other. The iterations over an impact must not end before it is solved.
+TEST(Wedge, KeepsTheEnergyOfABox)
+{
+    for (const int32 subSteps : {2, 4, 8, 16})
+    {
+        JudgeFlights(subSteps, false, kKept);
+    }
+}
+
+/// It meets both walls at the same time, so that a bounce off one drives it into the other.
+TEST(Wedge, ThrowsBackABallThatComesAlongItsAxis)
+{
+    for (const int32 subSteps : {1, 2, 4, 8, 16})
+    {
+        for (const float32 gravity : {0.0f, -10.0f})
+        {
+            Flight flight(subSteps, gravity);
+            const double left = flight.Throw(true, b2Vec2(0.0f, 12.0f), 0.0f, 80.0f, 0.0f);
+            const std::string name =
+                gravity != 0.0f ? "along a wedge's axis with gravity" : "along a wedge's axis";
+            Judge(name + ", lost", subSteps, 100.0 * (1.0 - left), "%", 100.0 * kKept);
+            Judge(name + ", won", subSteps, 100.0 * (left - 1.0), "%", 100.0 * kKept);
+        }
+    }
+}
+
 } // namespace
