@@ -2,7 +2,8 @@
 #include "Trial.h"
 
 /// A body with restitution 1 and without friction flies into a wedge of 10 degrees and out again.
-/// Its energy must not change. It is fast, because contacts slower than 1 m/s do not bounce.
+/// Its energy must not change. Impacts of all speeds bounce: where a point meets one wall without a
+/// bounce while others press it there, the energy of their impulses would be lost.
 namespace
 {
 
@@ -22,6 +23,7 @@ struct Flight : Trial
         b2ChainShape walls;
         walls.CreateChain(points, 3);
         Scene::Add(Body(b2_staticBody, 0.0f, 0.0f), walls, 0.0f, 1.0f);
+        world.SetRestitutionThreshold(0.001f);
     }
 
     /// Throws a ball or a box into the wedge, and returns the share of its energy that is left.
@@ -70,49 +72,36 @@ Range FlySideways(int32 subSteps, float32 gravity, bool isBall)
     return range;
 }
 
-/// Walls are met at up to 1 m/s without a bounce, on the way in and out: 2 (1 / 60)^2 of the
-/// energy. Gravity's half step, h m g v / 2, is 0.5 % of it in a bounce at 60 m/s.
+/// Gravity's half step, h m g v / 2, is 0.5 % of the energy in a bounce at 60 m/s.
 constexpr double kKept = 0.01;
 
-void JudgeFlights(int32 subSteps, bool isBall, double maxLost)
+void JudgeFlights(int32 fewest, bool isBall)
 {
-    for (const float32 gravity : {0.0f, -10.0f})
+    for (int32 subSteps = fewest; subSteps <= 16; subSteps *= 2)
     {
-        const Range range = FlySideways(subSteps, gravity, isBall);
-        const std::string what = std::string(isBall ? "ball" : "box") + " in a wedge" +
-                                 (gravity != 0.0f ? " with gravity" : "");
-        Judge(what + ", lost", subSteps, 100.0 * (1.0 - range.least), "%", 100.0 * maxLost);
-        Judge(what + ", won", subSteps, 100.0 * (range.most - 1.0), "%", 100.0 * kKept);
+        for (const float32 gravity : {0.0f, -10.0f})
+        {
+            const Range range = FlySideways(subSteps, gravity, isBall);
+            const std::string what = std::string(isBall ? "ball" : "box") + " in a wedge" +
+                                     (gravity != 0.0f ? " with gravity" : "");
+            Judge(what + ", lost", subSteps, 100.0 * (1.0 - range.least), "%", 100.0 * kKept);
+            Judge(what + ", won", subSteps, 100.0 * (range.most - 1.0), "%", 100.0 * kKept);
+        }
     }
 }
 
-/// It meets one wall after the other. It loses 0.001 % and wins 0.61 % at most. One step has eight
-/// iterations over an impact, which is documented as too few for corners.
+/// It meets one wall after the other. It loses 0.001 % and wins 0.6 % at most.
 TEST(Wedge, KeepsTheEnergyOfABallFromTheSide)
 {
-    for (const int32 subSteps : {2, 4, 8, 16})
-    {
-        JudgeFlights(subSteps, true, kKept);
-    }
-}
-
-/// It touches both walls at once where it turns back.
-TEST(Wedge, GivesABoxNoEnergy)
-{
-    for (const int32 subSteps : {2, 4, 8, 16})
-    {
-        JudgeFlights(subSteps, false, kNoBound);
-    }
+    JudgeFlights(1, true);
 }
 
 /// Where it turns back it touches both walls at once, and each impulse against one wall presses
-/// against the other. The iterations over an impact must not end before it is solved.
+/// against the other. The iterations over an impact must not end before it is solved: with 64 of
+/// them a box lost up to 14 %. A whole step limits rotation to b2_maxRotation, so it stops a spin.
 TEST(Wedge, KeepsTheEnergyOfABox)
 {
-    for (const int32 subSteps : {2, 4, 8, 16})
-    {
-        JudgeFlights(subSteps, false, kKept);
-    }
+    JudgeFlights(2, false);
 }
 
 /// It meets both walls at the same time, so that a bounce off one drives it into the other.

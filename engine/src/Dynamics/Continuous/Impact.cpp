@@ -31,8 +31,10 @@ constexpr int32 kImpactPositionIterations = 20;
 
 /// Newton's restitution at all points at once conserves the energy of frictionless bounces, if it
 /// is solved (the LCP of Smith et al., "Reflections on Simultaneous Impact", 2012). For one body
-/// between two walls the solver iterates until convergence, at most this often.
-constexpr int32 kCornerIterations = 64;
+/// between two walls the solver iterates until convergence, at most this often. An iteration leaves
+/// the square of the cosine of the walls' angle. In a wedge of 10 degrees a ball keeps 7 % of its
+/// energy with 64, 99.8 with 512, and all with this many.
+constexpr int32 kCornerIterations = 2048;
 
 /// Relative rounding error of a kinetic energy.
 constexpr double kRounding = 1e-5;
@@ -316,7 +318,7 @@ void Impact::SolvePositions(b2Body& bodyA, b2Body& bodyB)
 /// True if one body bounces between static ones; additional iterations are cheap there.
 bool Impact::IsInCorner() const
 {
-    return m_world.settings.subStepCount > 1 && m_contacts.size() > 1 &&
+    return m_contacts.size() > 1 &&
            std::count_if(m_bodies.begin(), m_bodies.end(),
                          [](const b2Body* body) { return Data(*body).IsDynamic(); }) == 1 &&
            std::ranges::any_of(Impulses(), Bounces);
