@@ -19,7 +19,8 @@ namespace
 
 /// The largest margin of a box, as a share of the half size of its shape. It applies to half sizes
 /// below 0.4 m, because the manual's margin would touch all of their neighbours'. Larger finds more
-/// pairs that do not touch; smaller changes the tree more often.
+/// pairs that do not touch; smaller changes the tree more often. With half of it, rain
+/// takes 1.09 of the time and ragdolls 1.05 (docs/notes/collision-speed.md).
 constexpr float32 kMarginShare = 0.25f;
 
 /// Returns the distance that a box may move before the tree has to change [m]. Large shapes have

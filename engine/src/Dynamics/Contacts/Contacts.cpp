@@ -23,7 +23,9 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kContactGrain = 32; ///< contacts per part of a parallel loop
+/// Contacts per part of a parallel loop. It affects the time only: with fewer, threads fetch parts
+/// too often; with more, the contacts of a small world have fewer parts than threads.
+constexpr int32 kContactGrain = 32;
 
 /// True if a joint keeps its two bodies from colliding.
 bool JointForbids(b2Body& a, const b2Body& b)

@@ -70,7 +70,8 @@ inline b2AABB BoxOfPath(const b2Vec2& from, const b2Vec2& to, float32 radius)
 /// more than a quarter turn, which only sub-steps allow.
 inline bool IsWide(double turn)
 {
-    // A step without sub-steps rotates by b2_maxRotation at most, up to rounding.
+    // A step without sub-steps rotates by b2_maxRotation at most, up to rounding. Rounding is a few
+    // millionths, far less than the 1 %.
     constexpr double kRounding = 1.01;
     return std::abs(turn) > kRounding * double(b2_maxRotation);
 }

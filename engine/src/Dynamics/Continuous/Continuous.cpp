@@ -37,8 +37,10 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kMaxRounds = 4;     ///< rounds of closing joints and containment
-constexpr int32 kContactGrain = 64; ///< contacts per part of a parallel loop
+constexpr int32 kMaxRounds = 4; ///< rounds of closing joints and containment
+/// Contacts per part of a parallel loop. It affects the time only. It may be larger than that of
+/// the update of contacts, because most contacts are skipped here without a search.
+constexpr int32 kContactGrain = 64;
 
 bool IsLater(const ImpactEvent& a, const ImpactEvent& b)
 {

@@ -10,7 +10,8 @@
 namespace box2d
 {
 
-/// The time of impact of a contact without an obstacle that could hold a body.
+/// The time of impact of a contact without an obstacle that could hold a body. Any number above 1
+/// would do: times are shares of a step, and 1 stands for no impact.
 inline constexpr float32 kNoObstacle = 2.0f;
 
 /// A future impact.

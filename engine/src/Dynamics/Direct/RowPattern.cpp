@@ -13,7 +13,8 @@ namespace box2d
 namespace
 {
 
-/// Initial capacity of each neighbour list, to avoid repeated growth.
+/// Initial capacity of each neighbour list, to avoid repeated growth. It affects allocations only:
+/// packed circles have six neighbours.
 constexpr std::size_t kFewNeighbours = 8;
 
 std::size_t At(int32 index)

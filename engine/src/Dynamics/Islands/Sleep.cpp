@@ -23,7 +23,8 @@ bool IsPushed(const BodyData& body)
     return IsListed(body) && body.IsDynamic();
 }
 
-/// Initial capacity of the lists of awake contacts, to avoid repeated growth in small worlds.
+/// Initial capacity of the lists of awake contacts, to avoid repeated growth in small worlds. It
+/// affects allocations only: from 1 to 64 each list would grow six times.
 constexpr std::size_t kFirstRoom = 64;
 
 bool IsMovingPlatform(const BodyData& body)

@@ -22,7 +22,7 @@ namespace
 
 /// Fewer joints of a type are solved one by one: a block costs as much as this many.
 constexpr std::ptrdiff_t kMinLanes = 3;
-/// Blocks per part of a parallel loop.
+/// Blocks per part of a parallel loop, the same as StepSolver's. It affects the time only.
 constexpr int32 kBlockGrain = 8;
 /// Maximum number of blocks of a run: their numbers stay in the first cache from one kernel to the
 /// next.

@@ -16,7 +16,8 @@
 namespace
 {
 
-/// Share of the body's turning that is taken away each second, in sub-steps.
+/// Decay rate of the body's angular velocity in sub-steps [1/s]: -60 ln(MouseLanes::kKeptSpin), the
+/// rate of a whole step at 60 Hz. After a second exp(-1.2) = 30 % is left.
 constexpr float32 kSpinLoss = 1.2f;
 
 } // namespace

@@ -12,7 +12,8 @@ namespace box2d
 namespace
 {
 
-constexpr float32 kMinLength = b2_epsilon; ///< a shorter vector has no direction
+/// A shorter vector has no direction [m]: coordinates about 1 m are rounded by as much.
+constexpr float32 kMinLength = b2_epsilon;
 
 /// So much of the speed that an impulse gives, and of the bodies' own speeds, may be rounding. A
 /// heavy load of light boxes, or a stack on a fast lift, is not solved again for it.

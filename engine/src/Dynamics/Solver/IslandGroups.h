@@ -26,7 +26,9 @@ public:
     /// Minimum number of bodies of a group, except for the last one: with their contacts about half
     /// a megabyte.
     static constexpr int32 kBodies = 512;
-    /// Maximum number of groups; they are larger then.
+    /// Maximum number of groups; they are larger then. Enough for the parts of many threads. The
+    /// sum of this and of the 64 buckets of ContactBlocks must fit into the byte of a bucket
+    /// number.
     static constexpr int32 kMaxCount = 64;
 
     /// All `bodies` awake bodies are one group.

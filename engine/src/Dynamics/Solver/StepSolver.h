@@ -60,7 +60,9 @@ protected:
     float32 SolveOverlaps(Direction direction, PushPace pace);
     void TurnAsSeen();
 
-    // Blocks per part of a parallel loop.
+    // Blocks, and bodies, per part of a parallel loop. They affect the time only: 8 blocks have up
+    // to 128 contacts, and a body takes a small part of the time of its contacts. With less,
+    // threads fetch parts too often; with more, a colour has fewer parts than threads.
     static constexpr int32 kBlockGrain = 8;
     static constexpr int32 kBodyGrain = 64;
 

@@ -23,7 +23,10 @@ struct SnapshotAccess;
 class ConstraintGraph
 {
 public:
-    /// Constraints without a free colour are solved sequentially, before the others.
+    /// Constraints without a free colour are solved sequentially, before the others. At most
+    /// 31 are possible, because a body's colours are the bits of an uint32. Six equal circles fit
+    /// around another one, so only a body much larger than its neighbours has more than 24
+    /// constraints.
     static constexpr int32 kOverflow = 24;
     static constexpr int32 kColorCount = kOverflow + 1;
 

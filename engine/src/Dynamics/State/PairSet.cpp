@@ -11,6 +11,8 @@ namespace box2d
 namespace
 {
 
+/// A power of two, because slots are found by a mask. Half of them can be used before the set
+/// grows; a larger number would only make the set of a small world larger.
 constexpr std::size_t kFirstSlots = 64;
 
 } // namespace
