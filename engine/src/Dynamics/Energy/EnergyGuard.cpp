@@ -26,7 +26,9 @@ constexpr double kMaxCredit = 3.0;
 /// Maximum stored debt as a fraction of the scale; a larger one is paid at once. With five times as
 /// much some random worlds gain energy; with a tenth small debts stop motions.
 constexpr double kMaxDebt = 0.1;
-/// Decay rate of the scale and of debts [1/s].
+/// Decay rate of the scale and of debts [1/s]: half of them is left after 7 s, in which a
+/// pendulum of 10 m swings once. With 1 small gains add up unnoticed; with 0.01 half of a debt is
+/// left after a minute (docs/notes/tuned-constants.md).
 constexpr double kFade = 0.1;
 /// Energy that corrections may store in springs of bodies at rest [J/kg], equivalent to 1 m/s. A
 /// body on springs that is pushed out of the ground needs a hundredth of it.

@@ -29,7 +29,8 @@ constexpr float32 kLastShare = 0.75f;
 /// swings that change it (docs/notes/sub-steps-chains.md).
 constexpr double kJerk = 2.0;
 /// Relative energy error of a step: more than the truncation error of swings that drifts can
-/// follow.
+/// follow. With a tenth steps are repeated for that error; with ten times as much chains of 1000:1
+/// gain 1.1 % of energy (docs/notes/tuned-constants.md).
 constexpr double kWonShare = 2e-3;
 /// A step that gained energy or tore a hinge is repeated with stiffened hinges, in this many times
 /// as many sub-steps, and in no fewer than these. With as many as before, a ball of 1000:1 tears

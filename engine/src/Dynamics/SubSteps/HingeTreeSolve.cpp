@@ -22,7 +22,10 @@ constexpr double kMostSwing = 1.8;
 /// The cosine's next term, angle^4 / 24, is below half an ulp up to 0.029 rad. This is a third of
 /// that; larger corrections are rare [rad].
 constexpr float32 kSmallAngle = 0.01f;
-constexpr float32 kClosed = 5e-6f; ///< the next drift closes this sufficiently [m]
+/// The next drift closes this sufficiently [m]: half of the 10 um that tests allow. With 1e-4
+/// hinges stay open by 17 um; with 0 each drift takes another solution
+/// (docs/notes/tuned-constants.md).
+constexpr float32 kClosed = 5e-6f;
 
 /// Returns how far a hinge is closed at once: a large correction rotates bodies so that their
 /// levers become invalid.

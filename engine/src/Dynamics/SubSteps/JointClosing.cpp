@@ -28,7 +28,9 @@ constexpr int32 kMaxCycles = 16; ///< drifts per sub-step
 /// HasGained. The tests pass with a minimum of 0.01, too.
 constexpr double kMinGain = 0.05;
 constexpr double kMaxGain = 0.5;
-/// Forces within a step exceed their mean.
+/// A square: a drift then turns a swing by at most 1 / sqrt(0.75) = 1.15 rad. A leapfrog is stable
+/// below 2 rad (see HingeTreeSolve.cpp), and forces within a step exceed their mean. With 0.25 no
+/// test fails; with 3 a bridge rests later (docs/notes/tuned-constants.md).
 constexpr double kCycleMargin = 0.75;
 /// Much larger for the jerk of a rope, a rod, or a limit that stops a heavy body. Tuned on 216
 /// chains of ropes and of rods: docs/notes/sub-steps-chains.md.

@@ -31,7 +31,9 @@ namespace
 {
 
 constexpr int32 kMinColdIterations = 8; ///< without a warm start
-constexpr int32 kMaxBounces = 64;       ///< iterations over what bounces in a row
+/// Iterations over what bounces in a row: an impulse passes from one body to the next in each, so a
+/// row of 64 balls is exact in any order. A bound; no test fails with 8 or 512.
+constexpr int32 kMaxBounces = 64;
 /// Maximum speed at which a contact pushes out an initial overlap [m/s]. A higher speed looks like
 /// a jump (Catto, "Solver2D", 2024, has a similar bound). Overlaps from weight and impacts are
 /// smaller.
@@ -45,8 +47,9 @@ constexpr int32 kManySubSteps = 4;
 /// Overlaps up to this are left alone [m]. Less than kMaxOverlap by the rounding of a measurement.
 constexpr float32 kUnpushed = 0.998f * ContactSystem::kMaxOverlap;
 /// Overlaps are measured again once a body has moved this far [m]. What turns by less is too little
-/// for a shorter lever to matter.
-constexpr float32 kStill = 0.01f * b2_linearSlop;
+/// for a shorter lever to matter. It only saves time: no verdict changes with 0 or with ten times
+/// as much.
+constexpr float32 kUnmoved = 0.01f * b2_linearSlop;
 
 /// The iterations of a kick reverse their direction once, as in a whole step. The next kick starts
 /// in the direction in which this one ended. A kick of one iteration reverses with every second
@@ -411,7 +414,7 @@ bool SubStepSolver::AreStillApart() const
     const float32 far =
         FarthestPush(m_subSteps.beforePushes.data() + first + 1, m_memory.bodies.data() + first + 1,
                      m_subSteps.kicks.data() + first, m_group.endBody - m_group.firstBody);
-    return far <= kStill && m_measured - 2.0f * far >= -kUnpushed;
+    return far <= kUnmoved && m_measured - 2.0f * far >= -kUnpushed;
 }
 
 void SubStepSolver::MoveApart(float32 timeStep, int32 iterations, float32 rate)
