@@ -28,7 +28,7 @@ namespace
 {
 
 /// Rounds over the contacts of a body that is moved back. Few need more than two; between walls
-/// that are nearer to each other than the body is wide there is no end.
+/// that are nearer to each other than the body is wide there is no end. No test fails with 2 or 64.
 constexpr int32 kMaxRounds = 8;
 
 /// Returns the centre in the body's frame. Edges and chains have no inside and use the centre of

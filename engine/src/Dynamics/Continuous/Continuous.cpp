@@ -37,7 +37,9 @@ namespace box2d
 namespace
 {
 
-constexpr int32 kMaxRounds = 4; ///< rounds of closing joints and containment
+/// Rounds of closing joints and containment. A bound, because each may undo the other without end.
+/// No verdict changes with 1 or 16, only the paths of some random worlds.
+constexpr int32 kMaxRounds = 4;
 /// Contacts per part of a parallel loop. It affects the time only. It may be larger than that of
 /// the update of contacts, because most contacts are skipped here without a search.
 constexpr int32 kContactGrain = 64;

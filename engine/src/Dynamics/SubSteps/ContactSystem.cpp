@@ -39,7 +39,7 @@ constexpr float32 kJammedSoftness = 0.1f;
 /// 20 sways by 18 mm instead of 0.2 (docs/notes/tuned-constants.md).
 constexpr float32 kLeastTolerance = 1e-6f;
 /// Rounding of impulses and speeds counts as no error up to this fraction of the speed that weight
-/// adds in a kick.
+/// adds in a kick. With 0 islands are solved directly for rounding; with 1 no test fails.
 constexpr float32 kMostRounding = 0.01f;
 /// Weight counts as at least this speed [m/s], for worlds without gravity. At 60 Hz with 4
 /// sub-steps weight adds 0.04 m/s. No test fails with 1e-6 or 0.01.
@@ -49,11 +49,13 @@ constexpr float32 kLeastWeight = 1e-4f;
 /// pile-ups of ragdolls take the same time, with 10 a fifth more.
 constexpr float32 kImpact = 1.0f;
 /// Contacts are contradictory if they approach by more than these fractions of the pusher's speed
-/// and of the speed that weight adds in a kick.
+/// and of the speed that weight adds in a kick: ten and a hundred times kTolerance, so that what
+/// the solution leaves does not count. No verdict changes with 0.1 and 1, or with a hundredth.
 constexpr double kHeld = 1e-3;
 constexpr double kHeldWeight = 0.01;
 /// They are also contradictory above this multiple of the impulse that brings the whole island to
-/// the pusher's speed and stops its weight.
+/// the pusher's speed and stops its weight. With 1000 a door presses a box at a wall with 32 m/s
+/// instead of 28; with 1 no verdict changes (docs/notes/tuned-constants.md).
 constexpr double kMaxLoad = 10.0;
 /// A body between two sides of another one holds itself by friction with any impulse. Without
 /// joints and forces, contacts are softened above this multiple of the impulse that stops the

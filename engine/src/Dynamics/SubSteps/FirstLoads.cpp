@@ -16,7 +16,9 @@ namespace box2d
 namespace
 {
 
-/// A contact whose vertical part is below this fraction of its impulse does not support a body.
+/// A contact whose vertical part is below this fraction of its impulse does not support a body: a
+/// slope of 60 degrees, where the impulse would be twice the weight. The first iterations correct
+/// it, so no verdict changes from 0.05 to 0.95.
 constexpr double kMinLift = 0.5;
 
 std::size_t At(int32 index)

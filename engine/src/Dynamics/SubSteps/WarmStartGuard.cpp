@@ -12,7 +12,9 @@ namespace box2d
 namespace
 {
 
-/// Relative energy that rounding, and friction with a changed bound, may add to an island.
+/// Relative energy that rounding, and friction with a changed bound, may add to an island. With a
+/// hundredth calm islands start from zero, and forty boxes rest after 5.8 s instead of 3.9. Up to
+/// 0.1 no test fails (docs/notes/tuned-constants.md).
 constexpr double kTolerance = 1e-3;
 
 bool Moves(const SolverBody& body)
