@@ -38,7 +38,7 @@ namespace
 {
 
 /// Rounds of closing joints and containment. A bound, because each may undo the other without end.
-/// No verdict changes with 1 or 16, only the paths of some random worlds.
+/// No verdict changes with 1 or 16, but the paths of some random worlds do.
 constexpr int32 kMaxRounds = 4;
 /// Contacts per part of a parallel loop. It affects the time only. It may be larger than that of
 /// the update of contacts, because most contacts are skipped here without a search.

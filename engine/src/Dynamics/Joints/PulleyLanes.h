@@ -13,7 +13,7 @@ namespace
 
 /// A shorter rope [m] has no direction, and its length counts as constant: motion of its end causes
 /// no force. The limit is that of Box2D 2.3. The slop turns a rope of ten slops by 0.1 rad at most.
-/// With ten times as much a rope lengthens by 0.4 m; with a tenth no test changes.
+/// With ten times as much a rope gets 0.4 m too short; with a tenth no test changes.
 constexpr float32 kShortestRope = 10.0f * b2_linearSlop;
 
 template <class F>

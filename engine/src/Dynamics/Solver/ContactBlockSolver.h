@@ -17,7 +17,7 @@ constexpr float32 kMinLength = b2_epsilon;
 
 /// So much of the speed that an impulse gives, and of the bodies' own speeds, may be rounding. A
 /// heavy load of light boxes, or a stack on a fast lift, is not solved again for it. With 1e-4 a
-/// stack of 20 sways by 18 mm instead of 0.2; with 0 only the time differs
+/// stack of 20 sways by 18 mm instead of 0.2; with 0 no test fails
 /// (docs/notes/tuned-constants.md).
 constexpr float32 kRounding = 8.0f * b2_epsilon;
 constexpr float32 kSpeedRounding = 2.0f * b2_epsilon;
