@@ -145,6 +145,25 @@ struct MovingPair : PairMasses<F>
     }
 };
 
+/// Smaller angles are their own arc tangents [rad]: to 0.005.
+constexpr float32 kSmallTurn = 0.25f;
+
+/// To 0.005 rad, and the angle itself up to kSmallTurn (Rajan et al., "Efficient Approximations for
+/// the Arctangent Function", 2006).
+template <class F>
+F ArcTangent(F tangent)
+{
+    const F one = F::Set(1.0f);
+    const F share = F::Set(0.28125f);
+    const F size = Abs(tangent);
+    const F square = size * size;
+    const F flat = size / (one + share * square);
+    const F steep = F::Set(0.5f * b2_pi) - size / (square + share);
+    const F angle = Select(AtLeast(one, size), flat, steep);
+    const F turn = Select(AtLeast(tangent, F::Set(0.0f)), angle, -angle);
+    return Select(AtLeast(F::Set(kSmallTurn), size), tangent, turn);
+}
+
 /// Bodies of lanes with their poses: displacement and rotation since the start of the step.
 template <class F>
 struct PlacedPair : PairMasses<F>
@@ -160,17 +179,17 @@ struct PlacedPair : PairMasses<F>
         {
             return {c * v.x - s * v.y, s * v.x + c * v.y};
         }
-        /// Rotates by a small angle: to first order, then normalized. A body that cannot rotate
-        /// keeps its bits with any number of joints.
+        /// Rotates to first order, then normalized; `seen` is by how much. A body that cannot
+        /// rotate keeps its bits with any number of joints.
         template <class M>
-        BOX2D_INLINE void Rotate(M turns, F delta)
+        BOX2D_INLINE void Rotate(M turns, F delta, F seen)
         {
             const F sine = s + delta * c;
             const F cosine = c - delta * s;
             const F inverseLength = F::Set(1.0f) / Sqrt(sine * sine + cosine * cosine);
             s = Select(turns, sine * inverseLength, s);
             c = Select(turns, cosine * inverseLength, c);
-            angle = Select(turns, angle + delta, angle);
+            angle = Select(turns, angle + seen, angle);
         }
     };
     Place a, b;
@@ -193,11 +212,20 @@ struct PlacedPair : PairMasses<F>
     }
     /// Applies these angular impulses.
     BOX2D_INLINE void Rotate(F onA, F onB) { Turn(-this->iA * onA, this->iB * onB); }
+    /// Rotates by the arc tangents of the angles. Far out on a lever corrections are large, and
+    /// joints that count them in full throw their bodies away.
     BOX2D_INLINE void Turn(F angleA, F angleB)
     {
         const F zero = F::Set(0.0f);
-        a.Rotate(Not(AtLeast(zero, this->iA)), angleA);
-        b.Rotate(Not(AtLeast(zero, this->iB)), angleB);
+        F seenA = angleA;
+        F seenB = angleB;
+        if (Any(Less(F::Set(kSmallTurn), Max(Abs(angleA), Abs(angleB)))))
+        {
+            seenA = ArcTangent(angleA);
+            seenB = ArcTangent(angleB);
+        }
+        a.Rotate(Not(AtLeast(zero, this->iA)), angleA, seenA);
+        b.Rotate(Not(AtLeast(zero, this->iB)), angleB, seenB);
     }
     template <class M>
     BOX2D_INLINE void Take(M active, const PlacedPair& solved)
