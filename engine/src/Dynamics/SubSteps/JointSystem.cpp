@@ -162,9 +162,12 @@ void JointSystem::BeginPart(int32 index, const SolverContext& context, const Bod
     }
 }
 
+/// Joints with one row set only its impulse. The others may be those of an earlier joint at this
+/// index, whose form SquaredFrequency still reads.
 void JointSystem::TakeImpulses(std::size_t joint)
 {
     JointRows& rows = m_system.Rows(joint);
+    rows.SetImpulse(Impulses{}.at);
     JointAccess::GetRowImpulses(*m_joints[joint], rows.impulse);
     for (float32& impulse : rows.impulse)
     {
