@@ -102,6 +102,68 @@ TEST(Snapshot, ContinuesWithOneOfTwoJoinedBodiesPutToSleep)
     });
 }
 
+/// A rod takes the place of a hinge among the joints, with the form of the hinge's rows. The first
+/// step finds the number of drifts from it, but not from the hinge's impulses.
+TEST(Snapshot, ContinuesWithARodInThePlaceOfAHinge)
+{
+    ExpectGoesOn([](Scene& scene) {
+        b2Body* const platform = scene.Body(b2_kinematicBody, 0.0f, 10.0f);
+        platform->SetLinearVelocity(b2Vec2(0.1f, 0.0f));
+        b2Body* const ball = scene.Ball(1.0f, 9.0f);
+        b2Body* const load = scene.Ball(1.0f, 7.0f, 0.5f);
+        load->GetFixtureList()->SetDensity(1000.0f);
+        load->ResetMassData();
+        b2RevoluteJointDef hinge;
+        hinge.Initialize(platform, ball, b2Vec2(0.0f, 10.0f));
+        b2Joint* const first = scene.world.CreateJoint(&hinge);
+        hinge.Initialize(ball, load, b2Vec2(1.0f, 8.5f));
+        b2Joint* const second = scene.world.CreateJoint(&hinge);
+        scene.Step(5);
+        scene.world.DestroyJoint(first);
+        scene.world.DestroyJoint(second);
+        b2DistanceJointDef rod;
+        rod.Initialize(platform, ball, platform->GetPosition(), b2Vec2(1.3f, 9.2f));
+        scene.world.CreateJoint(&rod);
+        rod.Initialize(ball, load, b2Vec2(1.2f, 8.8f), load->GetPosition());
+        scene.world.CreateJoint(&rod);
+    });
+}
+
+/// The ball is put to sleep between the impacts of a step, while the list of joints changes. The
+/// next step wakes it, and the rope moves it again.
+TEST(Snapshot, ContinuesAfterAJoinedBodySleptWithinAStep)
+{
+    ExpectGoesOn([](Scene& scene) {
+        scene.Ground();
+        scene.world.SetSubStepping(true);
+        b2Body* const ball = scene.Ball(0.0f, 10.0f);
+        b2Body* const other = scene.Ball(3.0f, 10.0f);
+        other->SetLinearVelocity(b2Vec2(4.0f, 3.0f));
+        b2RopeJointDef rope;
+        rope.bodyA = ball;
+        rope.bodyB = other;
+        rope.maxLength = 3.0f;
+        scene.world.CreateJoint(&rope);
+        rope.maxLength = 30.0f;
+        b2Joint* const loose = scene.world.CreateJoint(&rope);
+        for (int i = 0; i < 4; ++i)
+        {
+            b2Body* const bullet =
+                scene.Ball(10.0f + 5.0f * float32(i), 1.0f + float32(i) / 3.0f, 0.2f);
+            bullet->SetBullet(true);
+            bullet->SetLinearVelocity(b2Vec2(0.0f, -200.0f));
+        }
+        scene.Step();
+        scene.world.DestroyJoint(loose);
+        ball->SetAwake(false);
+        scene.Step();
+        EXPECT_FALSE(ball->IsAwake());
+        scene.Step(4);
+        scene.world.SetSubStepping(false);
+        EXPECT_TRUE(ball->IsAwake());
+    });
+}
+
 /// A heavy ball tears the rods at about one second: bodies have added masses from then on.
 TEST(Snapshot, ContinuesWhileAHeavyBallTearsItsRods)
 {

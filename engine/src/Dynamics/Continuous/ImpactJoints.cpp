@@ -60,7 +60,7 @@ void ImpactJoints::NoteStarts()
     {
         m_world.impacts->fates.push_back(ImpactFate{&Data(*awake), false});
     }
-    m_world.subSteps->joints.NoteOpen(m_world.graph, ClearPaths());
+    m_world.subSteps->joints.NoteOpen(m_world.graph, m_world.awakeVersion, ClearPaths());
 }
 
 void ImpactJoints::NoteStopped(const BodyData& body)

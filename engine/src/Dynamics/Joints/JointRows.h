@@ -88,10 +88,7 @@ struct JointRows
     /// Resets the rows at low cost: columns are cleared when they are added.
     void Clear()
     {
-        if (boundedRows > 0)
-        {
-            std::fill_n(laws, kMaxRows, Law());
-        }
+        std::fill_n(laws, kMaxRows, Law()); // contacts and rigid rows may be soft, too
         rows = boundedRows = bodies = 0;
         point = disc = false;
         length = 0.0f;

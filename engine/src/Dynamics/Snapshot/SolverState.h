@@ -137,7 +137,8 @@ void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& w
     // The joints that are iterated are chosen again in each step.
     auto& [joints, sides, rowSystem, parts, trees, treeOf, solutions, rowed, iteratedJoints,
            iterated, threads, hasBounded, states, totals, kicks, poses, carriers, opened, left,
-           speeds, now, elimination, partJoints, version, restored, restoredVersion] = system;
+           speeds, now, elimination, partJoints, version, awakeVersion, restored, restoredVersion] =
+        system;
     Visit(archive, rowSystem);
     const int32 present = world.graph.JointVersion();
     bool followed = version == present || restoredVersion == present;

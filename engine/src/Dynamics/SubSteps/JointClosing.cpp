@@ -358,9 +358,10 @@ void JointSystem::CloseAfterPushes(const SolverContext& context, int32 iteration
     }
 }
 
-void JointSystem::NoteOpen(const ConstraintGraph& graph, const SolverContext& context)
+void JointSystem::NoteOpen(const ConstraintGraph& graph, std::uint32_t awakeVersion,
+                           const SolverContext& context)
 {
-    Update(graph);
+    Update(graph, awakeVersion);
     for (std::size_t i = 0; i < m_joints.size(); ++i)
     {
         m_now.Clear();

@@ -32,12 +32,15 @@ constexpr double kTornShare = 0.01;
 
 } // namespace
 
-void JointSystem::Update(const ConstraintGraph& graph)
+void JointSystem::Update(const ConstraintGraph& graph, std::uint32_t awakeVersion)
 {
-    if (m_version == graph.JointVersion())
+    const bool sameList = m_version == graph.JointVersion();
+    if (sameList && (m_awakeVersion == awakeVersion || HasSameSides()))
     {
+        m_awakeVersion = awakeVersion;
         return;
     }
+    m_awakeVersion = awakeVersion;
     m_version = graph.JointVersion();
     m_joints = graph.Joints();
     m_sides.clear();
@@ -49,7 +52,10 @@ void JointSystem::Update(const ConstraintGraph& graph)
     m_parts.assign(std::size_t(m_system.Components()), Part());
     BuildTrees();
     m_hasBounded.assign(m_joints.size(), 0);
-    m_states.assign(m_joints.size(), RowStates());
+    if (!sameList)
+    {
+        m_states.assign(m_joints.size(), RowStates());
+    }
     if (m_restoredVersion == m_version && m_restored.size() == m_joints.size())
     {
         m_states.swap(m_restored);
@@ -61,6 +67,14 @@ void JointSystem::Update(const ConstraintGraph& graph)
     m_poses.resize(m_system.Bodies().size());
     m_left.assign(m_joints.size(), Impulses());
     m_opened.resize(m_system.Bodies().size());
+}
+
+/// False if a body of the joints woke or was put to sleep alone, which leaves the list as it was.
+bool JointSystem::HasSameSides() const
+{
+    return std::ranges::equal(m_joints, m_sides, [](b2Joint* joint, const RowSides& sides) {
+        return SidesOf(*joint) == sides;
+    });
 }
 
 void JointSystem::BuildTrees()

@@ -31,8 +31,9 @@ enum class AfterImpact : uint8
 class JointSystem
 {
 public:
-    /// Follows the graph's list of joints; free while that is unchanged.
-    void Update(const ConstraintGraph& graph);
+    /// Follows the graph's list of joints, and which of their bodies are awake. Free while the list
+    /// and `awakeVersion`, that of World, are unchanged.
+    void Update(const ConstraintGraph& graph, std::uint32_t awakeVersion);
     bool IsEmpty() const { return m_joints.empty(); }
     /// True if one call of SolveVelocities suffices.
     bool IsExact() const { return m_iterated.IsEmpty(); }
@@ -125,7 +126,8 @@ public:
     /// it after that correction. Iterated joints are closed only here.
     void CloseAfterPushes(const SolverContext& context, int32 iterations);
     /// Call after write-back and before an impact within the step: records the gaps of joints.
-    void NoteOpen(const ConstraintGraph& graph, const SolverContext& context);
+    void NoteOpen(const ConstraintGraph& graph, std::uint32_t awakeVersion,
+                  const SolverContext& context);
     /// Call after impacts within the step, which moved some bodies. Closes the components of bodies
     /// selected by `fate`. The context's bodies have no displacements before, and receive them
     /// here. Calls `changed` for each of these components.
@@ -133,7 +135,7 @@ public:
     void CloseAfterImpacts(const ConstraintGraph& graph, const SolverContext& context, Fate&& fate,
                            Changed&& changed)
     {
-        Update(graph);
+        Update(graph, m_awakeVersion); // what a listener has put to sleep since stays in it
         for (int32 i = 0; i < m_system.Components(); ++i)
         {
             if (!HoldStopped(i, fate))
@@ -272,6 +274,7 @@ private:
     void BeginParts(const SolverContext& context, float32 share, float32 lastInverseStep,
                     const BodyKick* kicks);
     void Start(const SolverContext& context, std::size_t joint, float32 share);
+    bool HasSameSides() const;
     void BuildTrees();
     void BeginPart(int32 part, const SolverContext& context, const BodyKick* kicks);
     void TakeImpulses(std::size_t joint);
@@ -313,6 +316,7 @@ private:
     Elimination m_elimination;       // scratch of Update, reused as joints wake and sleep
     Array<b2Joint*> m_partJoints;    // scratch: of one component
     int32 m_version = -1;
+    std::uint32_t m_awakeVersion = 0;
     Array<RowStates> m_restored;  // from a snapshot, for the joint list of
     int32 m_restoredVersion = -1; // this version, used by Update
 };

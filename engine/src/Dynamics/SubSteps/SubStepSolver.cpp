@@ -210,7 +210,7 @@ void SubStepSolver::Begin(int32 count)
     m_subSteps.firstLoads.Find(m_world, m_memory, 0.5f * m_context.timeStep / float32(count));
     Bounce();
     m_context.inverseStep *= float32(count);
-    m_subSteps.joints.Update(m_world.graph);
+    m_subSteps.joints.Update(m_world.graph, m_world.awakeVersion);
     if (m_memory.colorCount > 0 || !m_subSteps.joints.IsEmpty())
     {
         FindIslands();
