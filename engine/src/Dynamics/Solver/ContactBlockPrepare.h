@@ -128,12 +128,19 @@ struct BlockPreparer
         {
             return slow;
         }
-        // Two centres turn their line, too, the faster the nearer they are.
+        // Two points turn their line, too, the faster the nearer they are.
         const Vector<F> line = Subtract(Add(p.offset, p.points[0]), p.reference);
-        const Vector<F> speed = {bodies.b[0] - bodies.a[0], bodies.b[1] - bodies.a[1]};
+        const Vector<F> speed =
+            Subtract(SpeedOf(bodies.b, p.points[0]), SpeedOf(bodies.a, p.reference));
         const F most = Sqrt(F::Set(kMostTurn * kMostTurn) * Dot(line, line) /
                             Max(Dot(speed, speed), F::Set(std::numeric_limits<float32>::min())));
         return Min(slow, most);
+    }
+
+    /// Returns the velocity of a body's point at this arm.
+    static Vector<F> SpeedOf(const F (&body)[4], const Vector<F>& arm)
+    {
+        return {body[0] - body[2] * arm.y, body[1] + body[2] * arm.x};
     }
 
     /// The sine and cosine of an angle up to the most that a contact turns.
