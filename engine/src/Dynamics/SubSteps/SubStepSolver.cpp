@@ -121,8 +121,10 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
     const int32 pushIterations = b2IterationsOfASubStep(positionIterations, count);
     const int32 pushEvery = count >= kManySubSteps && count % 2 == 0 ? 2 : 1;
     // Overlaps go at the same pace for every number of sub-steps: a faster one adds energy.
-    const float32 rate =
+    // A push after every second sub-step goes as far as two.
+    const float32 each =
         b2_baumgarte * b2Min(1.0f, float32(b2Max(1, positionIterations)) / float32(count));
+    const float32 rate = pushEvery == 2 ? each * (2.0f - each) : each;
     SubStepSolver solve(world, timeStep);
     {
         ProfileScope init(world.profiling, world.profile.solveInit);
@@ -148,7 +150,7 @@ void SolveInSubSteps(World& world, float32 timeStep, int32 velocityIterations,
                 group.Drift(h);
                 if (i % pushEvery == 0)
                 {
-                    group.MoveApart(float32(pushEvery) * h, pushEvery * pushIterations, rate);
+                    group.MoveApart(float32(pushEvery) * h, pushIterations, rate);
                 }
                 group.CloseAfterPushes(pushIterations);
             }
