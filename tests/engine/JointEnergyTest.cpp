@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 /// The energy of springs, compared with the textbook.
 namespace
 {
@@ -67,7 +69,23 @@ TEST(MotorWork, IsForceTimesSpeedTimesTime)
     EXPECT_FALSE(box2d::HasMotor(*joint));
     joint->EnableMotor(true);
     EXPECT_TRUE(box2d::HasMotor(*joint));
-    EXPECT_NEAR(box2d::MaxMotorWork(*joint, nullptr, 0.5f, 1), 60.0, 1e-4);
+    EXPECT_NEAR(box2d::MaxMotorWork(*joint, nullptr, 0.5f), 60.0, 1e-4);
+}
+
+/// Whatever the number of sub-steps.
+TEST(MotorWork, OfAMotorJointCorrectsAShareOfItsErrorInAStep)
+{
+    Scene scene;
+    b2Body* box = scene.Box(3.0f, 0.0f);
+    b2MotorJointDef def;
+    def.Initialize(scene.Ground(), box);
+    def.maxForce = 20.0f;
+    def.correctionFactor = 0.3f;
+    auto* joint = static_cast<b2MotorJoint*>(scene.world.CreateJoint(&def));
+    joint->SetLinearOffset(joint->GetLinearOffset() + b2Vec2(2.0f, 0.0f));
+    std::vector<box2d::SolverBody> bodies(2);
+    bodies[std::size_t(box2d::Data(*box).SolverIndex())].v.Set(1000.0f, 0.0f);
+    EXPECT_NEAR(box2d::MaxMotorWork(*joint, bodies.data(), 0.1f), 20.0 * 0.3 * 2.0, 1e-3);
 }
 
 } // namespace

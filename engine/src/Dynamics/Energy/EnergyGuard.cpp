@@ -182,8 +182,8 @@ void EnergyGuard::Begin(const World& world, SolverMemory& solver, float32 timeSt
         }
         if (HasMotor(*joint) && AccountOf(*joint) != -1)
         {
-            m_motors.push_back({joint, AccountOf(*joint),
-                                MaxMotorWork(*joint, solver.bodies.data(), timeStep, m_subSteps)});
+            m_motors.push_back(
+                {joint, AccountOf(*joint), MaxMotorWork(*joint, solver.bodies.data(), timeStep)});
         }
     }
 }
@@ -231,7 +231,7 @@ void EnergyGuard::Balance(const World& world, SolverMemory& solver)
         return;
     }
     AddBodies(world, solver);
-    AddJoints(world, solver);
+    AddJoints(solver);
     for (Account& account : m_accounts)
     {
         if (account.debt > kTolerance * account.scale)
@@ -301,7 +301,7 @@ void EnergyGuard::AddBodies(const World& world, SolverMemory& solver)
     }
 }
 
-void EnergyGuard::AddJoints(const World& world, const SolverMemory& solver)
+void EnergyGuard::AddJoints(const SolverMemory& solver)
 {
     for (Spring& spring : m_springs)
     {
@@ -310,8 +310,7 @@ void EnergyGuard::AddJoints(const World& world, const SolverMemory& solver)
     }
     for (const Motor& motor : m_motors)
     {
-        const double after = MaxMotorWork(*motor.joint, solver.bodies.data(), m_timeStep,
-                                          world.settings.subStepCount);
+        const double after = MaxMotorWork(*motor.joint, solver.bodies.data(), m_timeStep);
         m_accounts[std::size_t(motor.account)].debt -= std::max(motor.work, after);
     }
 }

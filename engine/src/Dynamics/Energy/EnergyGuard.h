@@ -84,7 +84,7 @@ private:
     double Won(const BodyData& body, const SolverBody& after, const b2Vec2& pushed) const;
     float32 PastOf(const BodyData& body) const;
     void AddBodies(const World& world, SolverMemory& solver);
-    void AddJoints(const World& world, const SolverMemory& solver);
+    void AddJoints(const SolverMemory& solver);
     void Collect(const World& world, SolverMemory& solver, Account& account);
     void MoveAgain(const b2Body& first, SolverMemory& solver, Account& account, float32 time);
     void ShareOut(const World& world, const SolverMemory& solver);

@@ -131,12 +131,11 @@ bool HasMotor(const b2Joint& joint)
         joint, []<class Joint>(const Joint& j) { return JointAccess::Kind<Joint>::HasMotor(j); });
 }
 
-double MaxMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 timeStep,
-                    int32 subSteps)
+double MaxMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 timeStep)
 {
-    const double subStep = double(timeStep) / double(subSteps);
-    return double(timeStep) * WithJoint(joint, [&]<class Joint>(const Joint& j) {
-               return JointAccess::Kind<Joint>::MaxPower(j, JointPair(j, bodies), subStep);
+    const auto step = double(timeStep);
+    return step * WithJoint(joint, [&]<class Joint>(const Joint& j) {
+               return JointAccess::Kind<Joint>::MaxPower(j, JointPair(j, bodies), step);
            });
 }
 

@@ -109,9 +109,8 @@ SpringState SpringOf(const b2Joint& joint, const SolverBody* bodies);
 
 /// True if it has a motor that is on.
 bool HasMotor(const b2Joint& joint);
-/// Returns the maximum work of the motor in a step with sub-steps, from the current state [J]. At
+/// Returns the maximum work of the motor in a step, from the current state [J]. At
 /// its target speed the motor does no more work.
-double MaxMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 timeStep,
-                    int32 subSteps);
+double MaxMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 timeStep);
 
 } // namespace box2d

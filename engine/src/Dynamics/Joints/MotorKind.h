@@ -25,7 +25,7 @@ struct JointAccess::Kind<b2MotorJoint> : NoSpring
     static bool HasMotor(const b2MotorJoint&) { return true; }
     /// It drives towards a place, where it rests.
     static bool IsDriven(const b2MotorJoint&) { return false; }
-    static double MaxPower(const b2MotorJoint& joint, const JointPair& pair, double subStep);
+    static double MaxPower(const b2MotorJoint& joint, const JointPair& pair, double step);
 
     template <class Archive>
     static void Visit(Archive& archive, b2MotorJoint& j)

@@ -82,13 +82,13 @@ void b2MotorJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[
     m_angularImpulse = within[2];
 }
 
-/// It corrects a share of its error within a sub-step.
+/// It corrects a share of its error within a step.
 double box2d::JointAccess::Kind<b2MotorJoint>::MaxPower(const b2MotorJoint& joint,
-                                                        const JointPair& pair, double subStep)
+                                                        const JointPair& pair, double step)
 {
     const b2Vec2 armA = pair.ArmA(joint.GetLinearOffset());
     const b2Vec2 armB = pair.ArmB(b2Vec2_zero);
-    const double rate = double(joint.GetCorrectionFactor()) / subStep;
+    const double rate = double(joint.GetCorrectionFactor()) / step;
     const double distance = double((pair.Offset() + armB - armA).Length());
     const double turn = std::abs(pair.Angle() - double(joint.GetAngularOffset()));
     const double speed = double(pair.SpeedAt(armA, armB).Length());
