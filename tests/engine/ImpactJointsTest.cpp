@@ -65,4 +65,51 @@ TEST_P(ImpactJoints, PullABodyBackToOneThatAWallStops)
     }
 }
 
+/// The other impact wakes a pair, which changes the list of joints: all joints were then closed at
+/// once, also those that were open before.
+TEST_P(ImpactJoints, LeaveAHingeOpenWhereAnotherImpactWakesAPair)
+{
+    const auto gapAfter = [](bool joined) {
+        JointScene scene(b2Vec2_zero);
+        scene.world.SetSubStepCount(GetParam());
+        b2EdgeShape wall;
+        wall.Set(b2Vec2(10.0f, -50.0f), b2Vec2(10.0f, 50.0f));
+        scene.Add(scene.Post(), wall, 0.2f, 0.0f);
+        const auto ball = [&](float32 x, float32 y) {
+            b2Body* body = scene.Body(b2_dynamicBody, x, y);
+            scene.AddBall(body, 0.2f, 0.2f);
+            return body;
+        };
+        b2Body* first = ball(9.7f, 0.0f);
+        first->SetBullet(true);
+        b2Body* second = ball(6.7f, 0.0f);
+        for (b2Body* body : {first, second})
+        {
+            body->SetLinearVelocity(b2Vec2(90.0f, 0.0f));
+        }
+        b2RevoluteJointDef open;
+        open.bodyA = first;
+        open.bodyB = second;
+        scene.world.CreateJoint(&open);
+        b2Body* below = ball(0.0f, 80.0f);
+        b2Body* above = ball(0.0f, 81.0f);
+        if (joined)
+        {
+            b2RevoluteJointDef closed;
+            closed.Initialize(below, above, b2Vec2(0.0f, 80.5f));
+            scene.world.CreateJoint(&closed);
+        }
+        below->SetAwake(false);
+        above->SetAwake(false);
+        b2Body* bullet = ball(-0.8f, 80.0f);
+        bullet->SetBullet(true);
+        bullet->SetLinearVelocity(b2Vec2(90.0f, 0.0f));
+        scene.Step();
+        EXPECT_TRUE(below->IsAwake());
+        EXPECT_LT(first->GetPosition().x, 9.9f); // at the wall
+        return b2Distance(first->GetPosition(), second->GetPosition());
+    };
+    EXPECT_NEAR(gapAfter(true), gapAfter(false), 1e-4f);
+}
+
 } // namespace

@@ -2,6 +2,7 @@
 #include "BoundedSystem.h"
 
 #include "../State/BodyPose.h"
+#include "Disc.h"
 
 #include <Box2D/Dynamics/b2Body.h>
 
@@ -55,7 +56,7 @@ double SpeedFrom(const JointRows::Column& c, int32 row, const SolverBody& s)
 
 /// Returns the speed that a row brings its bodies to if nothing else holds them. A soft spring that
 /// is far from its rest has a target speed of thousands of metres per second, and never reaches it.
-double ReachOf(double response, double softness, double target)
+double ReachedSpeed(double response, double softness, double target)
 {
     return softness > 0.0 ? std::abs(target) * response / (response + softness) : std::abs(target);
 }
@@ -95,6 +96,23 @@ double SpeedsOf(const JointRows& rows, int32 row, const SolverContext& context)
     return speeds;
 }
 
+/// Returns the factor that makes a row's speed that of a point [m/s]: for an angle, how far a
+/// body's shapes reach.
+double ReachOf(const JointRows& rows, int32 row)
+{
+    float32 reach = 0.0f;
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& c = rows.columns[side];
+        if (c.x[row] != 0.0f || c.y[row] != 0.0f)
+        {
+            return 1.0;
+        }
+        reach = b2Max(reach, Moves(c.invMass, c.invInertia) ? c.data->maxExtent : 0.0f);
+    }
+    return double(reach);
+}
+
 } // namespace
 
 float32 BoundedSystem::ErrorOf(const SolverContext& context, const JointRows& rows,
@@ -112,7 +130,8 @@ float32 BoundedSystem::ErrorOf(const SolverContext& context, const JointRows& ro
         const double rounding = kRounding * SpeedsOf(rows, row, context);
         // In a disc, a force at its limit may be below it in each row.
         const bool slips = rows.disc && row < 2 && (item.active >> row & 1) == 0;
-        error = std::max(error, mayMove || slips ? 0.0 : std::abs(off) - rounding);
+        const double missed = mayMove || slips ? 0.0 : std::abs(off) - rounding;
+        error = std::max(error, missed * ReachOf(rows, row));
     }
     return float32(error);
 }
@@ -219,6 +238,67 @@ void BoundedSystem::Limit(const SolverContext& context, std::size_t index, int32
         item.active = uint8(item.active & ~(1u << row));
         m_system.Push(context, index, change);
     }
+}
+
+/// Returns the impulse that the first two rows need. It is longer than their maximum if they slip.
+b2Vec2 BoundedSystem::DiscImpulse(const SolverContext& context, std::size_t index) const
+{
+    const Item& item = m_items[index];
+    const b2Vec2 impulse(float32(item.impulse.at[0]), float32(item.impulse.at[1]));
+    if ((item.active & 3) == 3)
+    {
+        return impulse;
+    }
+    const JointRows& rows = m_system.Rows(index);
+    const Vector3 speed = m_system.SpeedOf(context, index, m_given[index]);
+    b2Vec2 residual;
+    for (int32 row = 0; row < 2; ++row)
+    {
+        const double soft = double(rows.laws[row].softness) * item.impulse.at[row];
+        residual(row) = float32(item.speeds.at[row] - soft - speed.at[row]);
+    }
+    return SlippingImpulse(rows, impulse, residual, rows.laws[0].maximum);
+}
+
+bool BoundedSystem::HasOtherDisc(const SolverContext& context, std::size_t index) const
+{
+    const JointRows& rows = m_system.Rows(index);
+    if (!rows.disc)
+    {
+        return false;
+    }
+    const Item& item = m_items[index];
+    const float32 maximum = rows.laws[0].maximum;
+    const b2Vec2 needed = DiscImpulse(context, index);
+    const bool slipped = item.minimum.at[0] == item.maximum.at[0];
+    const b2Vec2 off = ClampLength(needed, maximum) -
+                       b2Vec2(float32(item.impulse.at[0]), float32(item.impulse.at[1]));
+    return slipped != (needed.Length() > maximum) || off.Length() > float32(kSameLimit) * maximum;
+}
+
+void BoundedSystem::LimitDisc(const SolverContext& context, std::size_t index)
+{
+    const JointRows& rows = m_system.Rows(index);
+    if (!rows.disc)
+    {
+        return;
+    }
+    Item& item = m_items[index];
+    const float32 maximum = rows.laws[0].maximum;
+    const b2Vec2 needed = DiscImpulse(context, index);
+    const bool slips = needed.Length() > maximum;
+    const b2Vec2 held = ClampLength(needed, maximum);
+    Vector3 change{};
+    for (int32 row = 0; row < 2; ++row)
+    {
+        const double inside = slips ? double(held(row)) : item.impulse.at[row];
+        change.at[row] = inside - item.impulse.at[row];
+        item.impulse.at[row] = inside;
+        item.minimum.at[row] = slips ? inside : -double(maximum);
+        item.maximum.at[row] = slips ? inside : double(maximum);
+    }
+    item.active = uint8(slips ? item.active & ~3u : item.active | 3u);
+    m_system.Push(context, index, change);
 }
 
 void BoundedSystem::Mark(const SolverContext& context)
@@ -354,9 +434,9 @@ double BoundedSystem::Fastest(const SolverContext& context) const
         const JointRows& rows = m_system.Rows(i);
         for (int32 row = 0; row < rows.rows; ++row)
         {
-            fastest = std::max(fastest,
-                               ReachOf(m_system.Response(i).at[row],
-                                       double(rows.laws[row].softness), m_items[i].speeds.at[row]));
+            fastest = std::max(fastest, ReachedSpeed(m_system.Response(i).at[row],
+                                                     double(rows.laws[row].softness),
+                                                     m_items[i].speeds.at[row]));
         }
     }
     return fastest;

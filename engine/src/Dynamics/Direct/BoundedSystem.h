@@ -51,6 +51,10 @@ public:
     /// Sets these bounds. An impulse at a bound follows it, and one beyond is clamped. Call
     /// Minimize afterwards, because the velocities change.
     void Limit(const SolverContext& context, std::size_t item, int32 row, double maximum);
+    /// True if an item whose first two impulses are bounded as a vector requires another solution.
+    bool HasOtherDisc(const SolverContext& context, std::size_t item) const;
+    /// If it slips, holds both impulses where they belong. Call Minimize afterwards.
+    void LimitDisc(const SolverContext& context, std::size_t item);
     /// Mark stores velocities and impulses; KeepIfBetter returns to them if the energy is higher or
     /// has no minimum.
     void Mark(const SolverContext& context);
@@ -72,6 +76,7 @@ private:
     double FastestOfGiven(Motion&& motion) const;
     /// Returns the maximum speed that a body with infinite mass gives to a row [m/s].
     double FastestGiven(const SolverContext& context) const;
+    b2Vec2 DiscImpulse(const SolverContext& context, std::size_t item) const;
     bool Improve(const SolverContext& context);
     bool Release(const SolverContext& context, double tolerance);
     bool Move(const SolverContext& context, double share);

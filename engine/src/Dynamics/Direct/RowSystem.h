@@ -131,7 +131,6 @@ public:
     const Array<int32>& Iterative() const { return m_pattern.iterative; }
 
 private:
-    friend struct SnapshotAccess;
     struct Side // side of an item, see RowPattern
     {
         double rows[3][3]; // by x, y, and rotation

@@ -19,7 +19,6 @@ class EnergyGuard;
 class Islands;
 class JointSystem;
 class Proxies;
-class RowSystem;
 class World;
 
 /// Gives the snapshot access to private members of the engine. Each visitor is in the header of its
@@ -49,8 +48,6 @@ struct SnapshotAccess
     // SolverState.h
     template <class Archive>
     static void Visit(Archive& archive, EnergyGuard& guard, const World& world);
-    template <class Archive>
-    static void Visit(Archive& archive, RowSystem& system);
     template <class Archive>
     static void Visit(Archive& archive, JointSystem& system, const World& world);
     template <class Archive>

@@ -103,43 +103,14 @@ void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& wo
     }
 }
 
-/// Visits the part of the last step's rows that RowSystem::SquaredFrequency reads. It has the form
-/// that new joints at the same indices use as well.
-template <class Archive>
-void Visit(Archive& archive, JointRows& rows)
-{
-    archive(rows.point, rows.length);
-    for (JointRows::Column& column : rows.columns)
-    {
-        archive(column.w[0], column.w[1], column.reach);
-    }
-}
-
-template <class Archive>
-void SnapshotAccess::Visit(Archive& archive, RowSystem& system)
-{
-    // The rest is made again with the pattern, or filled before it is read.
-    auto& [pattern, places, rows, responses, active, stiff, weights, residuals, found, sides,
-           squares, products, stiffness, x, diagonal, entries, addedMass] = system;
-    constexpr std::size_t leastBytes = 53;
-    auto count = int32(rows.size());
-    archive.Count(count, leastBytes);
-    rows.resize(std::size_t(count));
-    for (JointRows& item : rows)
-    {
-        archive(item);
-    }
-}
-
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& world)
 {
     // The joints that are iterated are chosen again in each step.
     auto& [joints, sides, rowSystem, parts, trees, treeOf, solutions, rowed, iteratedJoints,
            iterated, threads, hasBounded, states, totals, kicks, poses, carriers, opened, left,
-           speeds, now, elimination, partJoints, version, awakeVersion, restored, restoredVersion] =
-        system;
-    Visit(archive, rowSystem);
+           speeds, now, elimination, partJoints, begins, lastInverseStep, share, version,
+           awakeVersion, restored, restoredVersion] = system;
     const int32 present = world.graph.JointVersion();
     bool followed = version == present || restoredVersion == present;
     archive(followed);

@@ -73,12 +73,18 @@ constexpr float32 kSqueezed = 0.1f;
 /// when they open (docs/notes/tuned-constants.md).
 constexpr float32 kNoRoom = 0.05f * b2_linearSlop;
 
-/// With the friction limits of the first `contacts` items, which follow from the solution. True if
-/// they were found.
+/// With the friction limits of the first `contacts` items, and those of the other items that are
+/// bounded as a vector. Both follow from the solution. True if they were found.
 template <class Holds>
 bool MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Holds& holds,
                           const SolverContext& context, double tolerance)
 {
+    const auto limitDiscs = [&] {
+        for (std::size_t i = contacts; i < system.Count(); ++i)
+        {
+            system.LimitDisc(context, i);
+        }
+    };
     bool changed = true;
     for (int32 round = 0; round < kMaxRounds && changed; ++round)
     {
@@ -86,12 +92,18 @@ bool MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Hol
         {
             system.Limit(context, i, 2, holds(i));
         }
+        limitDiscs();
         system.Minimize(context, tolerance);
         changed = false;
-        for (std::size_t i = 0; i < contacts && !changed; ++i)
+        for (std::size_t i = 0; i < system.Count() && !changed; ++i)
         {
-            changed = system.HasOtherLimit(i, 2, holds(i));
+            changed = i < contacts ? system.HasOtherLimit(i, 2, holds(i))
+                                   : system.HasOtherDisc(context, i);
         }
+    }
+    if (changed)
+    {
+        limitDiscs();
     }
     return !changed;
 }

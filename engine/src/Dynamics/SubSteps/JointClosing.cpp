@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "../Solver/Motion.h"
 #include "../State/Access.h"
+#include "../State/ConstraintGraph.h"
 #include "Closing.h"
 #include "JointSystem.h"
 
 #include <algorithm>
+#include <map>
 
 /// Closing of joints after a drift, a part of JointSystem.
 namespace box2d
@@ -364,12 +366,38 @@ void JointSystem::NoteOpen(const ConstraintGraph& graph, std::uint32_t awakeVers
     Update(graph, awakeVersion);
     for (std::size_t i = 0; i < m_joints.size(); ++i)
     {
-        m_now.Clear();
-        JointAccess::FillRows(*m_joints[i], context, m_now);
-        for (int32 k = 0; k < JointRows::kMaxRows; ++k)
+        m_left[i] = GapsOf(*m_joints[i], context);
+    }
+}
+
+JointSystem::Impulses JointSystem::GapsOf(b2Joint& joint, const SolverContext& context)
+{
+    m_now.Clear();
+    JointAccess::FillRows(joint, context, m_now);
+    Impulses gaps{};
+    for (int32 k = 0; k < m_now.Rigid(); ++k)
+    {
+        gaps.at[k] = RemainingError(m_now.error[k]);
+    }
+    return gaps;
+}
+
+/// Impacts wake bodies, and with them joints. Those stay as open as they are now.
+void JointSystem::FollowOpen(const ConstraintGraph& graph, const SolverContext& context)
+{
+    std::map<const b2Joint*, Impulses> noted;
+    if (m_version != graph.JointVersion())
+    {
+        for (std::size_t i = 0; i < m_joints.size(); ++i)
         {
-            m_left[i].at[k] = k < m_now.Rigid() ? RemainingError(m_now.error[k]) : 0.0f;
+            noted[m_joints[i]] = m_left[i];
         }
+    }
+    Update(graph, m_awakeVersion); // what a listener has put to sleep since stays in it
+    for (std::size_t i = 0; i < m_joints.size() && !noted.empty(); ++i)
+    {
+        const auto before = noted.find(m_joints[i]);
+        m_left[i] = before != noted.end() ? before->second : GapsOf(*m_joints[i], context);
     }
 }
 

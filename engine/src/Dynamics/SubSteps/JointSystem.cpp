@@ -142,19 +142,9 @@ void JointSystem::BeginParts(const SolverContext& context, float32 share, float3
         subStep.stepRatio = share;
         m_iterated.Begin(subStep, m_threads);
     }
-    for (int32 i = 0; i < m_system.Components(); ++i)
-    {
-        Part& part = m_parts[std::size_t(i)];
-        part.squaredFrequency =
-            part.IsByRows() ? double(lastInverseStep) * m_system.SquaredFrequency(i) : 0.0;
-    }
-    for (const std::size_t i : m_rowed)
-    {
-        for (float32& impulse : m_system.Rows(i).impulse)
-        {
-            impulse *= share;
-        }
-    }
+    m_lastInverseStep = lastInverseStep;
+    m_share = share;
+    m_begins = true;
 }
 
 /// Components in contact with others use their number of drifts.
@@ -176,8 +166,7 @@ void JointSystem::BeginPart(int32 index, const SolverContext& context, const Bod
     }
 }
 
-/// Joints with one row set only its impulse. The others may be those of an earlier joint at this
-/// index, whose form SquaredFrequency still reads.
+/// Joints with one row set only its impulse; the others may be those of an earlier joint.
 void JointSystem::TakeImpulses(std::size_t joint)
 {
     JointRows& rows = m_system.Rows(joint);
@@ -241,6 +230,29 @@ void JointSystem::Prepare(const SolverContext& context)
         if (part.IsByRows())
         {
             HoldTorn(int32(i));
+        }
+    }
+    if (m_begins)
+    {
+        m_begins = false;
+        TakeFrequencies();
+    }
+}
+
+/// From the last step's impulses, which are then those of the first kick.
+void JointSystem::TakeFrequencies()
+{
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        Part& part = m_parts[std::size_t(i)];
+        part.squaredFrequency =
+            part.IsByRows() ? double(m_lastInverseStep) * m_system.SquaredFrequency(i) : 0.0;
+    }
+    for (const std::size_t i : m_rowed)
+    {
+        for (float32& impulse : m_system.Rows(i).impulse)
+        {
+            impulse *= m_share;
         }
     }
 }

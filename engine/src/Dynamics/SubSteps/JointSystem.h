@@ -135,7 +135,7 @@ public:
     void CloseAfterImpacts(const ConstraintGraph& graph, const SolverContext& context, Fate&& fate,
                            Changed&& changed)
     {
-        Update(graph, m_awakeVersion); // what a listener has put to sleep since stays in it
+        FollowOpen(graph, context);
         for (int32 i = 0; i < m_system.Components(); ++i)
         {
             if (!HoldStopped(i, fate))
@@ -165,7 +165,8 @@ public:
     /// A joint as part of a larger system. Call after SolveVelocities for its rows; TakeItem stores
     /// the solved impulses.
     void FillItem(std::size_t joint, JointRows& rows, BoundedSystem::Item& item) const;
-    /// Returns by how much the joint's rows miss their target speeds [m/s, rad/s].
+    /// Returns by how much the joint's rows miss their target speeds, angles at a body's reach
+    /// [m/s].
     float32 ErrorOf(std::size_t joint, const SolverContext& context) const;
     void TakeItem(std::size_t joint, const BoundedSystem::Item& item);
     /// Same as above, with displacements instead of velocities. Rigid rows and active limits must
@@ -275,9 +276,12 @@ private:
                     const BodyKick* kicks);
     void Start(const SolverContext& context, std::size_t joint, float32 share);
     bool HasSameSides() const;
+    Impulses GapsOf(b2Joint& joint, const SolverContext& context);
+    void FollowOpen(const ConstraintGraph& graph, const SolverContext& context);
     void BuildTrees();
     void BeginPart(int32 part, const SolverContext& context, const BodyKick* kicks);
     void TakeImpulses(std::size_t joint);
+    void TakeFrequencies();
     double ComplianceOf(int32 part) const;
     void Factor(int32 part, double compliance);
     void SolvePart(int32 part, const SolverContext& context);
@@ -315,6 +319,8 @@ private:
     JointRows m_now;                 // scratch
     Elimination m_elimination;       // scratch of Update, reused as joints wake and sleep
     Array<b2Joint*> m_partJoints;    // scratch: of one component
+    bool m_begins = false;           // until the first kick of a step:
+    float32 m_lastInverseStep = 0.0f, m_share = 0.0f;
     int32 m_version = -1;
     std::uint32_t m_awakeVersion = 0;
     Array<RowStates> m_restored;  // from a snapshot, for the joint list of
