@@ -101,10 +101,10 @@ public:
     std::vector<JointRows> rows;
 };
 
-void Solve(Frame& frame, RowSystem& system, int32 mostUpdates = 16)
+void Solve(Frame& frame, RowSystem& system, int32 maxUpdates = 16)
 {
     Elimination elimination;
-    system.Build(frame.sides, mostUpdates, elimination);
+    system.Build(frame.sides, maxUpdates, elimination);
     frame.Fill(system);
     system.Read();
     system.Factor();

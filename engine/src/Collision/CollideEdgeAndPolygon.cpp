@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // An edge is part of a curve with an outside and an inside. Only normals of the curve may push the
-// polygon. Each edge is responsible for its share of the normals: that of its face, and at a convex
-// vertex those up to the bisector with the neighbour's face. All other normals belong to the
-// neighbour or are ghost collisions, which stop a body that slides along the curve. The idea of
+// polygon. Each edge is responsible for its share of the normals. They are that of its face, and at
+// a convex vertex those up to the bisector with the neighbour's face. All other normals belong to
+// the neighbour or are ghost collisions, which stop a body that slides along the curve. The idea of
 // testing normals on the Gauss map of the curve is Catto's ("Smooth Collision" / "Ghost
 // Collisions", GDC 2020).
 #include "FaceClip.h"
@@ -23,7 +23,7 @@ constexpr float32 kPreferEdge = 0.1f * b2_linearSlop;
 constexpr float32 kFlatTurn = 1.0e-3f;
 
 // The two edges at a convex vertex both answer for normals this near the middle (a difference of
-// cosines), so that rounding leaves none without an answer. Rounding of unit vectors is
+// cosines). Rounding then leaves none without an answer. Rounding of unit vectors is
 // below a millionth. At a corner of 90 degrees the shared range is 0.7 mrad wide on either side.
 constexpr float32 kShared = 1.0e-3f;
 

@@ -204,8 +204,8 @@ void SolveSegment(Simplex* s)
 }
 
 // Keeps the part of the triangle nearest to the origin. It is a corner if the origin projects
-// beyond both of its sides, a side if the origin is outside and projects onto it, otherwise the
-// whole triangle.
+// beyond both of its sides. It is a side if the origin is outside and projects onto it. Otherwise
+// it is the whole triangle.
 void SolveTriangle(Simplex* s)
 {
     const Projection p01 = Project(*s, 0, 1);

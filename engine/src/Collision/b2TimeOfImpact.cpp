@@ -126,9 +126,9 @@ b2Transform Relative(const Motion& a, const Motion& b)
     return bInA;
 }
 
-// Returns a unit vector in A's frame: the normal of the closest side of A or B if known, because
-// its precision does not depend on the distance. Otherwise the direction from the closest point of
-// A to that of B.
+// Returns a unit vector in A's frame. It is the normal of the closest side of A or B if known,
+// because its precision does not depend on the distance. Otherwise it is the direction from the
+// closest point of A to that of B.
 b2Vec2 ClosestAxis(const b2SimplexCache& cache, const b2DistanceOutput& output,
                    const b2DistanceProxy& a, const b2DistanceProxy& b, const b2Transform& bInA)
 {

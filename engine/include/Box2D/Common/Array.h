@@ -68,7 +68,7 @@ struct Allocator
 template <typename T>
 using Array = std::vector<T, Allocator<T>>;
 
-/// Reserves room for `count`, at least doubling the capacity when it grows. assign and resize alone
+/// Reserves room for `count`. A capacity that grows is at least doubled. assign and resize alone
 /// reserve exactly what they need, so they would reallocate for each element.
 template <typename T>
 void MakeRoom(Array<T>& array, std::size_t count)

@@ -103,8 +103,8 @@ float32 RoomIn(const b2AABB& outer, const b2AABB& inner)
     return b2Min(minimum.x, minimum.y);
 }
 
-/// At most this much may boxes in single precision differ from those of the exact pose, then and
-/// later, each of a few operations rounded [m].
+/// Returns the maximum difference of boxes in single precision from those of the exact pose, now
+/// and later [m]. Each of a few operations is rounded.
 float32 BoxRounding(const BodyData& body)
 {
     constexpr float32 operations = 16.0f;

@@ -13,8 +13,9 @@ namespace box2d
 namespace
 {
 
-/// Where skins were put into each other by more than this [m], they become thinner. Less is about
-/// the overlap that bodies have at rest.
+/// Where skins were put into each other by more than this [m], they become thinner. Bodies at rest
+/// overlap by about a slop, and impacts leave up to this (docs/notes/contact-constants.md). No note
+/// compares other values.
 constexpr float32 kPlacedOverlap = 1.5f * b2_linearSlop;
 
 /// Returns the skin of a shape [m]. The rest of a radius is part of the shape.
@@ -40,9 +41,9 @@ bool IsPlaced(const World& world, const ContactData& c)
 }
 
 /// How far a shape of the ground extends around the points of a body that is put on it [m], and for
-/// how long the body stays on it [s]: longer than pushing out its skins takes. The distance is
-/// twice the skins of two polygons; no test fails with 0 or 0.4 m. With 0.05 s a box that is pushed
-/// later slides on thin skins (docs/notes/tuned-constants.md).
+/// how long the body stays on it [s]. It is longer than pushing out its skins takes. The distance
+/// is twice the skins of two polygons; no test fails with 0 or 0.4 m. With 0.05 s a box that is
+/// pushed later slides on thin skins (docs/notes/tuned-constants.md).
 constexpr float32 kWithin = 4.0f * b2_polygonRadius;
 constexpr float32 kWithinFor = 0.5f;
 
@@ -51,8 +52,8 @@ bool IsEdge(const b2Shape& shape)
     return shape.GetType() == b2Shape::e_edge || shape.GetType() == b2Shape::e_chain;
 }
 
-/// Returns how far below a point of a contact a ground is tested [m]: the point is between the
-/// surfaces of the skins, so at most by its radius above the shape itself.
+/// Returns how far below a point of a contact a ground is tested [m]. The point is between the
+/// surfaces of the skins, so it is above the shape itself by the ground's radius at most.
 float32 DepthOfTest(const b2Shape& ground)
 {
     return b2_linearSlop + (ground.GetType() == b2Shape::e_circle ? 0.0f : ground.m_radius);

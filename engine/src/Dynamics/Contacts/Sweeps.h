@@ -19,6 +19,10 @@
 namespace box2d
 {
 
+/// Relative margin for rounding, of sums of distances: some 80 roundings of a float. Only a contact
+/// that is nearly in reach is tested without need for it. No note compares other values.
+inline constexpr float32 kDistanceRounding = 1e-5f;
+
 inline Pose Between(const Pose& from, const Pose& to, double share)
 {
     return Pose{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y),
@@ -128,7 +132,7 @@ inline bool IsFast(const BodyData& body)
 /// circles, a slop, and a margin for rounding.
 inline float32 Reach(const BodyData& a, const BodyData& b)
 {
-    return 1.00001f * (a.maxExtent + b.maxExtent) + b2_linearSlop;
+    return (1.0f + kDistanceRounding) * (a.maxExtent + b.maxExtent) + b2_linearSlop;
 }
 
 inline bool IsWithin(const b2Vec2& offset, float32 reach)
@@ -158,9 +162,9 @@ inline bool IsRoundAbout(const BodyData& body, const b2Shape& shape)
            static_cast<const b2CircleShape&>(shape).m_p == body.localCenter;
 }
 
-/// Returns the time of impact of two such circles in closed form, as a fraction of their paths from
-/// the given poses to the current ones. It uses the target and tolerance of b2TimeOfImpact; 1 if
-/// there is no impact.
+/// Returns the time of impact of two such circles in closed form. It is a fraction of their paths
+/// from the given poses to the current ones. It uses the target and tolerance of b2TimeOfImpact; 1
+/// if there is no impact.
 inline float32 CircleImpact(const BodyData& a, const Pose& fromA, const BodyData& b,
                             const Pose& fromB, float32 radii)
 {
@@ -235,9 +239,8 @@ inline bool StaysInFront(const BodyData& body, const Pose& from, const b2Shape& 
     const float32 path =
         (end - start).Length() + b2Abs(float32(body.pose.angle - from.angle)) * away;
     const b2Vec2 center = b2MulT(body.rotation, end) + body.localCenter;
-    // The last term is a margin for rounding.
     const float32 reach = path + other.maxExtent + shape.m_radius + 2.0f * b2_linearSlop +
-                          0.00001f * (away + path + body.maxExtent + other.maxExtent);
+                          kDistanceRounding * (away + path + body.maxExtent + other.maxExtent);
     return InFront(shape, child, center) > reach;
 }
 

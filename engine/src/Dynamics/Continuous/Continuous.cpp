@@ -28,8 +28,8 @@
 #include <mutex>
 
 /// Continuous collision: impacts that the discrete step missed are found in the order of their
-/// times. The two bodies are moved back to the impact, solved with the contacts they touch, and
-/// advanced for the rest of the step (Catto, "Continuous Collision", GDC 2013). An event changes
+/// times (Catto, "Continuous Collision", GDC 2013). The two bodies are moved back to the impact,
+/// solved with the contacts they touch, and advanced for the rest of the step. An event changes
 /// only the paths of its own bodies, so only their contacts are tested again.
 namespace box2d
 {

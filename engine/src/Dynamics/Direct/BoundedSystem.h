@@ -17,8 +17,8 @@ namespace box2d
 class BoundedSystem
 {
 public:
-    /// A bound this large is none [Ns]. Exact impulses are far smaller; the square of this one is
-    /// still finite.
+    /// A bound of this size means that a row is unbounded [Ns]. Exact impulses are far smaller, and
+    /// its square is finite.
     static constexpr double kUnbounded = 1e30;
 
     struct Item
@@ -60,8 +60,8 @@ public:
     void Mark(const SolverContext& context);
     void KeepIfBetter(const SolverContext& context);
     /// True if speeds are far above all marked or target speeds, or target speeds do far more work
-    /// than the bodies could take: rows contradict each other, and the energy decreases without
-    /// bound.
+    /// than the bodies could take. Rows then contradict each other, and the energy decreases
+    /// without bound.
     bool HasBurst(const SolverContext& context) const;
     void GoBack(const SolverContext& context);
     /// True if rows of the first `items` that may only push have reached their target speeds, but

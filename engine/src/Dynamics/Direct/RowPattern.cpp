@@ -24,7 +24,7 @@ std::size_t At(int32 index)
 
 } // namespace
 
-void Elimination::Run(const Array<RowSides>& constraints, int32 mostUpdates, RowPattern& pattern)
+void Elimination::Run(const Array<RowSides>& constraints, int32 maxUpdates, RowPattern& pattern)
 {
     m_pattern = &pattern;
     pattern.Clear();
@@ -39,7 +39,7 @@ void Elimination::Run(const Array<RowSides>& constraints, int32 mostUpdates, Row
         }
         const std::size_t before = m_order.size();
         Gather(int32(i));
-        if (Eliminate(mostUpdates))
+        if (Eliminate(maxUpdates))
         {
             pattern.components.push_back({int32(before), 0, false});
             continue;
@@ -147,7 +147,7 @@ void Elimination::Offer(int32 body)
 }
 
 /// False if it exceeds the cost limit.
-bool Elimination::Eliminate(int32 mostUpdates)
+bool Elimination::Eliminate(int32 maxUpdates)
 {
     m_candidates.clear();
     const std::size_t end = m_order.size() + m_component.size();
@@ -167,7 +167,7 @@ bool Elimination::Eliminate(int32 mostUpdates)
             continue; // outdated entry: it was added again since
         }
         updates += degree * (degree + 1) / 2;
-        if (updates > At(mostUpdates) * m_component.size())
+        if (updates > At(maxUpdates) * m_component.size())
         {
             return false;
         }

@@ -86,8 +86,8 @@ class Elimination
 public:
     /// Bodies are eliminated by minimum degree (Davis, "Direct Methods for Sparse Linear Systems",
     /// 2006, 7.1), so that chains and trees fill in nothing. A component that costs more
-    /// than `mostUpdates` a body is left out. Uses BodyData::jointLevel for itself.
-    void Run(const Array<RowSides>& constraints, int32 mostUpdates, RowPattern& pattern);
+    /// than `maxUpdates` a body is left out. Uses BodyData::jointLevel for itself.
+    void Run(const Array<RowSides>& constraints, int32 maxUpdates, RowPattern& pattern);
 
 private:
     struct Candidate // heap element; the next to eliminate is on top
@@ -112,7 +112,7 @@ private:
     void Connect(int32 body1, int32 body2);
     void Offer(int32 body);
     void Gather(int32 seed);
-    bool Eliminate(int32 mostUpdates);
+    bool Eliminate(int32 maxUpdates);
     void Take(int32 body);
     void NumberRows();
     void ListTargets();

@@ -202,9 +202,9 @@ double OwnOf(const JointRows& rows, int32 row)
 
 } // namespace
 
-void RowSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination)
+void RowSystem::Build(const Array<RowSides>& sides, int32 maxUpdates, Elimination& elimination)
 {
-    elimination.Run(sides, mostUpdates, m_pattern);
+    elimination.Run(sides, maxUpdates, m_pattern);
     const auto resize = [](auto& array, std::size_t count) {
         MakeRoom(array, count);
         array.resize(count);

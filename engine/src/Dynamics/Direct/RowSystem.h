@@ -8,10 +8,10 @@
 
 #include <utility>
 
-/// Solves a system of equality constraints directly. The velocity change u with the least energy
-/// that gives the rows their target speeds, J (v + u) = s, minimizes
-///   u^T M u / 2 + |J u - r|^2 / (2 e),   r = s - J v,
-/// as e goes to 0. With a small e it follows from
+/// Solves a system of equality constraints directly. The velocity change u gives the rows their
+/// target speeds, J (v + u) = s, with the minimum energy. As e goes to 0, it minimizes
+///   u^T M u / 2 + |J u - r|^2 / (2 e),   r = s - J v.
+/// With a small e it follows from
 ///   (M + J^T J / e) u = J^T r / e,   and the impulses are  lambda = (r - J u) / e.
 /// This matrix has a block per body and one per pair of joined bodies. It is positive definite for
 /// any constraints, including redundant ones. Its factors L D L^T take linear time for chains and
@@ -22,8 +22,8 @@ namespace box2d
 
 struct SnapshotAccess;
 
-/// In double precision, because e is small: a ball of a thousand times the mass at the end of a
-/// chain of twenty costs six digits.
+/// In double precision, because e is small: a chain of twenty links with a ball of a thousand times
+/// their mass costs six digits.
 struct Block3
 {
     double at[3][3];
@@ -48,7 +48,7 @@ void Push(const SolverContext& context, JointRows& rows, const Vector3& impulse)
 class RowSystem
 {
 public:
-    void Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination);
+    void Build(const Array<RowSides>& sides, int32 maxUpdates, Elimination& elimination);
 
     std::size_t Count() const { return m_rows.size(); }
     JointRows& Rows(std::size_t item) { return m_rows[item]; }

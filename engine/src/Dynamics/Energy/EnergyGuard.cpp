@@ -17,17 +17,19 @@ namespace box2d
 namespace
 {
 
-/// Fraction of the scale. Smaller: truncation errors would slow down motions that conserve energy
-/// in the long run. Larger: a body could visibly speed up by itself.
+/// Gains up to this fraction of the scale count as truncation errors: as much as tests of random
+/// worlds allow. Smaller: such errors would slow down motions that conserve energy in the long run.
+/// Larger: a body could visibly speed up by itself. No note compares other values.
 constexpr double kTolerance = 0.01;
 /// Maximum credit as a multiple of the scale. A bridge of planks under falling boxes returns up to
-/// three times its kinetic energy; with more, a long deceleration could be followed by a burst.
+/// three times its kinetic energy (docs/notes/energy-accounts.md). With more, a long deceleration
+/// could pay for a later gain. No note compares other values.
 constexpr double kMaxCredit = 3.0;
 /// Maximum stored debt as a fraction of the scale; a larger one is paid at once. With five times as
 /// much some random worlds gain energy; with a tenth small debts stop motions.
 constexpr double kMaxDebt = 0.1;
-/// Decay rate of the scale and of debts [1/s]: half of them is left after 7 s, in which a
-/// pendulum of 10 m swings once. With 1 small gains add up unnoticed; with 0.01 half of a debt is
+/// Decay rate of the scale and of debts [1/s]. Half of them is left after 7 s, in which a pendulum
+/// of 10 m swings once. With 1 small gains add up unnoticed; with 0.01 half of a debt is
 /// left after a minute (docs/notes/tuned-constants.md).
 constexpr double kFade = 0.1;
 /// Energy that corrections may store in springs of bodies at rest [J/kg], equivalent to 1 m/s. A
@@ -117,10 +119,10 @@ float32 ScaleOf(float32 past, const BodyData& body, const SolverBody& s)
 /// Charges the energy gained by impacts. A body's credit, which joints took from it, does not pay
 /// for that, because nothing returns it. Otherwise a body that a spring accelerates and impacts
 /// stop again and again would gain energy without bound.
-void Charge(BodyData& body, float32 won)
+void Charge(BodyData& body, float32 gained)
 {
-    const bool counts = won > float32(kTolerance) * body.energyScale; // or it is truncation
-    body.energyDebt = (counts ? b2Max(body.energyDebt, 0.0f) : body.energyDebt) + won;
+    const bool counts = gained > float32(kTolerance) * body.energyScale; // or it is truncation
+    body.energyDebt = (counts ? b2Max(body.energyDebt, 0.0f) : body.energyDebt) + gained;
 }
 
 } // namespace
@@ -154,7 +156,7 @@ void EnergyGuard::Begin(const World& world, SolverMemory& solver, float32 timeSt
     m_timeStep = timeStep;
     m_subSteps = world.settings.subStepCount;
     m_gravity = world.settings.gravity;
-    m_leastFall = kMinFall * m_gravity.Length();
+    m_minFall = kMinFall * m_gravity.Length();
     // Cleared above only for islands with an account: most islands may be asleep.
     m_accountOf.resize(b2Max(m_accountOf.size(), std::size_t(world.islands.Size())), -1);
     for (const b2Joint* joint : m_risky)
@@ -256,9 +258,9 @@ float32 EnergyGuard::WorkOfPushes(const b2Vec2& a, const SolverBody& s, const b2
 
 /// Returns the energy that a body gained beyond the work of gravity and forces along its path,
 /// including corrections of its pose [J]. A correction that lifts a body which keeps sinking is
-/// therefore no gain. Nor is a push out of an overlap: bodies that start in one would owe what it
-/// lifts them by, and could not move until it is paid.
-double EnergyGuard::Won(const BodyData& body, const SolverBody& s, const b2Vec2& pushed) const
+/// therefore no gain. Nor is a push out of an overlap. Bodies that start in one would owe the
+/// energy of the lift, and could not move until it is paid.
+double EnergyGuard::Gained(const BodyData& body, const SolverBody& s, const b2Vec2& pushed) const
 {
     const b2Vec2 a = body.gravityScale * m_gravity + body.invMass * body.force;
     const float32 alpha = body.invInertia * body.torque;
@@ -273,7 +275,7 @@ double EnergyGuard::Won(const BodyData& body, const SolverBody& s, const b2Vec2&
 
 float32 EnergyGuard::PastOf(const BodyData& body) const
 {
-    return b2Max(body.energyScale, m_leastFall * body.mass);
+    return b2Max(body.energyScale, m_minFall * body.mass);
 }
 
 void EnergyGuard::AddBodies(const World& world, SolverMemory& solver)
@@ -287,13 +289,13 @@ void EnergyGuard::AddBodies(const World& world, SolverMemory& solver)
             Account& account = m_accounts[std::size_t(index)];
             SolverBody& s = solver.bodies[std::size_t(data.SolverIndex())];
             const b2Vec2 pushed = solver.pushed[std::size_t(data.SolverIndex())];
-            double won = Won(data, s, pushed);
-            if (won != won)
+            double gained = Gained(data, s, pushed);
+            if (gained != gained)
             {
                 s = SolverBody(); // as it will be written back
-                won = Won(data, s, b2Vec2_zero);
+                gained = Gained(data, s, b2Vec2_zero);
             }
-            account.debt += double(data.energyDebt) + won;
+            account.debt += double(data.energyDebt) + gained;
             const float32 past = PastOf(data);
             account.past += double(past);
             account.scale += double(ScaleOf(past, data, s));
@@ -315,9 +317,9 @@ void EnergyGuard::AddJoints(const SolverMemory& solver)
     }
 }
 
-/// Removes a gain of this step at once. The removed fraction of the island's previous energy is the
-/// debt divided by the maximum debt. A small debt slows the motion down over many steps and does
-/// not stop it.
+/// Removes at most the growth of the kinetic energy in this step, and a fraction of the island's
+/// energy before it: the debt divided by the maximum debt. A small debt therefore slows the motion
+/// down over many steps and does not stop it.
 void EnergyGuard::Collect(const World& world, SolverMemory& solver, Account& account)
 {
     const b2Body& first = *world.islands.At(account.island).first;
@@ -374,11 +376,11 @@ void EnergyGuard::MoveAgain(const b2Body& first, SolverMemory& solver, Account& 
         {
             const auto index = std::size_t(Data(*body).SolverIndex());
             SolverBody& s = solver.bodies[index];
-            saved += Won(Data(*body), s, solver.pushed[index]);
+            saved += Gained(Data(*body), s, solver.pushed[index]);
             s.d = time * s.v;
             s.angle = time * s.w;
             s.q.Set(s.angle);
-            saved -= Won(Data(*body), s, b2Vec2_zero);
+            saved -= Gained(Data(*body), s, b2Vec2_zero);
         }
     }
     for (Spring& spring : m_springs)

@@ -11,17 +11,19 @@
 /// Each island has an account. It contains the kinetic energy, the work of gravity and forces along
 /// the actual paths, the energy of springs, and the maximum work of motors. Everything else only
 /// dissipates. A gain is a debt of the island. A small one is truncation error, and fluctuates. A
-/// larger one is removed in this order: pose corrections that loaded springs; the whole
-/// displacement, if velocities loaded springs that they cannot pay for; then velocity. Relative
-/// velocity within the island is removed first, because that conserves momentum. Old gains are
-/// removed slowly. Losses count as credit. A loaded chain that iterations do not hold rigidly
+/// larger one is removed in this order:
+/// - without sub-steps, pose corrections that loaded springs;
+/// - without sub-steps, the whole displacement, if velocities loaded springs that they cannot pay;
+/// - velocity.
+/// Relative velocity within the island is removed first, because that conserves momentum. Old gains
+/// are removed slowly. Losses count as credit. A loaded chain that iterations do not hold rigidly
 /// returns the energy of stopping it, and opened joints lift their bodies when they close. Bodies
 /// store their island's account in shares, so that islands can merge and split.
 ///
-/// Correct motion is not changed by a single bit. Only islands with joints at risk (IsAtRisk) have
-/// accounts. Nothing is removed from islands driven by a platform, a conveyor belt or a restitution
-/// above 1. The same holds for user changes: SetTransform of a connected or touching body, and
-/// limits, lengths and ratios of joints.
+/// While an island's debt is at most a hundredth of its scale, no bit of its motion changes. Only
+/// islands with joints at risk (IsAtRisk, TurnsFar) have accounts. Nothing is removed from islands
+/// driven by a platform, a conveyor belt or a restitution above 1. The same holds for user changes:
+/// SetTransform of a connected or touching body, and limits, lengths and ratios of joints.
 namespace box2d
 {
 
@@ -81,7 +83,7 @@ private:
     void Open(const b2Joint& joint);
     int32 AccountOf(const b2Joint& joint) const;
     float32 WorkOfPushes(const b2Vec2& a, const SolverBody& s, const b2Vec2& pushed) const;
-    double Won(const BodyData& body, const SolverBody& after, const b2Vec2& pushed) const;
+    double Gained(const BodyData& body, const SolverBody& after, const b2Vec2& pushed) const;
     float32 PastOf(const BodyData& body) const;
     void AddBodies(const World& world, SolverMemory& solver);
     void AddJoints(const SolverMemory& solver);
@@ -97,7 +99,7 @@ private:
     Array<Spring> m_springs;
     Array<Motor> m_motors;
     b2Vec2 m_gravity;
-    float32 m_leastFall = 0.0f; // [J/kg]
+    float32 m_minFall = 0.0f; // [J/kg]
     float32 m_timeStep = 0.0f;
     int32 m_subSteps = 1;
 };

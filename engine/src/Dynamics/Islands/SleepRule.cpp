@@ -7,9 +7,9 @@ namespace box2d
 namespace
 {
 
-/// For so long a body must not have gained speed before it rests [s]: three steps of 1/60 s,
-/// because rounding may slow down a single one. With 0.01 rods on their end sleep while they fall,
-/// with 0.16 bridges stay awake (docs/notes/tuned-constants.md).
+/// For so long a body must not have gained speed before it rests [s]. That takes three steps of
+/// 1/60 s, because rounding may slow down a single one. With 0.01 rods on their end sleep while
+/// they fall, with 0.16 bridges stay awake (docs/notes/tuned-constants.md).
 constexpr float32 kCalm = 0.04f;
 
 // True for a pendulum at its turning point or a body thrown up in weak gravity: slow, but with

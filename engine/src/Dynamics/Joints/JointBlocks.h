@@ -16,6 +16,8 @@
 namespace box2d
 {
 
+/// Lanes of a block: the floats of an AVX2 register. Sixteen, for AVX-512, were measured for
+/// contacts only (docs/notes/solver-lanes.md).
 inline constexpr int kJointLanes = 8;
 /// Number of rows for the bodies' masses.
 inline constexpr int kMassNumbers = 4;

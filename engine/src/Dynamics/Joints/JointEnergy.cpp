@@ -50,7 +50,7 @@ bool IsAtRisk(const b2Joint& joint)
     // 12 to 37 % more instructions (docs/notes/energy-accounts.md).
     constexpr float32 kLongLever = 4.0f;
     // A pull along a line turns a body straight within a sub-step, and is not foreseen. At 2.1
-    // radii a rod won 11 % of the energy of two circles.
+    // radii a rod gained 11 % of the energy of two circles.
     constexpr float32 kLongLeverOfLine = 2.0f;
     if (HaveUnequalMasses(Data(*joint.GetBodyA()), Data(*joint.GetBodyB())))
     {
@@ -86,8 +86,8 @@ bool IsLine(const b2Joint& joint)
 bool TurnsFar(const b2Joint& joint, float32 time)
 {
     // [rad]: a force then turns by as much, and a quarter of it acts across the line. World 1300
-    // won 8.7 % of energy without this rule (docs/notes/energy-guard.md). No test fails with 0.05
-    // or 1.
+    // gained 8.7 % of energy without this rule (docs/notes/energy-guard.md). No test fails with
+    // 0.05 or 1.
     constexpr float32 kFar = 0.25f;
     if (!IsLine(joint))
     {

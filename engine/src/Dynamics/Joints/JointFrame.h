@@ -47,10 +47,10 @@ struct JointFrame
     float32 mA, iA, mB, iB; ///< inverse masses and inertias
 };
 
-/// A spring as a soft constraint (Catto, "Soft Constraints", GDC 2011): with stiffness k, damping c
-/// and step h
-///   gamma = 1 / (h (c + h k)),  bias = C h k gamma,  impulse = -(Cdot + bias + gamma * total) / (K
-///   + gamma).
+/// A spring as a soft constraint (Catto, "Soft Constraints", GDC 2011). With stiffness k, damping c
+/// and step h:
+///   gamma = 1 / (h (c + h k)),  bias = C h k gamma,
+///   impulse = -(Cdot + bias + gamma * total) / (K + gamma).
 struct Softness
 {
     float32 gamma = 0.0f;
@@ -112,16 +112,16 @@ inline float32 WarmStartFactor(const SolverContext& context)
     return context.warmStarting ? context.stepRatio : 0.0f;
 }
 
-/// Same as above, for a joint with anchors. 0 if a body with a lever rotates so far in a step that
-/// the impulses have the wrong direction. A few iterations do not correct that, so that bodies gain
-/// energy and impulses grow from step to step.
+/// Same as above, for a joint with anchors. Returns 0 if a body with a lever rotates so far in a
+/// step that the impulses have the wrong direction. A few iterations do not correct that, so that
+/// bodies gain energy and impulses grow from step to step.
 inline float32 WarmStartFactor(const SolverContext& context, const b2Joint& joint)
 {
     // The direction of a pendulum's tension is then off by half of itself. With 1 rad some random
     // worlds gain energy without bound.
     constexpr float32 kMaxTurn = 0.5f; // [rad]
-    // Radii of gyration. A rod held at its end has 1.7: if that counted, a pile of limbs would lose
-    // its warm start again and again, and never rest.
+    // Radii of gyration. A rod held at its end has 1.7. If that counted, limbs that lie on each
+    // other would lose their warm start again and again, and never rest.
     constexpr float32 kRadii = 2.0f;
     const auto turns = [&context](const b2Body& body) {
         return b2Abs(context.timeStep * context.bodies[Data(body).SolverIndex()].w) > kMaxTurn;

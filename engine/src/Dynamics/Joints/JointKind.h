@@ -5,7 +5,7 @@
 #include "JointChecks.h"
 #include "JointEnergy.h"
 
-/// The parts that describe a kind of joint. JointAccess::Kind<Joint> (*Kind.h) has
+/// The parts that describe a kind of joint. JointAccess::Kind<Joint> (RevoluteKind.h and so on) has
 ///   Definition     the class of its definition
 ///   kHold          where it holds its bodies
 ///   kHoldsToWorld  true if it holds bodies to the world even if both are dynamic

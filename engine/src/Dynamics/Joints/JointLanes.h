@@ -149,8 +149,8 @@ struct MovingPair : PairMasses<F>
 /// step; with 0.5 the plate of world 15 of MixedWorld does not come to rest.
 constexpr float32 kLargeTurn = 1.0f;
 
-/// The arc tangent of what is larger than kLargeTurn, to 0.005 rad (Rajan et al., "Efficient
-/// Approximations for the Arctangent Function", 2006); other numbers as they are.
+/// Returns the arc tangent of what is larger than kLargeTurn, to 0.005 rad, and other numbers
+/// unchanged. (Rajan et al., "Efficient Approximations for the Arctangent Function", 2006.)
 template <class F>
 F ArcTangentIfLarge(F tangent)
 {

@@ -207,11 +207,11 @@ struct RowFiller
         ++rows.boundedRows;
         return rows.laws[rows.rows - 1];
     }
-    void GiveToMotor(float32 speed, float32 mostForce)
+    void GiveToMotor(float32 speed, float32 maxForce)
     {
         JointRows::Law& law = Give();
         law.wanted = speed;
-        law.maximum = context.timeStep * mostForce;
+        law.maximum = context.timeStep * maxForce;
     }
     /// Call after a motor, which may have no force. The largest number means no limit on that side.
     void GiveToLimit(float32 place, float32 lower, float32 upper)
@@ -222,13 +222,13 @@ struct RowFiller
         law.place = place;
     }
     /// Adds a row for the angle to the two for the point.
-    void GiveToFriction(float32 mostForce, float32 mostTorque)
+    void GiveToFriction(float32 maxForce, float32 maxTorque)
     {
         AddAngle(0.0f);
         rows.boundedRows = rows.rows;
         rows.disc = true;
-        rows.laws[0].maximum = rows.laws[1].maximum = context.timeStep * mostForce;
-        rows.laws[2].maximum = context.timeStep * mostTorque;
+        rows.laws[0].maximum = rows.laws[1].maximum = context.timeStep * maxForce;
+        rows.laws[2].maximum = context.timeStep * maxTorque;
     }
     /// Uses the oscillator with the mass 1 / `inverseMass`, or with the effective mass of the row.
     void GiveToSpring(float32 error, float32 frequencyHz, float32 dampingRatio)
@@ -262,8 +262,9 @@ struct RowFiller
         return of(a, f.a) + of(b, f.b);
     }
 
-    /// Fraction of a limit violation that a sub-step corrects. A larger one would throw the body
-    /// off the limit, a smaller one corrects too slowly.
+    /// Fraction of a limit violation that a sub-step corrects: b2_baumgarte, as position correction
+    /// in a whole step. The body keeps the speed of its return, so a larger one would throw it off
+    /// the limit. No note compares other values.
     static constexpr float32 kReturn = 0.2f;
     /// [m/s], [rad/s]. A body reaches the limit with this speed. With 20 that looks like a hit;
     /// with 0.2 a violation of 0.5 rad takes seconds (docs/notes/tuned-constants.md).
@@ -276,14 +277,14 @@ struct RowFiller
     JointRows::Column& b;
 };
 
-/// A spring k and a damper c, in the kick of duration t before a drift of h (half of it at either
-/// end of a step), with the speeds u before and v after the kick:
+/// A spring k and a damper c act in the kick of duration t before a drift of h. At either end of a
+/// step t is h / 2. With the speeds u before and v after the kick:
 ///   impulse = -t k C - h^2 k / 4 (v - u) - t c (p v + (1 - p) u)
 /// The first two terms are Newmark's method with beta = 1/4 (1959; Hairer, Lubich, Wanner,
-/// "Geometric Numerical Integration", 2006, XIII.8). It is of second order, conserves a spring's
-/// energy and is stable for any frequency f, which is too low by the fraction (2 pi f h)^2 / 12.
-/// With p = (1 + z) / (2 + z), z = t c / m, a damper alone reduces the speed by 1 / (1 + z + z^2 /
-/// 2), the Pade approximant (0, 2) of exp(-z).
+/// "Geometric Numerical Integration", 2006, XIII.8). It is of second order and conserves a spring's
+/// energy. It is stable for any frequency f, which is too low by the fraction (2 pi f h)^2 / 12.
+/// Let z = t c / m and p = (1 + z) / (2 + z). A damper alone then reduces the speed by
+/// 1 / (1 + z + z^2 / 2), the Pade approximant (0, 2) of exp(-z).
 /// If h does not resolve the spring, c is multiplied by sqrt(1 + (h omega / 4)^2), because stiff
 /// springs would ring. Periods below two drifts count as two drifts.
 inline void RowFiller::GiveToSpring(float32 error, float32 frequencyHz, float32 dampingRatio,

@@ -20,7 +20,8 @@ namespace box2d
 namespace
 {
 
-/// Fewer joints of a type are solved one by one: a block costs as much as this many.
+/// Fewer joints of a type are solved one by one: a block costs about as much as this many. It
+/// affects the time only. No note compares other values.
 constexpr std::ptrdiff_t kMinLanes = 3;
 /// Blocks per part of a parallel loop, the same as StepSolver's. It affects the time only.
 constexpr int32 kBlockGrain = 8;

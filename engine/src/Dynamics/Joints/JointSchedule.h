@@ -39,8 +39,8 @@ public:
 
     /// Call at the start of a step. The context has the duration of a sub-step.
     void Begin(const SolverContext& context, ThreadPool* threads);
-    /// Call in each kick, which the context describes: adds the impulses of the last kick to those
-    /// of the step, computes the rows at the present poses, and applies these impulses times
+    /// Call in each kick, which the context describes. Adds the impulses of the last kick to those
+    /// of the step. Computes the rows at the present poses, and applies these impulses times
     /// `share`.
     void Kick(const SolverContext& context, float32 share, ThreadPool* threads);
     /// One iteration; whether all errors were below the tolerance.

@@ -29,7 +29,7 @@ bool Has(const b2Joint& joint, const b2Body* body)
     return body == joint.GetBodyA() || body == joint.GetBodyB();
 }
 
-/// True if the island of all that the gear moves includes what this joint moves, with the gear
+/// True if the island of all that the gear moves includes what this joint moves. The gear is then
 /// between `body` and a body of the other joint.
 bool Reaches(b2Joint& joint, const b2Body& body, b2Joint& otherJoint)
 {

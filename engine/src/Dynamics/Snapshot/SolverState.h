@@ -77,9 +77,9 @@ void VisitReferences(Archive& archive, Array<const b2Joint*>& joints)
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& world)
 {
-    // Springs and motors, and what goes with them, are listed again in each step; in one that has
-    // been broken off the springs have been charged.
-    auto& [risky, sliding, version, accountOf, accounts, springs, motors, gravity, leastFall,
+    // Springs and motors, and what goes with them, are listed again in each step. In a step that
+    // has been broken off the springs have been charged.
+    auto& [risky, sliding, version, accountOf, accounts, springs, motors, gravity, minFall,
            timeStep, subSteps] = guard;
     bool followed = version == world.graph.JointVersion();
     archive(followed);

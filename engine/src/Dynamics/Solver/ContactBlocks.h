@@ -8,8 +8,8 @@
 struct b2ContactImpulse;
 
 /// Contacts of one colour in blocks of sixteen lanes, for SIMD. A block is prepared and solved with
-/// 16, 8, 4 lanes or one at a time, with the same bits. tests/engine/ReferenceContacts.cpp
-/// is the same solver without lanes. The method is that of sequential impulses (Catto, "Iterative
+/// 16, 8, 4 lanes or one at a time, with the same bits. The same solver without lanes is in
+/// tests/engine/ReferenceContacts.cpp. The method is that of sequential impulses (Catto, "Iterative
 /// Dynamics with Temporal Coherence", GDC 2005): accumulated, clamped impulses on velocities, then
 /// nonlinear projection of positions.
 namespace box2d
@@ -17,9 +17,11 @@ namespace box2d
 
 struct SnapshotAccess;
 
+/// Lanes of a block: the floats of an AVX-512 register, the widest one in use. AVX2 solves a block
+/// in two parts. Times of blocks of 8 and 16 are compared in docs/notes/solver-lanes.md.
 inline constexpr int kBlockLanes = 16;
-/// Lanes of a part of a block. The order of parts decides what is summed first in direct solutions,
-/// so it also decides their bits.
+/// Lanes of a part of a block: the floats of an AVX2 register. Direct solutions sum up the rows of
+/// contacts part by part, so another number would change their bits.
 inline constexpr int kPartLanes = 8;
 
 struct MassLanes
@@ -131,8 +133,8 @@ struct BlockRange
 class ContactBlocks
 {
 public:
-    /// Sorts the contacts of a colour by the groups of their bodies and by their bodies,
-    /// `bodyCount` in all, so that one thread solves neighbours in memory. Contacts that may share
+    /// Sorts the contacts of a colour by the groups of their bodies and by their bodies. There are
+    /// `bodyCount` bodies. One thread then solves neighbours in memory. Contacts that may share
     /// bodies keep their order within a group, which is that of solving.
     void Sort(const Array<b2Contact*>& contacts, bool sharesBodies, const IslandGroups& groups,
               std::size_t bodyCount);

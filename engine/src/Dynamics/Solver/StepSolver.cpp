@@ -27,7 +27,7 @@ namespace
 
 /// Impulses grow with the step as long as they come from forces that last. Those of hits do not:
 /// after a very short step this much of them, and no more, is used for the warm start. With 1 a
-/// stack in steps of 1/30 and 1/120 s walks by 1.5 m; with 1000 a chain that was hit in a short
+/// stack in steps of 1/30 and 1/120 s walks by 1.5 m. With 1000 a chain that was hit in a short
 /// step gets 120 m/s (docs/notes/tuned-constants.md).
 constexpr float32 kMaxStepRatio = 10.0f;
 

@@ -39,7 +39,7 @@ struct JointAccess
 {
     struct Snapshot; ///< Snapshot/JointState.h
     template <class Joint>
-    struct Kind; ///< Joints/*Kind.h, what the engine asks of a kind of joint
+    struct Kind; ///< what the engine asks of a kind of joint, see Joints/JointKind.h
 
     template <class Joint>
     static b2Joint* Construct(void* memory, const b2JointDef& def)

@@ -12,10 +12,11 @@ namespace
 constexpr int32 kMinAdded = 1000;
 
 /// From this number of moves on, and this share of all proxies, a new tree is cheaper than moving
-/// each leaf. Bullets, whose leaves are moved in every step, gain earlier; for others fewer would
-/// gain too little to give up the better tree of single moves. With a half to a seventh of all
-/// instead of a third, rain takes the same time within 2 % (docs/notes/collision-speed.md). The
-/// minimum numbers keep the order of contacts of small worlds, and with it their bits.
+/// each leaf. Bullets' leaves are moved in every step, so they gain earlier. For others fewer moves
+/// would gain too little to give up the better tree of single moves. With a half to a seventh of
+/// all instead of a third, rain takes the same time within 2 % (docs/notes/collision-speed.md). The
+/// minimum numbers keep the order of contacts of small worlds, and with it their bits. For them and
+/// for the share of bullets no note compares other values.
 constexpr int32 kMinMoved = 256;
 constexpr int32 kMovedShare = 3;
 constexpr int32 kMinBullets = 16;

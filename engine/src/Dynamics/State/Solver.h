@@ -79,11 +79,11 @@ struct SolverContext
     float32 inverseStep = 0.0f;   ///< [1/s]
     float32 inverseWhole = 0.0f;  ///< the same of the whole step, also in a sub-step [1/s]
     float32 stepRatio = 1.0f; ///< this step's length divided by the last one's, for warm starting
-    /// Time to the middle of the step, for whose poses sub-steps take normals and levers of
-    /// contacts [s]; 0: those of the start.
+    /// Time to the middle of the step [s]. Sub-steps take normals and levers of contacts from the
+    /// poses at that time; 0: from those of the start.
     float32 middle = 0.0f;
     bool warmStarting = true; ///< that of the settings; false at impacts
-    /// True in a step with sub-steps after another: the contacts' impulses are those of all of the
+    /// True in a step with sub-steps after another. The contacts' impulses are those of all of the
     /// last step, and only their last share still acts.
     bool warmStartsLastShare = false;
 };
@@ -123,8 +123,9 @@ struct OverlapConstraint
 };
 
 /// A body is fast if its displacement in a step exceeds this fraction of its thinnest half. It
-/// could then pass through others, so continuous collision tests it. Larger lets thin bodies pass,
-/// smaller tests more than necessary.
+/// could then pass through others, so continuous collision tests it. Two bodies that are not fast
+/// approach in a step by a quarter of both halves at most, so contacts separate them to the right
+/// side. Smaller values test more bodies. No note compares other values.
 inline constexpr float32 kFastShare = 0.25f;
 
 /// Direction of an iteration over contacts: forward and backward alternate (symmetric Gauss-Seidel;

@@ -33,8 +33,8 @@ struct ImpactMemory;
 struct SolverMemory;
 struct SubStepMemory;
 
-/// What the update of an awake contact reads first, one after the other: of shapes that stay apart,
-/// and of bodies that lie on each other, it reads nothing else. Repeats parts of the ContactData.
+/// What the update of an awake contact reads first, one after the other. Of shapes that stay apart
+/// and of bodies that lie on each other it reads nothing else. Repeats parts of the ContactData.
 struct PairLook
 {
     const BodyData* bodyA = nullptr;

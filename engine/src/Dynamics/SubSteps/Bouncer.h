@@ -9,7 +9,7 @@ namespace box2d
 {
 
 /// Restitution of one contact of a block, before the first kick of a step with sub-steps
-/// (StepSolver::Bounce). Independent of other contacts and joints.
+/// (SubStepSolver::Bounce). Independent of other contacts and joints.
 class Bouncer
 {
 public:

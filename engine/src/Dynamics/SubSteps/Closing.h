@@ -7,8 +7,10 @@
 namespace box2d
 {
 
-/// A joint opened by a drift by less than this [m], [rad] is closed by one solution. Its rows are
-/// those of before the drift, which leaves a few hundredths of the error.
+/// A joint opened by a drift by less than this [m], [rad] is closed by one solution: a fiftieth of
+/// the slop. Its rows are those of before the drift, which leaves a few hundredths of the error.
+/// These are some micrometres, as much as kClosed of HingeTreeSolve.cpp leaves. No note compares
+/// other values.
 inline constexpr float32 kNearlyClosed = 1e-4f;
 /// A second solution corrects what rotation in the drift has changed, a third what remains after a
 /// large one. With one, joints stay open visibly (docs/notes/tuned-constants.md).

@@ -19,9 +19,9 @@ struct SolverMemory;
 class ContactSystem
 {
 public:
-    /// Errors of contacts up to this fraction of the speed that weight adds in a kick are left:
-    /// iterations end where none changes a speed by more, and islands that are small enough are
-    /// solved directly where contacts are off by more. What is left in each kick makes a stack
+    /// Errors of contacts up to this fraction of the speed that weight adds in a kick are left.
+    /// Iterations end where none changes a speed by more. Islands that are small enough are solved
+    /// directly where contacts are off by more. What is left in each kick makes a stack
     /// creep: with 0.01, one of 30 boxes leans by 11 cm in 20 s
     /// (docs/notes/sub-steps-direct-solver.md).
     static constexpr float32 kTolerance = 1e-4f;
@@ -40,9 +40,9 @@ public:
     void FollowAll(SolverMemory& solver, JointSystem& joints);
     /// Returns the number of selected islands.
     std::size_t Count() const { return m_used.size(); }
-    /// After iterations over a group's contacts: the velocities of its islands in which a contact's
-    /// speed is off by more than kTolerance of `weight`, the speed that weight adds in the kick, or
-    /// by more than kLeastTolerance where nothing has weight [m/s].
+    /// Call after iterations over a group's contacts. Solves the velocities of its islands in which
+    /// a contact or a joint is off by more than the tolerance [m/s]. That is kTolerance of
+    /// `weight`, the speed that weight adds in the kick, plus a minimum for islands without weight.
     void SolveVelocities(SolverMemory& solver, const IslandGroup& group, JointSystem& joints,
                          const SolverContext& context, float32 weight);
     /// To be called instead if the iterations have already solved the velocities.

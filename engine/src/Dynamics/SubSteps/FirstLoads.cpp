@@ -16,10 +16,14 @@ namespace box2d
 namespace
 {
 
-/// A contact whose vertical part is below this fraction of its impulse does not support a body: a
-/// slope of 60 degrees, where the impulse would be twice the weight. The first iterations correct
-/// it, so no verdict changes from 0.05 to 0.95.
+/// A contact whose vertical part is below this fraction of its impulse does not support a body.
+/// That is a slope of 60 degrees, where the impulse would be twice the weight. The first iterations
+/// correct it, so no verdict changes from 0.05 to 0.95.
 constexpr double kMinLift = 0.5;
+/// Relative determinant from which on the contacts of a body also balance its moment. Two contacts
+/// that are nearer than 6e-5 of their levers count as one: the levers are rounded by 1e-7. No note
+/// compares other values.
+constexpr double kMinDeterminant = 1e-9;
 
 std::size_t At(int32 index)
 {
@@ -155,7 +159,8 @@ void FirstLoads::PassOn(int32 index)
             mm += p->upperMoment * p->upperMoment;
         }
         const double determinant = ll * mm - lm * lm;
-        const bool turns = determinant > 1e-9 * ll * mm; // otherwise one point, or all in a line
+        const bool turns =
+            determinant > kMinDeterminant * ll * mm; // otherwise one point, or all in a line
         const double x = turns ? (mm * body.lift - lm * body.moment) / determinant : body.lift / ll;
         const double y = turns ? (ll * body.moment - lm * body.lift) / determinant : 0.0;
         const auto isPulling = [&](const Point& p) { return p.lift * x + p.upperMoment * y < 0.0; };

@@ -24,16 +24,16 @@ namespace
 /// drift's time, those that turn the links for all of it. This is the mean of both shares.
 constexpr float32 kLastShare = 0.75f;
 
-/// Forces of a drift that are this many times those of the last step are a jerk, which tears hinges
-/// if the inertia does not follow it. An inertia that follows smaller changes as well feeds the
+/// Forces of a drift that are this many times those of the last step are a jerk. It tears hinges if
+/// the inertia does not follow it. An inertia that follows smaller changes as well feeds the
 /// swings that change it (docs/notes/sub-steps-chains.md).
 constexpr double kJerk = 2.0;
 /// Relative energy error of a step: more than the truncation error of swings that drifts can
 /// follow. With a tenth steps are repeated for that error; with ten times as much chains of 1000:1
 /// gain 1.1 % of energy (docs/notes/tuned-constants.md).
-constexpr double kWonShare = 2e-3;
-/// A step that gained energy or tore a hinge is repeated with stiffened hinges, in this many times
-/// as many sub-steps, and in no fewer than these. With as many as before, a ball of 1000:1 tears
+constexpr double kGainedShare = 2e-3;
+/// A step that gained energy or tore a hinge is repeated with stiffened hinges. It takes this many
+/// times as many sub-steps, and no fewer than these. With as many as before, a ball of 1000:1 tears
 /// its chain (docs/notes/sub-steps-chains.md).
 constexpr int32 kSafeShare = 4;
 constexpr int32 kMinSafe = 16;
@@ -45,6 +45,9 @@ constexpr float32 kTorn = 0.05f;
 /// tree at rest counts as open and a chain under a heavy load swings on; with 0.05 no test fails
 /// (docs/notes/tuned-constants.md).
 constexpr float32 kHardlyOpen = 5e-3f;
+/// Prevents a division by zero where a tree has no energy but that of its common motion [J]. Any
+/// energy that matters is larger.
+constexpr double kMinEnergy = 1e-30;
 
 b2Vec2 ArmOf(const BodyData& body, const b2Vec2& local)
 {
@@ -175,7 +178,7 @@ void HingeTree::Step(float32 timeStep, int32 subSteps, float32 lastStep)
         m_stiffened = true;
         if (fails(b2Max(kSafeShare * subSteps, kMinSafe)))
         {
-            TakeWonEnergy();
+            TakeGainedEnergy();
         }
     }
     if (wereClosed && WidestGap() > kNearlyClosed)
@@ -232,11 +235,11 @@ bool HingeTree::StepIn(int32 count, float32 timeStep)
             HoldStiffness();
         }
     }
-    const Energy energy = WonEnergy();
-    return energy.now - energy.due > kWonShare * energy.moved;
+    const Energy energy = GainedEnergy();
+    return energy.now - energy.due > kGainedShare * energy.moved;
 }
 
-HingeTree::Energy HingeTree::WonEnergy() const
+HingeTree::Energy HingeTree::GainedEnergy() const
 {
     Energy energy;
     for (const Link& link : m_links)
@@ -259,9 +262,9 @@ HingeTree::Energy HingeTree::WonEnergy() const
 
 /// Scales all velocities equally, which keeps hinges at rest and the direction of a free tree's
 /// momentum.
-void HingeTree::TakeWonEnergy()
+void HingeTree::TakeGainedEnergy()
 {
-    const Energy energy = WonEnergy();
+    const Energy energy = GainedEnergy();
     if (energy.now <= energy.due)
     {
         return;
@@ -279,7 +282,7 @@ void HingeTree::TakeWonEnergy()
     const b2Vec2 mean = free ? b2Vec2(float32(x / mass), float32(y / mass)) : b2Vec2(0.0f, 0.0f);
     const double common = 0.5 * mass * double(mean.LengthSquared());
     const auto share = float32(
-        std::sqrt(std::max(energy.due - common, 0.0) / std::max(energy.now - common, 1e-30)));
+        std::sqrt(std::max(energy.due - common, 0.0) / std::max(energy.now - common, kMinEnergy)));
     for (Link& link : m_links)
     {
         link.state->v = mean + b2Min(share, 1.0f) * (link.state->v - mean);
@@ -309,7 +312,7 @@ void HingeTree::Kick(float32 time)
     Stop();
 }
 
-/// Finds the stiffness from the impulses since they were noted, which acted for this time: forces F
+/// Finds the stiffness from the impulses since they were noted, which acted for this time. Forces F
 /// at arms r turn a body back with the torque sum F.r per radian.
 void HingeTree::FindStiffness(double time)
 {

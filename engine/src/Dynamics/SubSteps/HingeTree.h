@@ -114,8 +114,8 @@ private:
     void CloseWholly(float32 timeStep);
     void GoBack(float32 lastStep);
     bool StepIn(int32 count, float32 timeStep);
-    Energy WonEnergy() const;
-    void TakeWonEnergy();
+    Energy GainedEnergy() const;
+    void TakeGainedEnergy();
     float32 WidestGap() const;
     void Kick(float32 time);
     void FindStiffness(double time);

@@ -11,14 +11,14 @@ namespace box2d
 namespace
 {
 
-/// Rotational inertia added to a body in a tree that is open or that a step would tear, as a
+/// Rotational inertia that a body gets in a tree that is open or that a step would tear. It is a
 /// fraction of its subtree's mass at the hinge. With 0.003 a ball of 1e5:1 opens its chain by five
 /// times its length, with 0.03 it gains energy (docs/notes/sub-steps-chains.md).
 constexpr double kStiffening = 0.01;
 /// Maximum squared rotation of a swing in a drift [rad^2]. A leapfrog is stable below 4 (Hairer,
 /// Lubich and Wanner, "Geometric Numerical Integration", 2006, I.5). All tests pass with 1 to 2.8;
 /// with 1000 a ball of 1e5:1 opens its chain (docs/notes/tuned-constants.md).
-constexpr double kMostSwing = 1.8;
+constexpr double kMaxSwing = 1.8;
 /// The cosine's next term, angle^4 / 24, is below half an ulp up to 0.029 rad. This is a third of
 /// that; larger corrections are rare [rad].
 constexpr float32 kSmallAngle = 0.01f;
@@ -86,7 +86,7 @@ b2Vec2 HingeTree::TakeLevers(Link& link)
 /// a body depends on its own rotation only. Bodies that swing slowly keep their inertia.
 void HingeTree::TakeInertias()
 {
-    const double square = double(m_drift) * double(m_drift) / kMostSwing;
+    const double square = double(m_drift) * double(m_drift) / kMaxSwing;
     for (Link& link : m_links)
     {
         const double turning = std::max(link.turning, square * link.stiffness);
@@ -149,8 +149,8 @@ void HingeTree::AddInertia(const Link& link, Inertia& parent)
     parent.turning += t.x * x + t.y * y;
 }
 
-/// From the leaves to the root: an impulse f at a hinge, with the impulse g and the moment z from
-/// the subtree, gives
+/// Works from the leaves to the root. With the impulse g and the moment z from the subtree, an
+/// impulse f at a hinge gives
 ///   K u = f + g - a (z + t.g) / c.
 /// With `factors` the links are factored on the way: a processor does both side by side.
 template <bool factors, class Want>

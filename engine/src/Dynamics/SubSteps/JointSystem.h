@@ -43,21 +43,22 @@ public:
     const RowSides& Sides(std::size_t joint) const { return m_sides[joint]; }
 
     /// Call at the start of a step: reads the impulses of the joints, times `share`.
-    /// `lastInverseStep`: one over the length of the last step. `isInPile`: true for a body whose
+    /// `lastInverseStep`: one over the length of the last step. `isInLarge`: true for a body whose
     /// contacts are too many to be solved directly. `threads`: for iterations in this step; null:
     /// the calling thread alone.
-    template <class IsInPile>
+    template <class IsInLarge>
     void Begin(const SolverContext& context, float32 share, float32 lastInverseStep,
-               const BodyKick* kicks, ThreadPool* threads, IsInPile&& isInPile)
+               const BodyKick* kicks, ThreadPool* threads, IsInLarge&& isInLarge)
     {
         m_threads = threads;
         for (int32 i = 0; i < m_system.Components(); ++i)
         {
-            bool inPile = false;
-            m_system.ForBodies(
-                i, [&](const BodyData& body, std::size_t) { inPile = inPile || isInPile(body); });
+            bool inLarge = false;
+            m_system.ForBodies(i, [&](const BodyData& body, std::size_t) {
+                inLarge = inLarge || isInLarge(body);
+            });
             m_parts[std::size_t(i)] = Part();
-            m_parts[std::size_t(i)].iterated = inPile && !IsAtRisk(i);
+            m_parts[std::size_t(i)].iterated = inLarge && !IsAtRisk(i);
         }
         BeginParts(context, share, lastInverseStep, kicks);
     }

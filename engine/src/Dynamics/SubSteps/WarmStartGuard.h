@@ -42,8 +42,8 @@ private:
     {
         double before = 0.0, after = 0.0; ///< kinetic energy; before: plus the energy supplied
                                           ///< since [J]
-        /// Driven by kinematic bodies, or held by warm starting and iterations: each time a large
-        /// pile lost its impulses, it would fall until its iterations had found them again.
+        /// Driven by kinematic bodies, or held by warm starting and iterations. Without its
+        /// impulses, a large island would fall until iterations had found them again.
         bool exempt = false;
         bool HasGained() const;
     };

@@ -254,8 +254,9 @@ void MeasureNewest(BodyData& body)
 namespace
 {
 
-/// Limits of masses and inertias: smaller ones have no finite inverse, larger ones no finite
-/// product with a speed. Beyond them they count as zero, or as the maximum.
+/// Limits of masses and inertias. Within them, a mass or its inverse times a speed of kFastest is
+/// at most 1e30, far within single precision, which ends at 3e38. A smaller mass counts as 1, as
+/// that of a body without shapes, a smaller inertia as zero, and a larger one as the maximum.
 constexpr float32 kMinMass = 1e-20f;
 constexpr float32 kMaxMass = 1e20f;
 

@@ -18,10 +18,10 @@
 
 #include <algorithm>
 
-/// Draws the world by calls of a b2Draw: shapes in the colour of their body's state, joints as
-/// lines between anchors, boxes, pairs, centres of mass. Oldest body first, so that newer ones are
-/// on top. With a view, the trees return the visible shapes; all other items are tested by
-/// position.
+/// Draws the world by calls of a b2Draw: shapes, joints, boxes, pairs and centres of mass. Shapes
+/// have the colour of their body's state, joints are lines between anchors. Oldest body first, so
+/// that newer ones are on top. With a view, the trees return the visible shapes; all other items
+/// are tested by position.
 namespace box2d
 {
 
