@@ -7,8 +7,8 @@
 namespace box2d
 {
 
-/// The factor that damping c leaves of a velocity after a time t, exp(-c t), and the effective time
-/// of an acceleration, (1 - exp(-c t)) / c. It uses the Pade approximant (0, 2) of exp(-z),
+/// The factor that damping c leaves of a velocity after a time t, exp(-c t). Also the effective
+/// time of an acceleration, (1 - exp(-c t)) / c. It uses the Pade approximant (0, 2) of exp(-z),
 /// which is of second order and stable for any z.
 struct Decay
 {

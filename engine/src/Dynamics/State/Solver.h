@@ -124,7 +124,7 @@ struct OverlapConstraint
 
 /// A body is fast if its displacement in a step exceeds this fraction of its thinnest half. It
 /// could then pass through others, so continuous collision tests it. Two bodies that are not fast
-/// approach in a step by a quarter of both halves at most, so contacts separate them to the right
+/// approach in a step by a quarter of both halves at most. Contacts separate them to the right
 /// side. Smaller values test more bodies. No note compares other values.
 inline constexpr float32 kFastShare = 0.25f;
 

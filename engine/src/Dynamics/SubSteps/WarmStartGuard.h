@@ -9,8 +9,9 @@
 /// Detects islands that gain energy by the warm start of a kick. Iterations from zero impulses only
 /// lower the kinetic energy after the kick. A warm start with the impulses of a past impact must be
 /// undone first. Where joints connect contacts, the few iterations of a kick do not suffice for
-/// that, and bodies gain speed. Such islands are solved again from zero impulses, unless they are
-/// too large to be solved directly.
+/// that, and bodies gain speed. Such islands are solved again from zero impulses. Exempt are those
+/// that are too large to be solved directly, that have iterated joints, or that platforms or belts
+/// drive.
 namespace box2d
 {
 
@@ -42,8 +43,8 @@ private:
     {
         double before = 0.0, after = 0.0; ///< kinetic energy; before: plus the energy supplied
                                           ///< since [J]
-        /// Driven by kinematic bodies, or held by warm starting and iterations. Without its
-        /// impulses, a large island would fall until iterations had found them again.
+        /// Driven by kinematic bodies or belts, or held by warm starting and iterations. Without
+        /// its impulses, a large island would fall until iterations had found them again.
         bool exempt = false;
         bool HasGained() const;
     };
