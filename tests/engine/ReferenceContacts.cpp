@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "ReferenceContacts.h"
-#include <Dynamics/Solver/ContactPoints.h>
 #include <Dynamics/Solver/OverlapSolver.h>
 
 #include <Dynamics/Solver/Restitution.h>
@@ -197,6 +196,35 @@ void SolvePoint(ContactConstraint& c, ContactPoint& p, Motion& m)
     p.normalImpulse = total;
 }
 
+/// Solves both points together. Of the four cases in which each impulse or its speed is zero,
+/// selects the one with no negative value (total enumeration; Murty, "Linear Complementarity",
+/// 1988). False if rounding leaves none.
+bool EnumerateImpulses(float32 k11, float32 k12, float32 k22, float32 b1, float32 b2, float32& x1,
+                       float32& x2)
+{
+    const float32 inverse = 1.0f / (k11 * k22 - k12 * k12);
+    x1 = inverse * (k12 * b2 - k22 * b1);
+    x2 = inverse * (k12 * b1 - k11 * b2);
+    if (x1 >= 0.0f && x2 >= 0.0f)
+    {
+        return true;
+    }
+    x1 = -b1 / k11;
+    x2 = 0.0f;
+    if (x1 >= 0.0f && k12 * x1 + b2 >= 0.0f)
+    {
+        return true;
+    }
+    x1 = 0.0f;
+    x2 = -b2 / k22;
+    if (x2 >= 0.0f && k12 * x2 + b1 >= 0.0f)
+    {
+        return true;
+    }
+    x2 = 0.0f;
+    return b1 >= 0.0f && b2 >= 0.0f;
+}
+
 void SolvePair(ContactConstraint& c, Motion& m)
 {
     ContactPoint& p1 = c.points[0];
@@ -316,6 +344,102 @@ bool SolveContactVelocities(std::span<ContactConstraint> contacts, SolverBody* b
 
 namespace
 {
+
+Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody& a,
+                       const SolverBody& b)
+{
+    Overlap result;
+    const bool faceOnB = o.kind == OverlapKind::FaceB;
+    const b2Vec2 offset = o.offset + b.d - a.d; // between the centres of mass
+    const b2Vec2 reference = b2Mul(faceOnB ? b.q : a.q, o.reference);
+    const b2Vec2 other = b2Mul(faceOnB ? a.q : b.q, o.points[point]);
+    if (o.kind == OverlapKind::Centers)
+    {
+        const b2Vec2 onB = offset + other;
+        result.normal = onB - reference;
+        const float32 distance = result.normal.Normalize();
+        result.normal = distance == 0.0f ? b2Vec2(1.0f, 0.0f) : result.normal;
+        result.separation = distance - o.radius;
+        result.armA = 0.5f * (reference + onB);
+        result.armB = result.armA - offset;
+        return result;
+    }
+    const b2Vec2 normal = b2Mul(faceOnB ? b.q : a.q, o.normal);
+    if (faceOnB)
+    {
+        result.separation = b2Dot(other - (offset + reference), normal) - o.radius;
+        result.armA = other;
+        result.armB = other - offset;
+        result.normal = -normal;
+    }
+    else
+    {
+        result.separation = b2Dot(offset + other - reference, normal) - o.radius;
+        result.armA = offset + other;
+        result.armB = other;
+        result.normal = normal;
+    }
+    return result;
+}
+
+/// Returns how far a point is pushed out [m]; negative if there is a gap. A slop remains, so that
+/// the contact lasts.
+float32 PushOut(const Overlap& overlap, PushPace pace)
+{
+    return b2Clamp(-pace.rate * (overlap.separation + b2_linearSlop), -pace.maximum, pace.maximum);
+}
+
+/// The bodies of one contact: load, push, store.
+struct Push
+{
+    const OverlapConstraint& o;
+    SolverBody a, b;
+
+    void Store(SolverBody* bodies) const
+    {
+        if (Moves(o.invMassA, o.invInertiaA))
+        {
+            bodies[o.bodyA] = a;
+        }
+        if (Moves(o.invMassB, o.invInertiaB))
+        {
+            bodies[o.bodyB] = b;
+        }
+    }
+
+    /// A body that cannot rotate keeps its bits with any number of contacts.
+    static void Turn(SolverBody& body, float32 invInertia, float32 delta)
+    {
+        if (invInertia > 0.0f)
+        {
+            body.Rotate(delta);
+        }
+    }
+    float32 Mass(const Overlap& p, const Overlap& q) const
+    {
+        return o.invMassA + o.invMassB +
+               o.invInertiaA * b2Cross(p.armA, p.normal) * b2Cross(q.armA, q.normal) +
+               o.invInertiaB * b2Cross(p.armB, p.normal) * b2Cross(q.armB, q.normal);
+    }
+    void Apply(const Overlap& p, float32 impulse)
+    {
+        a.d -= (o.invMassA * impulse) * p.normal;
+        b.d += (o.invMassB * impulse) * p.normal;
+        Turn(a, o.invInertiaA, -o.invInertiaA * b2Cross(p.armA, p.normal) * impulse);
+        Turn(b, o.invInertiaB, o.invInertiaB * b2Cross(p.armB, p.normal) * impulse);
+    }
+};
+
+float32 PushPoint(Push& push, int32 point, PushPace pace)
+{
+    const Overlap overlap = MeasureOverlap(push.o, point, push.a, push.b);
+    const float32 out = PushOut(overlap, pace);
+    if (out > 0.0f)
+    {
+        push.Apply(overlap, out * Inverse(push.Mass(overlap, overlap)));
+    }
+    return overlap.separation;
+}
 
 /// Both points together, as for velocities, so that a box that lands flat stays flat.
 void ApplyPair(Push& push, const Overlap& p, float32 x1, const Overlap& q, float32 x2)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Dynamics/Solver/OverlapPush.h>
 #include <Dynamics/Solver/OverlapSolver.h>
 #include <Dynamics/State/Solver.h>
 
@@ -43,6 +42,20 @@ struct ContactConstraint
     bool coupled;          ///< both points are solved together
     float32 k11, k12, k22; ///< response of the normal speeds to an impulse at either point
     b2Contact* contact;
+};
+
+/// The position constraint of a touching contact, in world axes at the start of the step.
+struct OverlapConstraint
+{
+    b2Vec2 offset;    ///< from centre of mass A to B [m]
+    b2Vec2 normal;    ///< of the face, outward
+    b2Vec2 reference; ///< from its centre of mass to the face (or A's centre point)
+    b2Vec2 points[2]; ///< from the other body's centre of mass
+    float32 radius;   ///< sum of the two skins [m]
+    float32 invMassA, invInertiaA, invMassB, invInertiaB;
+    int32 bodyA, bodyB;
+    int32 pointCount;
+    OverlapKind kind;
 };
 
 /// Fills both constraints of a touching contact from the current poses; velocities come from the

@@ -167,14 +167,12 @@ std::span<ContactBlock> Impact::Impulses() const
 /// skins of polygons and edges are not included.
 float32 Impact::DepthOf(std::size_t contact, int32 point) const
 {
-    const OverlapConstraint o =
-        OverlapOf(m_memory.overlaps[contact], m_memory.impulses[contact].masses, 0);
     const ContactData& c = Data(*m_contacts[contact]);
     float32 skins = 0.0f;
     skins += c.FixtureA()->GetType() == b2Shape::e_circle ? 0.0f : c.radiusA;
     skins += c.FixtureB()->GetType() == b2Shape::e_circle ? 0.0f : c.radiusB;
-    return -skins - MeasureOverlap(o, point, m_context.bodies[o.bodyA], m_context.bodies[o.bodyB])
-                        .separation;
+    return -skins -
+           MeasureOverlap(m_memory.overlaps[contact], 0, point, m_context.bodies).separation;
 }
 
 void Impact::NoteDepths()

@@ -40,25 +40,6 @@ struct BlockPreparer
         v.y.Store(y + lane);
     }
 
-    static Vector<F> Add(const Vector<F>& u, const Vector<F>& v) { return {u.x + v.x, u.y + v.y}; }
-    static Vector<F> Subtract(const Vector<F>& u, const Vector<F>& v)
-    {
-        return {u.x - v.x, u.y - v.y};
-    }
-    static Vector<F> Scale(F s, const Vector<F>& v) { return {s * v.x, s * v.y}; }
-    static F Dot(const Vector<F>& u, const Vector<F>& v) { return u.x * v.x + u.y * v.y; }
-    static Vector<F> Turn(F sine, F cosine, const Vector<F>& v)
-    {
-        return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y};
-    }
-    static F Inverse(F value)
-    {
-        const F zero = F::Set(0.0f);
-        const F one = F::Set(1.0f);
-        const auto positive = Less(zero, value);
-        return Select(positive, one / Select(positive, value, one), zero);
-    }
-
     /// Writes the overlap's geometry in world axes.
     void FillOverlap() const
     {
@@ -129,9 +110,8 @@ struct BlockPreparer
             return slow;
         }
         // Two points turn their line, too, the faster the nearer they are.
-        const Vector<F> line = Subtract(Add(p.offset, p.points[0]), p.reference);
-        const Vector<F> speed =
-            Subtract(SpeedOf(bodies.b, p.points[0]), SpeedOf(bodies.a, p.reference));
+        const Vector<F> line = p.offset + p.points[0] - p.reference;
+        const Vector<F> speed = SpeedOf(bodies.b, p.points[0]) - SpeedOf(bodies.a, p.reference);
         const F most = Sqrt(F::Set(kMostTurn * kMostTurn) * Dot(line, line) /
                             Max(Dot(speed, speed), F::Set(std::numeric_limits<float32>::min())));
         return Min(slow, most);
@@ -177,41 +157,30 @@ struct BlockPreparer
 
     Geometry MeasureCircles(const Places& p) const
     {
-        const Vector<F>& offset = p.offset;
-        const F zero = F::Set(0.0f);
-        const F one = F::Set(1.0f);
         Geometry g;
-        const Vector<F>& reference = p.reference;
-        const Vector<F> onB = Add(offset, p.points[0]);
-        const Vector<F> between = Subtract(onB, reference);
-        const F length = Sqrt(between.x * between.x + between.y * between.y);
-        const auto apart = AtLeast(length, F::Set(kMinLength));
-        const F inverse = one / Select(apart, length, one);
-        g.normal = {Select(apart, between.x * inverse, one),
-                    Select(apart, between.y * inverse, zero)};
-        const Vector<F> surfaceA = Add(reference, Scale(At(from.radiusFace), g.normal));
-        const Vector<F> surfaceB = Subtract(onB, Scale(At(from.radiusOther), g.normal));
-        g.points[0] = Scale(F::Set(0.5f), Add(surfaceA, surfaceB));
+        const Vector<F> onB = p.offset + p.points[0];
+        g.normal = onB - p.reference;
+        NormalizeOrX(g.normal);
+        const Vector<F> surfaceA = p.reference + At(from.radiusFace) * g.normal;
+        const Vector<F> surfaceB = onB - At(from.radiusOther) * g.normal;
+        g.points[0] = F::Set(0.5f) * (surfaceA + surfaceB);
         return g;
     }
 
     Geometry MeasureFace(const Places& p) const
     {
         Geometry g;
-        const Vector<F>& offset = p.offset;
-        const Vector<F>& normal = p.normal;
-        const Vector<F>& reference = p.reference;
         const F radiusFace = At(from.radiusFace);
         const F radiusOther = At(from.radiusOther);
-        g.normal = kFaceOnB ? Vector<F>{-normal.x, -normal.y} : normal;
-        const Vector<F> face = kFaceOnB ? Add(offset, reference) : reference;
+        g.normal = kFaceOnB ? -p.normal : p.normal;
+        const Vector<F> face = kFaceOnB ? p.offset + p.reference : p.reference;
         for (int i = 0; i < block.pointCount; ++i)
         {
-            const Vector<F> core = kFaceOnB ? p.points[i] : Add(offset, p.points[i]);
-            const F toFace = radiusFace - Dot(Subtract(core, face), normal);
-            const Vector<F> onFace = Add(core, Scale(toFace, normal));
-            const Vector<F> onOther = Subtract(core, Scale(radiusOther, normal));
-            g.points[i] = Scale(F::Set(0.5f), Add(onFace, onOther));
+            const Vector<F> core = kFaceOnB ? p.points[i] : p.offset + p.points[i];
+            const F toFace = radiusFace - Dot(core - face, p.normal);
+            const Vector<F> onFace = core + toFace * p.normal;
+            const Vector<F> onOther = core - radiusOther * p.normal;
+            g.points[i] = F::Set(0.5f) * (onFace + onOther);
         }
         return g;
     }
@@ -248,10 +217,10 @@ struct BlockPreparer
         tB.Store(p.tangentLeverB + lane);
         if (block.pointCount == 1)
         {
-            Inverse(mass + bodies.invInertiaA * nA * nA + bodies.invInertiaB * nB * nB)
+            InverseOrZero(mass + bodies.invInertiaA * nA * nA + bodies.invInertiaB * nB * nB)
                 .Store(block.pointMass[1] + lane);
         }
-        Inverse(mass + bodies.invInertiaA * tA * tA + bodies.invInertiaB * tB * tB)
+        InverseOrZero(mass + bodies.invInertiaA * tA * tA + bodies.invInertiaB * tB * tB)
             .Store(block.pointMass[i] + lane);
         const Vector<F> speed = {
             bodies.b[0] - bodies.b[2] * armB.y - bodies.a[0] + bodies.a[2] * armA.y,
@@ -282,7 +251,7 @@ struct BlockPreparer
         for (int i = 0; i < block.pointCount; ++i)
         {
             CopyImpulses(i);
-            FillPoint(i, bodies, g.normal, g.points[i], Subtract(g.points[i], places.offset));
+            FillPoint(i, bodies, g.normal, g.points[i], g.points[i] - places.offset);
         }
         block.allCoupled = block.allCoupled && !Any(Not(AreCoupled<F>(block, lane)));
     }

@@ -12,9 +12,6 @@ namespace box2d
 namespace
 {
 
-/// A shorter vector has no direction [m]: coordinates about 1 m are rounded by as much.
-constexpr float32 kMinLength = b2_epsilon;
-
 /// So much of the speed that an impulse gives may be rounding. A heavy load of light boxes is not
 /// solved again for it. With 1e-4 a stack of 20 sways by 18 mm instead of 0.2; with 0 no test fails
 /// (docs/notes/tuned-constants.md).
@@ -40,7 +37,7 @@ struct PairResponse
 {
     F k11, k12, k22;
 
-    PairResponse(const ContactBlock& block, int lane)
+    static PairResponse Of(const ContactBlock& block, int lane)
     {
         const auto at = [lane](const float32* field) { return F::Load(field + lane); };
         const F a1 = at(block.points[0].normalLeverA);
@@ -50,19 +47,44 @@ struct PairResponse
         const F invInertiaA = at(block.masses.invInertiaA);
         const F invInertiaB = at(block.masses.invInertiaB);
         const F mass = at(block.masses.invMassA) + at(block.masses.invMassB);
-        k11 = mass + invInertiaA * a1 * a1 + invInertiaB * b1 * b1;
-        k12 = mass + invInertiaA * a1 * a2 + invInertiaB * b1 * b2;
-        k22 = mass + invInertiaA * a2 * a2 + invInertiaB * b2 * b2;
+        return {mass + invInertiaA * a1 * a1 + invInertiaB * b1 * b1,
+                mass + invInertiaA * a1 * a2 + invInertiaB * b1 * b2,
+                mass + invInertiaA * a2 * a2 + invInertiaB * b2 * b2};
     }
 
     F Determinant() const { return k11 * k22 - k12 * k12; }
+
+    /// Solves both points together for the speeds b. Of the four cases in which each impulse or its
+    /// speed is zero, selects the one with no negative value (total enumeration; Murty, "Linear
+    /// Complementarity", 1988). They are tried from the last to the first. False if rounding leaves
+    /// none.
+    BOX2D_INLINE auto Enumerate(F b1, F b2, F& x1, F& x2) const
+    {
+        const F zero = F::Set(0.0f);
+        const auto neither = And(AtLeast(b1, zero), AtLeast(b2, zero));
+        x1 = x2 = zero;
+        const F second = -b2 / k22;
+        const auto secondOnly = And(AtLeast(second, zero), AtLeast(k12 * second + b1, zero));
+        x2 = Select(secondOnly, second, x2);
+        const F first = -b1 / k11;
+        const auto firstOnly = And(AtLeast(first, zero), AtLeast(k12 * first + b2, zero));
+        x1 = Select(firstOnly, first, x1);
+        x2 = Select(firstOnly, zero, x2);
+        const F inverse = F::Set(1.0f) / Determinant();
+        const F both1 = inverse * (k12 * b2 - k22 * b1);
+        const F both2 = inverse * (k12 * b1 - k11 * b2);
+        const auto both = And(AtLeast(both1, zero), AtLeast(both2, zero));
+        x1 = Select(both, both1, x1);
+        x2 = Select(both, both2, x2);
+        return Or(Or(neither, secondOnly), Or(firstOnly, both));
+    }
 };
 
 /// True if two points are far enough apart to be solved together.
 template <class F>
 auto AreCoupled(const ContactBlock& block, int lane)
 {
-    const PairResponse<F> k(block, lane);
+    const auto k = PairResponse<F>::Of(block, lane);
     return Less(k.k11 * k.k11, F::Set(kMaxCondition) * k.Determinant());
 }
 
@@ -192,12 +214,12 @@ struct BlockSolver
         x2.Store(p2.normalImpulse + lane);
     }
 
-    /// Tries the four cases of EnumerateImpulses from the last to the first. For resting contacts
-    /// both points push; if that holds in all lanes, the other cases are skipped.
+    /// For resting contacts both points push; if that holds in all lanes, the other cases are
+    /// skipped.
     BOX2D_INLINE void SolvePair()
     {
         const F zero = F::Set(0.0f);
-        const PairResponse<F> response(block, lane);
+        const auto response = PairResponse<F>::Of(block, lane);
         const auto [k11, k12, k22] = response;
         const F old1 = At(block.points[0].normalImpulse);
         const F old2 = At(block.points[1].normalImpulse);
@@ -211,18 +233,9 @@ struct BlockSolver
         {
             return ChangePair(old1, both1, old2, both2);
         }
-        const auto neither = And(AtLeast(b1, zero), AtLeast(b2, zero));
-        F x1 = Select(neither, zero, old1);
-        F x2 = Select(neither, zero, old2);
-        const F second = -b2 / k22;
-        const auto secondOnly = And(AtLeast(second, zero), AtLeast(k12 * second + b1, zero));
-        x1 = Select(secondOnly, zero, x1);
-        x2 = Select(secondOnly, second, x2);
-        const F first = -b1 / k11;
-        const auto firstOnly = And(AtLeast(first, zero), AtLeast(k12 * first + b2, zero));
-        x1 = Select(firstOnly, first, x1);
-        x2 = Select(firstOnly, zero, x2);
-        ChangePair(old1, Select(both, both1, x1), old2, Select(both, both2, x2));
+        F x1, x2;
+        const auto solved = response.Enumerate(b1, b2, x1, x2);
+        ChangePair(old1, Select(solved, x1, old1), old2, Select(solved, x2, old2));
     }
 
     /// Solves some lanes as pairs and others point by point: computes both and selects per lane.
@@ -230,7 +243,7 @@ struct BlockSolver
     {
         PointLanes& p1 = block.points[0];
         PointLanes& p2 = block.points[1];
-        const PairResponse<F> response(block, lane);
+        const auto response = PairResponse<F>::Of(block, lane);
         const auto coupled = AreCoupled<F>(block, lane);
         const MotionLanes<F> before = m;
         const F changesBefore = changes;

@@ -444,32 +444,4 @@ b2ContactImpulse ImpulseOf(const ContactBlock& block, int lane)
     return impulse;
 }
 
-OverlapConstraint OverlapOf(const OverlapBlock& block, const MassLanes& masses, int lane)
-{
-    OverlapConstraint o;
-    o.offset.Set(block.offsetX[lane], block.offsetY[lane]);
-    o.normal.Set(block.normalX[lane], block.normalY[lane]);
-    o.reference.Set(block.referenceX[lane], block.referenceY[lane]);
-    for (int i = 0; i < 2; ++i)
-    {
-        o.points[i].Set(block.pointX[i][lane], block.pointY[i][lane]);
-    }
-    o.radius = block.radius[lane];
-    o.invMassA = masses.invMassA[lane];
-    o.invInertiaA = masses.invInertiaA[lane];
-    o.invMassB = masses.invMassB[lane];
-    o.invInertiaB = masses.invInertiaB[lane];
-    o.bodyA = block.bodyA[lane];
-    o.bodyB = block.bodyB[lane];
-    o.pointCount = block.pointCount;
-    o.kind = block.kind;
-    return o;
-}
-
-float32 SolveNearlyOnePoint(const OverlapBlock& block, const MassLanes& masses, int lane,
-                            SolverBody* bodies, PushPace pace)
-{
-    return SolveNearlyOnePoint(OverlapOf(block, masses, lane), bodies, pace);
-}
-
 } // namespace box2d

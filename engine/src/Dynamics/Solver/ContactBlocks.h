@@ -82,17 +82,19 @@ inline float32 NormalMassOf(const ContactBlock& block, int lane, int point)
     return Inverse(ResponseOf(block, lane, point, point));
 }
 
-/// See OverlapConstraint. All lanes measure in the same way and match the ContactBlock of the same
-/// index, which has the masses. Unused lanes are far apart.
+/// The position constraints of touching contacts, in world axes at the start of the step. All lanes
+/// measure in the same way and match the ContactBlock of the same index, which has the masses.
+/// Unused lanes are far apart.
 struct alignas(kCacheLine) OverlapBlock
 {
     int32 bodyA[kBlockLanes], bodyB[kBlockLanes];
-    float32 offsetX[kBlockLanes], offsetY[kBlockLanes];
-    float32 normalX[kBlockLanes], normalY[kBlockLanes];
+    float32 offsetX[kBlockLanes], offsetY[kBlockLanes]; ///< from centre of mass A to B [m]
+    float32 normalX[kBlockLanes], normalY[kBlockLanes]; ///< of the face, outward
+    /// From its centre of mass to the face, or A's centre point.
     float32 referenceX[kBlockLanes], referenceY[kBlockLanes];
-    float32 pointX[2][kBlockLanes], pointY[2][kBlockLanes];
-    float32 radius[kBlockLanes];
-    int32 count; ///< used lanes
+    float32 pointX[2][kBlockLanes], pointY[2][kBlockLanes]; ///< from the other body's centre
+    float32 radius[kBlockLanes];                            ///< sum of the two skins [m]
+    int32 count;                                            ///< used lanes
     int32 pointCount;
     OverlapKind kind;
     uint16 movesA, movesB; ///< as in ContactBlock
@@ -232,10 +234,5 @@ void StoreImpulses(const ContactBlock& block);
 
 /// Returns the impulses of a lane for a listener.
 b2ContactImpulse ImpulseOf(const ContactBlock& block, int lane);
-/// Returns one lane of a block, to measure it.
-OverlapConstraint OverlapOf(const OverlapBlock& block, const MassLanes& masses, int lane);
-/// Pushes two nearly coincident points of a lane one after the other.
-float32 SolveNearlyOnePoint(const OverlapBlock& block, const MassLanes& masses, int lane,
-                            SolverBody* bodies, PushPace pace);
 
 } // namespace box2d

@@ -19,6 +19,42 @@ struct OverlapLanes
     F separation;
 };
 
+/// Measures one point of each lane. Bodies are moved by (0, 1) and rotated by sine 2 and cosine 3.
+template <OverlapKind kKind, class F>
+OverlapLanes<F> Measure(const OverlapBlock& block, int lane, int point, const F (&a)[4],
+                        const F (&b)[4])
+{
+    constexpr bool faceOnB = kKind == OverlapKind::FaceB;
+    const auto at = [lane](const float32* x, const float32* y) {
+        return Vector<F>{F::Load(x + lane), F::Load(y + lane)};
+    };
+    const auto turn = [](const F(&body)[4], const Vector<F>& v) {
+        return Turn(body[2], body[3], v);
+    };
+    OverlapLanes<F> result;
+    const Vector<F> offset =
+        at(block.offsetX, block.offsetY) + Vector<F>{b[0], b[1]} - Vector<F>{a[0], a[1]};
+    const Vector<F> reference = turn(faceOnB ? b : a, at(block.referenceX, block.referenceY));
+    const Vector<F> other = turn(faceOnB ? a : b, at(block.pointX[point], block.pointY[point]));
+    const F radius = F::Load(block.radius + lane);
+    if constexpr (kKind == OverlapKind::Centers)
+    {
+        const Vector<F> onB = offset + other;
+        result.normal = onB - reference;
+        result.separation = NormalizeOrX(result.normal) - radius;
+        result.armA = F::Set(0.5f) * (reference + onB);
+        result.armB = result.armA - offset;
+        return result;
+    }
+    const Vector<F> normal = turn(faceOnB ? b : a, at(block.normalX, block.normalY));
+    const Vector<F> face = faceOnB ? offset + reference : reference;
+    result.armA = faceOnB ? other : offset + other;
+    result.armB = faceOnB ? other - offset : other;
+    result.separation = Dot(result.armA - face, normal) - radius;
+    result.normal = faceOnB ? -normal : normal;
+    return result;
+}
+
 template <class F>
 struct OverlapSolver
 {
@@ -66,67 +102,10 @@ struct OverlapSolver
 
     F At(const float32* field) const { return F::Load(field + lane); }
 
-    static Vector<F> Add(const Vector<F>& u, const Vector<F>& v) { return {u.x + v.x, u.y + v.y}; }
-    static Vector<F> Subtract(const Vector<F>& u, const Vector<F>& v)
-    {
-        return {u.x - v.x, u.y - v.y};
-    }
-    static Vector<F> Turn(const F (&body)[4], const Vector<F>& v)
-    {
-        return {body[3] * v.x - body[2] * v.y, body[2] * v.x + body[3] * v.y};
-    }
-
     template <OverlapKind kKind>
-    OverlapLanes<F> Measure(int point) const
+    OverlapLanes<F> MeasurePoint(int point) const
     {
-        constexpr bool faceOnB = kKind == OverlapKind::FaceB;
-        OverlapLanes<F> result;
-        const Vector<F> offset = {At(block.offsetX) + b[0] - a[0], At(block.offsetY) + b[1] - a[1]};
-        const Vector<F> reference =
-            Turn(faceOnB ? b : a, {At(block.referenceX), At(block.referenceY)});
-        const Vector<F> other =
-            Turn(faceOnB ? a : b, {At(block.pointX[point]), At(block.pointY[point])});
-        const F radius = At(block.radius);
-        if constexpr (kKind == OverlapKind::Centers)
-        {
-            MeasureCenters(offset, reference, Add(offset, other), radius, result);
-            return result;
-        }
-        const Vector<F> normal = Turn(faceOnB ? b : a, {At(block.normalX), At(block.normalY)});
-        if constexpr (faceOnB)
-        {
-            const Vector<F> above = Subtract(other, Add(offset, reference));
-            result.separation = above.x * normal.x + above.y * normal.y - radius;
-            result.armA = other;
-            result.armB = Subtract(other, offset);
-            result.normal = {-normal.x, -normal.y};
-        }
-        else
-        {
-            const Vector<F> above = Subtract(Add(offset, other), reference);
-            result.separation = above.x * normal.x + above.y * normal.y - radius;
-            result.armA = Add(offset, other);
-            result.armB = other;
-            result.normal = normal;
-        }
-        return result;
-    }
-
-    void MeasureCenters(const Vector<F>& offset, const Vector<F>& onA, const Vector<F>& onB,
-                        F radius, OverlapLanes<F>& result) const
-    {
-        const F zero = F::Set(0.0f);
-        const F one = F::Set(1.0f);
-        const F half = F::Set(0.5f);
-        const Vector<F> between = Subtract(onB, onA);
-        const F length = Sqrt(between.x * between.x + between.y * between.y);
-        const auto apart = AtLeast(length, F::Set(kMinLength));
-        const F inverse = one / Select(apart, length, one);
-        result.normal = {Select(apart, between.x * inverse, one),
-                         Select(apart, between.y * inverse, zero)};
-        result.separation = Select(apart, length, zero) - radius;
-        result.armA = {half * (onA.x + onB.x), half * (onA.y + onB.y)};
-        result.armB = Subtract(result.armA, offset);
+        return Measure<kKind>(block, lane, point, a, b);
     }
 
     static F PushOut(const OverlapLanes<F>& overlap, PushPace pace)
@@ -173,16 +152,12 @@ struct OverlapSolver
 
     /// Returns the separation before the push.
     template <OverlapKind kKind>
-    F PushPoint(PushPace pace)
+    F PushPoint(int point, PushPace pace)
     {
-        const F zero = F::Set(0.0f);
-        const OverlapLanes<F> p = Measure<kKind>(0);
+        const OverlapLanes<F> p = MeasurePoint<kKind>(point);
         const F out = PushOut(p, pace);
-        const auto idle = AtLeast(zero, out);
-        const F mass = Mass(p, p);
-        const auto massless = AtLeast(zero, mass);
-        const F one = F::Set(1.0f);
-        const F impulse = out * Select(massless, zero, one / Select(massless, one, mass));
+        const auto idle = AtLeast(F::Set(0.0f), out);
+        const F impulse = out * InverseOrZero(Mass(p, p));
         Move(Not(idle), p.normal, impulse,
              -At(masses.invInertiaA) * Cross(p.armA, p.normal) * impulse,
              At(masses.invInertiaB) * Cross(p.armB, p.normal) * impulse);
@@ -195,8 +170,8 @@ struct OverlapSolver
     {
         const F zero = F::Set(0.0f);
         const F one = F::Set(1.0f);
-        const OverlapLanes<F> p = Measure<kKind>(0);
-        const OverlapLanes<F> q = Measure<kKind>(1);
+        const OverlapLanes<F> p = MeasurePoint<kKind>(0);
+        const OverlapLanes<F> q = MeasurePoint<kKind>(1);
         const F outP = PushOut(p, pace);
         const F outQ = PushOut(q, pace);
         const auto active = Not(And(AtLeast(zero, outP), AtLeast(zero, outQ)));
@@ -205,42 +180,17 @@ struct OverlapSolver
         {
             return Min(p.separation, q.separation);
         }
-        const F k11 = Mass(p, p);
-        const F k12 = Mass(p, q);
-        const F k22 = Mass(q, q);
-        const F determinant = k11 * k22 - k12 * k12;
-        const auto single = AtLeast(k11 * k11, F::Set(kMaxCondition) * determinant);
+        const PairResponse<F> k = {Mass(p, p), Mass(p, q), Mass(q, q)};
+        const auto single = AtLeast(k.k11 * k.k11, F::Set(kMaxCondition) * k.Determinant());
         nearlyOne = Select(And(active, single), one, zero);
         F x1, x2;
-        const auto solved = Enumerate(k11, k12, k22, determinant, -outP, -outQ, x1, x2);
+        const auto solved = k.Enumerate(-outP, -outQ, x1, x2);
         const auto pushed = And(And(active, Not(single)), solved);
         const F turnA = Cross(p.armA, p.normal) * x1 + Cross(q.armA, q.normal) * x2;
         const F turnB = Cross(p.armB, p.normal) * x1 + Cross(q.armB, q.normal) * x2;
         Move(pushed, p.normal, x1 + x2, -At(masses.invInertiaA) * turnA,
              At(masses.invInertiaB) * turnB);
         return Min(p.separation, q.separation);
-    }
-
-    /// See EnumerateImpulses; tries the cases from the last to the first.
-    static auto Enumerate(F k11, F k12, F k22, F determinant, F b1, F b2, F& x1, F& x2)
-    {
-        const F zero = F::Set(0.0f);
-        auto solved = And(AtLeast(b1, zero), AtLeast(b2, zero));
-        x1 = x2 = zero;
-        const F second = -b2 / k22;
-        const auto secondOnly = And(AtLeast(second, zero), AtLeast(k12 * second + b1, zero));
-        x2 = Select(secondOnly, second, x2);
-        const F first = -b1 / k11;
-        const auto firstOnly = And(AtLeast(first, zero), AtLeast(k12 * first + b2, zero));
-        x1 = Select(firstOnly, first, x1);
-        x2 = Select(firstOnly, zero, x2);
-        const F inverse = F::Set(1.0f) / determinant;
-        const F both1 = inverse * (k12 * b2 - k22 * b1);
-        const F both2 = inverse * (k12 * b1 - k11 * b2);
-        const auto both = And(AtLeast(both1, zero), AtLeast(both2, zero));
-        x1 = Select(both, both1, x1);
-        x2 = Select(both, both2, x2);
-        return Or(Or(solved, secondOnly), Or(firstOnly, both));
     }
 };
 
@@ -253,6 +203,21 @@ float32 SmallestOf(F numbers, float32 smallest)
     for (const float32 number : lanes)
     {
         smallest = number < smallest ? number : smallest;
+    }
+    return smallest;
+}
+
+/// Solves two nearly coincident points of a lane one after the other.
+template <OverlapKind kKind>
+float32 SolveNearlyOnePoint(const OverlapBlock& block, const MassLanes& masses, int lane,
+                            float32* bodies, PushPace pace)
+{
+    float32 smallest = 0.0f;
+    for (int point = 0; point < 2; ++point)
+    {
+        OverlapSolver<simd::Float1> solver(block, masses, lane, bodies);
+        smallest = SmallestOf(solver.PushPoint<kKind>(point, pace), smallest);
+        solver.Store(bodies);
     }
     return smallest;
 }
@@ -278,9 +243,8 @@ float32 SolveOverlapPairs(const OverlapBlock& block, const MassLanes& masses, fl
             {
                 if (lanes[i] == 1.0f)
                 {
-                    const float32 found = SolveNearlyOnePoint(
-                        block, masses, lane + i, reinterpret_cast<SolverBody*>(bodies), pace);
-                    smallest = found < smallest ? found : smallest;
+                    smallest = b2Min(smallest, SolveNearlyOnePoint<kKind>(block, masses, lane + i,
+                                                                          bodies, pace));
                 }
             }
         }
@@ -297,7 +261,7 @@ float32 SolveOverlapPoints(const OverlapBlock& block, const MassLanes& masses, f
     for (int lane = 0; lane < block.count; lane += F::kLanes)
     {
         OverlapSolver<F> solver(block, masses, lane, bodies);
-        smallest = SmallestOf(solver.template PushPoint<kKind>(pace), smallest);
+        smallest = SmallestOf(solver.template PushPoint<kKind>(0, pace), smallest);
         solver.Store(bodies);
     }
     return smallest;

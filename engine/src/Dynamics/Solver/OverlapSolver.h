@@ -6,6 +6,8 @@
 namespace box2d
 {
 
+struct OverlapBlock;
+
 /// Depth, normal and position of a point's overlap, after the displacements so far in this step.
 struct Overlap
 {
@@ -14,8 +16,8 @@ struct Overlap
     float32 separation;
 };
 
-Overlap MeasureOverlap(const OverlapConstraint& o, int32 point, const SolverBody& a,
-                       const SolverBody& b);
+/// Measures a point of one lane.
+Overlap MeasureOverlap(const OverlapBlock& block, int lane, int point, const SolverBody* bodies);
 
 /// The rate of position correction: the fraction of the excess over the slop, limited by `maximum`
 /// [m].
@@ -38,8 +40,5 @@ inline float32 PushOf(const SolverBody& before, const SolverBody& after, float32
 
 /// Reduces a push to a fraction of itself in the same direction.
 void ShortenPush(const SolverBody& before, SolverBody& after, float32 share);
-
-/// Pushes two nearly coincident points one after the other.
-float32 SolveNearlyOnePoint(const OverlapConstraint& o, SolverBody* bodies, PushPace pace);
 
 } // namespace box2d

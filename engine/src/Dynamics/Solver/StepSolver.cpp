@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "StepSolver.h"
-#include "ContactPoints.h"
 #include "Motion.h"
 #include "OverlapSolver.h"
 
@@ -14,6 +13,7 @@
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
+#include <Box2D/Dynamics/b2WorldCallbacks.h>
 
 #include <algorithm>
 #include <atomic>
@@ -30,6 +30,20 @@ namespace
 /// stack in steps of 1/30 and 1/120 s walks by 1.5 m. With 1000 a chain that was hit in a short
 /// step gets 120 m/s (docs/notes/tuned-constants.md).
 constexpr float32 kMaxStepRatio = 10.0f;
+
+/// Calls the listener with the impulses of a contact's manifold.
+void ReportImpulse(b2ContactListener& listener, b2Contact& contact)
+{
+    const b2Manifold& manifold = Data(contact).manifold;
+    b2ContactImpulse impulse;
+    impulse.count = manifold.pointCount;
+    for (int32 i = 0; i < manifold.pointCount; ++i)
+    {
+        impulse.normalImpulses[i] = manifold.points[i].normalImpulse;
+        impulse.tangentImpulses[i] = manifold.points[i].tangentImpulse;
+    }
+    listener.PostSolve(&contact, &impulse);
+}
 
 } // namespace
 

@@ -126,6 +126,20 @@ F Normalize(Vector<F>& v)
     v = Select(hasDirection, inverse * v, v);
     return Select(hasDirection, length, F::Set(0.0f));
 }
+/// The same, but (1, 0) for a vector without a direction.
+template <class F>
+F NormalizeOrX(Vector<F>& v)
+{
+    const F length = Normalize(v);
+    const auto hasDirection = AtLeast(length, F::Set(b2_epsilon));
+    v = Select(hasDirection, v, Vector<F>{F::Set(1.0f), F::Set(0.0f)});
+    return length;
+}
+template <class F>
+Vector<F> Turn(F sine, F cosine, const Vector<F>& v)
+{
+    return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y};
+}
 
 /// Writes the rows of the bodies that can move, given by the bit mask `moves`. Others may be shared
 /// by several contacts of a colour.

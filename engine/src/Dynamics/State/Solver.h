@@ -108,20 +108,6 @@ enum class OverlapKind : uint8
     FaceB,   ///< points of A against a line on B
 };
 
-/// The position constraint of a touching contact, in world axes at the start of the step.
-struct OverlapConstraint
-{
-    b2Vec2 offset;    ///< from centre of mass A to B [m]
-    b2Vec2 normal;    ///< of the face, outward
-    b2Vec2 reference; ///< from its centre of mass to the face (or A's centre point)
-    b2Vec2 points[2]; ///< from the other body's centre of mass
-    float32 radius;   ///< sum of the two skins [m]
-    float32 invMassA, invInertiaA, invMassB, invInertiaB;
-    int32 bodyA, bodyB;
-    int32 pointCount;
-    OverlapKind kind;
-};
-
 /// A body is fast if its displacement in a step exceeds this fraction of its thinnest half. It
 /// could then pass through others, so continuous collision tests it. Two bodies that are not fast
 /// approach in a step by a quarter of both halves at most. Contacts separate them to the right

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../Solver/ContactBlocks.h"
-#include "../Solver/ContactPoints.h"
+#include "../Solver/ContactBlockSolver.h"
 #include "../Solver/Restitution.h"
 
 namespace box2d
@@ -78,11 +77,13 @@ private:
     /// False if the points are too close to be solved together.
     bool SolvePair(float32 wanted1, float32 wanted2, float32 (&x)[2]) const
     {
-        const float32 k11 = ResponseOf(m_block, m_lane, 0, 0);
-        const float32 k12 = ResponseOf(m_block, m_lane, 0, 1);
-        const float32 k22 = ResponseOf(m_block, m_lane, 1, 1);
-        return k11 * k11 < kMaxCondition * (k11 * k22 - k12 * k12) &&
-               EnumerateImpulses(k11, k12, k22, wanted1, wanted2, x[0], x[1]);
+        using F = simd::Float1;
+        F x1, x2;
+        const bool solved =
+            PairResponse<F>::Of(m_block, m_lane).Enumerate(F{wanted1}, F{wanted2}, x1, x2).v;
+        x[0] = x1.v;
+        x[1] = x2.v;
+        return solved && AreCoupled<F>(m_block, m_lane).v;
     }
     void Push(int32 i, float32 impulse)
     {

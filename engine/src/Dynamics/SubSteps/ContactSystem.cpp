@@ -176,7 +176,7 @@ bool IsWedged(BoundedSystem& system, std::size_t contacts, const SolverContext& 
 
 /// Converts an overlap to an item. Its rows separate the points by a fraction of the excess over
 /// the slop, which is also the minimum distance.
-void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverBody* bodies,
+void FillOverlap(const OverlapBlock& o, int32 lane, const ContactData& contact, SolverBody* bodies,
                  PushPace pace, JointRows& rows, BoundedSystem::Item& item)
 {
     rows.Clear();
@@ -187,7 +187,7 @@ void FillOverlap(const OverlapConstraint& o, const ContactData& contact, SolverB
     JointRows::Column& b = rows.Of(Data(*contact.bodyB));
     for (int32 i = 0; i < o.pointCount; ++i)
     {
-        const Overlap overlap = MeasureOverlap(o, i, bodies[o.bodyA], bodies[o.bodyB]);
+        const Overlap overlap = MeasureOverlap(o, lane, i, bodies);
         a.AddTo(i, -overlap.normal, -b2Cross(overlap.armA, overlap.normal));
         b.AddTo(i, overlap.normal, b2Cross(overlap.armB, overlap.normal));
         const b2Vec2 tangent = share * b2Cross(overlap.normal, 1.0f);
@@ -584,12 +584,10 @@ float32 ContactSystem::LeastSeparation(const ContactIsland& island, const Solver
     float32 least = 0.0f;
     for (const Place& place : island.contacts)
     {
-        const ContactBlocks& blocks = solver.contacts[place.color];
-        const OverlapConstraint o = OverlapOf(blocks.Overlaps(place.block),
-                                              blocks.Contacts(place.block).masses, place.lane);
+        const OverlapBlock& o = solver.contacts[place.color].Overlaps(place.block);
         for (int32 k = 0; k < o.pointCount; ++k)
         {
-            least = b2Min(least, MeasureOverlap(o, k, bodies[o.bodyA], bodies[o.bodyB]).separation);
+            least = b2Min(least, MeasureOverlap(o, place.lane, k, bodies).separation);
         }
     }
     return least;
@@ -627,10 +625,9 @@ void ContactSystem::SolveOverlaps(ContactIsland& island, SolverMemory& solver, J
     {
         const Place& place = island.contacts[i];
         ContactBlocks& blocks = solver.contacts[place.color];
-        const ContactBlock& block = blocks.Contacts(place.block);
-        FillOverlap(OverlapOf(blocks.Overlaps(place.block), block.masses, place.lane),
-                    Data(*block.contact[place.lane]), context.bodies, pace, system.Rows(i),
-                    system.At(i));
+        FillOverlap(blocks.Overlaps(place.block), place.lane,
+                    Data(*blocks.Contacts(place.block).contact[place.lane]), context.bodies, pace,
+                    system.Rows(i), system.At(i));
     }
     for (std::size_t i = 0; i < island.joints.size(); ++i)
     {
