@@ -168,12 +168,9 @@ bool StepSolver::IsFree() const
 
 void StepSolver::PrepareContacts()
 {
-    ForColors(Direction::Forward, [this](ContactBlocks& blocks, int32 begin, int32 end) {
-        for (int32 i = begin; i < end; ++i)
-        {
-            const ContactBlock* next = i + 1 < end ? &blocks.Contacts(i + 1) : nullptr;
-            PrepareBlock(blocks.Contacts(i), blocks.Overlaps(i), next, m_context);
-        }
+    ForEachBlock(Direction::Forward, m_threads, [this](ContactBlocks& blocks, int32 i) {
+        const ContactBlock* next = i + 1 < blocks.Count() ? &blocks.Contacts(i + 1) : nullptr;
+        PrepareBlock(blocks.Contacts(i), blocks.Overlaps(i), next, m_context);
     });
 }
 
@@ -244,13 +241,8 @@ void StepSolver::AssignBlocks(int32 color)
 bool StepSolver::SolveContacts(Direction direction, float32 unchanged)
 {
     std::atomic<bool> changed = false;
-    ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
-        bool some = false;
-        for (int32 i = 0; i < end - begin; ++i)
-        {
-            const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
-            some = SolveBlock(blocks.Contacts(index), m_context.bodies, unchanged) || some;
-        }
+    ForEachBlock(direction, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        const bool some = SolveBlock(blocks.Contacts(i), m_context.bodies, unchanged);
         if (some && !changed.load(std::memory_order_relaxed))
         {
             changed.store(true, std::memory_order_relaxed);
@@ -263,14 +255,9 @@ bool StepSolver::SolveContacts(Direction direction, float32 unchanged)
 float32 StepSolver::SolveOverlaps(Direction direction, PushPace pace)
 {
     std::atomic<float32> smallest = 0.0f;
-    ForColors(direction, [&](ContactBlocks& blocks, int32 begin, int32 end) {
-        float32 found = 0.0f;
-        for (int32 i = 0; i < end - begin; ++i)
-        {
-            const int32 index = direction == Direction::Forward ? begin + i : end - 1 - i;
-            found = b2Min(found, SolveBlock(blocks.Overlaps(index), blocks.Contacts(index).masses,
-                                            m_context.bodies, pace));
-        }
+    ForEachBlock(direction, m_threads, [&](ContactBlocks& blocks, int32 i) {
+        const float32 found =
+            SolveBlock(blocks.Overlaps(i), blocks.Contacts(i).masses, m_context.bodies, pace);
         float32 before = smallest.load(std::memory_order_relaxed);
         while (found < before && !smallest.compare_exchange_weak(before, found))
         {}
@@ -296,15 +283,12 @@ void StepSolver::SolveVelocities(int32 iterations)
 void StepSolver::StoreImpulses()
 {
     m_memory.joints.StoreImpulses(m_threads);
-    ForColors(Direction::Forward, [](ContactBlocks& blocks, int32 begin, int32 end) {
-        for (int32 i = begin; i < end; ++i)
+    ForEachBlock(Direction::Forward, m_threads, [](ContactBlocks& blocks, int32 i) {
+        if (i + 1 < blocks.Count())
         {
-            if (i + 1 < end)
-            {
-                ReadAhead(blocks.Contacts(i + 1));
-            }
-            box2d::StoreImpulses(blocks.Contacts(i));
+            ReadAhead(blocks.Contacts(i + 1));
         }
+        box2d::StoreImpulses(blocks.Contacts(i));
     });
 }
 

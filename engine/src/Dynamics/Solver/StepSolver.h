@@ -47,8 +47,6 @@ protected:
     void FindGroups();
     void FindIslands();
     void AssignBlocks(int32 color);
-    template <class Function>
-    void ForColors(Direction direction, Function&& some);
     /// Processes the blocks in order, on the given threads.
     template <class Function>
     void ForEachBlock(Direction direction, ThreadPool* threads, Function&& one);
@@ -103,23 +101,7 @@ void ForGroups(Solver& solver, Function&& function)
 }
 
 /// Processes colour after colour: first contacts that may share bodies, in order; then the blocks
-/// of each colour on all threads. `some` receives a colour's blocks and the range to process.
-template <class Function>
-void StepSolver::ForColors(Direction direction, Function&& some)
-{
-    const int32 count = m_memory.colorCount;
-    for (int32 i = 0; i < count; ++i)
-    {
-        const int32 color = m_memory.colors[direction == Direction::Forward ? i : count - 1 - i];
-        ContactBlocks& blocks = m_memory.contacts[color];
-        ThreadPool* threads = color == ConstraintGraph::kOverflow ? nullptr : m_threads;
-        const BlockRange range = blocks.Of(m_group);
-        ParallelFor(threads, range.end - range.begin, kBlockGrain, [&](int32 begin, int32 end) {
-            some(blocks, range.begin + begin, range.begin + end);
-        });
-    }
-}
-
+/// of each colour on all threads.
 template <class Function>
 void StepSolver::ForEachBlock(Direction direction, ThreadPool* threads, Function&& one)
 {
