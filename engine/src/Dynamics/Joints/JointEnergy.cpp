@@ -121,7 +121,8 @@ bool HasSpring(const b2Joint& joint)
 SpringState SpringOf(const b2Joint& joint, const SolverBody* bodies)
 {
     return WithJoint(joint, [&]<class Joint>(const Joint& j) {
-        return JointAccess::Kind<Joint>::SpringOf(j, JointPair(j, bodies));
+        return JointAccess::Kind<Joint>::SpringOf(j,
+                                                  JointPair(*j.GetBodyA(), *j.GetBodyB(), bodies));
     });
 }
 
@@ -135,7 +136,8 @@ double MaxMotorWork(const b2Joint& joint, const SolverBody* bodies, float32 time
 {
     const auto step = double(timeStep);
     return step * WithJoint(joint, [&]<class Joint>(const Joint& j) {
-               return JointAccess::Kind<Joint>::MaxPower(j, JointPair(j, bodies), step);
+               const JointPair pair(*j.GetBodyA(), *j.GetBodyB(), bodies);
+               return JointAccess::Kind<Joint>::MaxPower(j, pair, step);
            });
 }
 

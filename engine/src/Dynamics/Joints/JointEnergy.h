@@ -26,23 +26,22 @@ struct SpringState
     double EnergyAt(double x) const;
 };
 
-/// The two bodies of a joint after their motion in the step.
+/// The two bodies of a joint after their motion in the step. Temporary, never stored.
 class JointPair
 {
 public:
-    JointPair(const b2Joint& joint, const SolverBody* bodies)
-        : dataA(Data(*joint.GetBodyA())), dataB(Data(*joint.GetBodyB()))
-    {
-        if (bodies != nullptr)
-        {
-            a = bodies[dataA.SolverIndex()];
-            b = bodies[dataB.SolverIndex()];
-        }
-    }
+    /// `bodies` by solver index; null: before the step, at rest.
+    JointPair(const b2Body& bodyA, const b2Body& bodyB, const SolverBody* bodies)
+        : dataA(Data(bodyA)), dataB(Data(bodyB)), a(StateOf(dataA, bodies)),
+          b(StateOf(dataB, bodies))
+    {}
 
+    /// Returns the vector from the centre of mass to a point in the body's frame, in world axes.
     b2Vec2 ArmA(const b2Vec2& local) const { return Arm(dataA, a, local); }
     b2Vec2 ArmB(const b2Vec2& local) const { return Arm(dataB, b, local); }
+    /// Returns the vector from the centre of mass A to that of B.
     b2Vec2 Offset() const { return CenterOffset(dataA, dataB) + b.d - a.d; }
+    /// Returns the angle of B relative to A [rad].
     double Angle() const
     {
         return dataB.pose.angle - dataA.pose.angle + double(b.angle) - double(a.angle);
@@ -64,9 +63,15 @@ public:
 
     const BodyData& dataA;
     const BodyData& dataB;
-    SolverBody a, b;
+    const SolverBody& a;
+    const SolverBody& b;
 
 private:
+    static const SolverBody& StateOf(const BodyData& data, const SolverBody* bodies)
+    {
+        static const SolverBody atRest;
+        return bodies != nullptr ? bodies[data.SolverIndex()] : atRest;
+    }
     static b2Vec2 Arm(const BodyData& data, const SolverBody& body, const b2Vec2& local)
     {
         return b2Mul(body.q, b2Mul(data.rotation, local - data.localCenter));

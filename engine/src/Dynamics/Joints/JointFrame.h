@@ -8,42 +8,21 @@
 #include <Box2D/Dynamics/Joints/b2Joint.h>
 #include <Box2D/Dynamics/b2Body.h>
 
-/// The two bodies of a joint after the displacements so far in the step, and their inverse masses.
-/// Temporary, never stored.
+/// What joints compute from the present poses of their bodies.
 namespace box2d
 {
 
-struct JointFrame
+/// A pair with its inverse masses.
+struct JointFrame : JointPair
 {
     JointFrame(const b2Body& bodyA, const b2Body& bodyB, const SolverContext& context)
-        : dataA(Data(bodyA)), dataB(Data(bodyB)), a(context.bodies[dataA.SolverIndex()]),
-          b(context.bodies[dataB.SolverIndex()]), mA(dataA.SolverInvMass()),
+        : JointPair(bodyA, bodyB, context.bodies), mA(dataA.SolverInvMass()),
           iA(dataA.SolverInvInertia()), mB(dataB.SolverInvMass()), iB(dataB.SolverInvInertia())
     {}
 
-    /// Returns the vector from the centre of mass to a point in the body's frame, in world axes.
-    b2Vec2 ArmA(const b2Vec2& local) const
-    {
-        return b2Mul(a.q, b2Mul(dataA.rotation, local - dataA.localCenter));
-    }
-    b2Vec2 ArmB(const b2Vec2& local) const
-    {
-        return b2Mul(b.q, b2Mul(dataB.rotation, local - dataB.localCenter));
-    }
     /// Returns a direction that is fixed to A, in world axes.
     b2Vec2 AxisOfA(const b2Vec2& local) const { return b2Mul(a.q, b2Mul(dataA.rotation, local)); }
-    /// Returns the vector from the centre of mass A to that of B.
-    b2Vec2 Offset() const { return CenterOffset(dataA, dataB) + b.d - a.d; }
-    /// Returns the angle of B relative to A [rad].
-    double Angle() const
-    {
-        return dataB.pose.angle - dataA.pose.angle + double(b.angle) - double(a.angle);
-    }
 
-    const BodyData& dataA;
-    const BodyData& dataB;
-    SolverBody& a;
-    SolverBody& b;
     float32 mA, iA, mB, iB; ///< inverse masses and inertias
 };
 
