@@ -106,10 +106,10 @@ void Solve(Frame& frame, RowSystem& system, int32 maxUpdates = 16)
     Elimination elimination;
     system.Build(frame.sides, maxUpdates, elimination);
     frame.Fill(system);
-    system.Read();
-    system.Factor();
     for (int32 i = 0; i < system.Components(); ++i)
     {
+        system.Read(i);
+        system.Factor(i);
         system.Solve(i);
         system.Apply(i, frame.context);
     }
@@ -234,9 +234,12 @@ TEST(RowSystem, DoesNotTouchRowsThatAreNotActive)
     frame.Fill(system);
     system.SetActive(0, 1);
     const Vector3 before = SpeedOf(frame.context, system.Rows(0));
-    system.Read();
-    system.Factor();
-    system.Solve();
+    for (int32 i = 0; i < system.Components(); ++i)
+    {
+        system.Read(i);
+        system.Factor(i);
+        system.Solve(i);
+    }
     system.Apply(0, frame.context);
     const Vector3 after = SpeedOf(frame.context, system.Rows(0));
     EXPECT_NEAR(after.at[0], 0.0, 1e-6);

@@ -43,11 +43,6 @@ constexpr double kSameLimit = 0.01;
 /// dozen operations, and a margin. From 0 to 1e-4 no test fails.
 constexpr double kRounding = 8.0 * double(b2_epsilon);
 
-double Limited(double value, double minimum, double maximum)
-{
-    return value < minimum ? minimum : (value > maximum ? maximum : value);
-}
-
 double SpeedFrom(const JointRows::Column& c, int32 row, const SolverBody& s)
 {
     return double(c.x[row]) * double(s.v.x) + double(c.y[row]) * double(s.v.y) +
@@ -155,7 +150,10 @@ void BoundedSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Elimi
 
 void BoundedSystem::Begin(const SolverContext& context)
 {
-    m_system.Read();
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        m_system.Read(i);
+    }
     for (std::size_t i = 0; i < m_items.size(); ++i)
     {
         const JointRows& rows = m_system.Rows(i);
@@ -229,7 +227,7 @@ void BoundedSystem::Limit(const SolverContext& context, std::size_t index, int32
     double& impulse = item.impulse.at[row];
     const bool held = (item.active >> row & 1) != 0;
     const double inside =
-        held ? Limited(impulse, -maximum, maximum) : (impulse < 0.0 ? -maximum : maximum);
+        held ? std::clamp(impulse, -maximum, maximum) : (impulse < 0.0 ? -maximum : maximum);
     if (inside != impulse)
     {
         Vector3 change{};
@@ -456,8 +454,11 @@ bool BoundedSystem::Improve(const SolverContext& context)
                 m_items[i].speeds.at[row] - soft * m_items[i].impulse.at[row] - speed.at[row];
         }
     }
-    m_system.Factor();
-    m_system.Solve();
+    for (int32 i = 0; i < m_system.Components(); ++i)
+    {
+        m_system.Factor(i);
+        m_system.Solve(i);
+    }
     Save(context, m_before);
     bool met = Move(context, 1.0);
     double energy = Energy(context);
@@ -504,7 +505,7 @@ bool BoundedSystem::MoveItem(std::size_t index, double share, Vector3& change)
         const double minimum = item.minimum.at[row];
         const double maximum = item.maximum.at[row];
         const double total = item.impulse.at[row] + share * found.at[row];
-        const double inside = Limited(total, minimum, maximum);
+        const double inside = std::clamp(total, minimum, maximum);
         change.at[row] = inside - item.impulse.at[row];
         item.impulse.at[row] = inside;
         const double step = found.at[row];
@@ -530,7 +531,7 @@ double BoundedSystem::ShareWithin() const
             const double step = m_system.Found(i).at[row];
             const double impulse = item.impulse.at[row];
             const double inside =
-                Limited(impulse + step, item.minimum.at[row], item.maximum.at[row]);
+                std::clamp(impulse + step, item.minimum.at[row], item.maximum.at[row]);
             if ((item.active >> row & 1) != 0 && inside != impulse + step)
             {
                 share = std::min(share, (inside - impulse) / step);

@@ -235,14 +235,6 @@ void RowSystem::Build(const Array<RowSides>& sides, int32 maxUpdates, Eliminatio
     resize(m_entries, m_pattern.rows.size());
 }
 
-void RowSystem::Factor()
-{
-    for (int32 i = 0; i < Components(); ++i)
-    {
-        Factor(i);
-    }
-}
-
 double RowSystem::SquaredFrequency(int32 component) const
 {
     double highest = 0.0;
@@ -341,14 +333,6 @@ std::pair<int32, int32> RowSystem::SidesOf(std::size_t item) const
 {
     const RowPattern::Item* at = m_pattern.items.data() + m_places[item];
     return {at[0].firstSide, at[1].firstSide};
-}
-
-void RowSystem::Read()
-{
-    for (int32 i = 0; i < Components(); ++i)
-    {
-        Read(i);
-    }
 }
 
 void RowSystem::Read(int32 component, double compliance)
@@ -479,14 +463,6 @@ void RowSystem::Substitute(const RowPattern::Component* component)
         }
         x = DividedByDiagonal(x, m_diagonal[place]);
         DivideByUpper(x, m_diagonal[place]);
-    }
-}
-
-void RowSystem::Solve()
-{
-    for (int32 i = 0; i < Components(); ++i)
-    {
-        Solve(i);
     }
 }
 

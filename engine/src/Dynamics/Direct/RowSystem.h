@@ -92,7 +92,6 @@ public:
     /// compliance is e relative to the row's own J M^-1 J^T: the fraction of its error that
     /// remains.
     void Read(int32 component, double compliance = kCompliance);
-    void Read();
     /// Returns the speed of each of an item's rows; `given` is that of the bodies that do not move.
     Vector3 SpeedOf(const SolverContext& context, std::size_t item, const Vector3& given) const;
     /// Applies impulses along an item's rows.
@@ -102,7 +101,6 @@ public:
 
     /// Call after Read, and again after a change of the active rows.
     void Factor(int32 component);
-    void Factor();
     /// Small enough for exact joints. Of the 16 digits of a double, 7 remain for a row's error. If
     /// it is much smaller, rounding pushes a jointed pair, and a large sudden load fails. If it is
     /// much larger, chains of large mass ratios gain energy (docs/notes/tuned-constants.md).
@@ -119,7 +117,6 @@ public:
     Vector3& Residual(std::size_t item) { return m_residuals[item]; }
     /// Computes the impulses that remove the residuals.
     void Solve(int32 component);
-    void Solve();
     const Vector3& Found(std::size_t item) const { return m_found[item]; }
     /// Applies the impulses and adds them to those of the rows.
     void Apply(int32 component, const SolverContext& context);
