@@ -59,114 +59,103 @@ struct GearKernels
     static constexpr int kFirst = kMassNumbers * kWidth;
     static constexpr int kSecond = kFirst + kWidth; ///< masses of the second joint's bodies
 
-    static MovingPair<F> Moving(const JointBlock& block, int lane, int side, const float32* numbers,
-                                const float32* bodies)
+    /// The bodies of one of the two joints.
+    struct Ends
     {
-        return side == 0
-                   ? LoadMoving<F>(block.bodyA + lane, block.bodyB + lane, numbers + lane, bodies)
-                   : LoadMoving<F>(block.bodyC + lane, block.bodyD + lane, numbers + kSecond + lane,
-                                   bodies);
-    }
-    /// One side after the other, because they may share a body.
-    static void Apply(const JointBlock& block, int lane, const Gears& gears, F impulse,
-                      const float32* numbers, float32* bodies)
-    {
-        MovingPair<F> pair = Moving(block, lane, 0, numbers, bodies);
-        ApplyTo(pair, gears.sides[0], impulse);
-        StoreMoving(pair, block.bodyA + lane, block.bodyB + lane, uint32(block.movesA) >> lane,
-                    uint32(block.movesB) >> lane, bodies);
-        pair = Moving(block, lane, 1, numbers, bodies);
-        ApplyTo(pair, gears.sides[1], gears.ratio * impulse);
-        StoreMoving(pair, block.bodyC + lane, block.bodyD + lane, uint32(block.movesC) >> lane,
-                    uint32(block.movesD) >> lane, bodies);
-    }
-    static void ApplyTo(MovingPair<F>& pair, const typename Gears::Side& side, F impulse)
-    {
-        pair.ApplyAlong(side.axis, side.armFrame, side.armBody, impulse);
-    }
+        const int32* a;
+        const int32* b;
+        const float32* masses;
+        uint32 movesA, movesB;
 
-    static void WarmStart(const JointRun& run, float32* bodies)
+        MovingPair<F> Moving(const float32* bodies) const
+        {
+            return LoadMoving<F>(a, b, masses, bodies);
+        }
+        PlacedPair<F> Placed(const float32* bodies) const
+        {
+            return LoadPlaced<F>(a, b, masses, bodies);
+        }
+    };
+    struct Lanes
+    {
+        Gears gears;
+        Ends ends[2];
+
+        /// One side after the other, because they may share a body.
+        void Apply(F impulse, float32* bodies) const
+        {
+            for (int i = 0; i < 2; ++i)
+            {
+                const typename Gears::Side& side = gears.sides[i];
+                const Ends& e = ends[i];
+                MovingPair<F> pair = e.Moving(bodies);
+                pair.ApplyAlong(side.axis, side.armFrame, side.armBody,
+                                i == 0 ? impulse : gears.ratio * impulse);
+                StoreMoving(pair, e.a, e.b, e.movesA, e.movesB, bodies);
+            }
+        }
+        void Move(F impulse, float32* bodies) const
+        {
+            for (int i = 0; i < 2; ++i)
+            {
+                const typename Gears::Side& side = gears.sides[i];
+                const Ends& e = ends[i];
+                PlacedPair<F> pair = e.Placed(bodies);
+                pair.MoveAlong(side.axis, side.armFrame, side.armBody,
+                               i == 0 ? impulse : gears.ratio * impulse);
+                StorePlaced(pair, e.a, e.b, e.movesA, e.movesB, bodies);
+            }
+        }
+    };
+
+    /// Calls the function for each F of lanes, with their numbers.
+    template <class Function>
+    static void ForLanes(const JointRun& run, Function&& function)
     {
         for (const JointBlock& block : run)
         {
-            WarmStart(block, run.NumbersOf(block), bodies);
+            float32* numbers = run.NumbersOf(block);
+            for (int lane = 0; lane < block.count; lane += F::kLanes)
+            {
+                float32* own = numbers + kFirst + lane;
+                Lanes lanes = {LoadNumbers<Gears, F>(own),
+                               {{block.bodyA + lane, block.bodyB + lane, numbers + lane,
+                                 uint32(block.movesA) >> lane, uint32(block.movesB) >> lane},
+                                {block.bodyC + lane, block.bodyD + lane, numbers + kSecond + lane,
+                                 uint32(block.movesC) >> lane, uint32(block.movesD) >> lane}}};
+                function(lanes, own);
+            }
         }
     }
-    static void WarmStart(const JointBlock& block, float32* numbers, float32* bodies)
+    static void WarmStart(const JointRun& run, float32* bodies)
     {
-        for (int lane = 0; lane < block.count; lane += F::kLanes)
-        {
-            const Gears gears = LoadNumbers<Gears, F>(numbers + kFirst + lane);
-            Apply(block, lane, gears, gears.impulse, numbers, bodies);
-        }
+        ForLanes(run, [bodies](const Lanes& lanes, const float32*) {
+            lanes.Apply(lanes.gears.impulse, bodies);
+        });
     }
     static void SolveVelocities(const JointRun& run, float32* bodies)
     {
-        for (const JointBlock& block : run)
-        {
-            SolveVelocities(block, run.NumbersOf(block), bodies);
-        }
-    }
-    static void SolveVelocities(const JointBlock& block, float32* numbers, float32* bodies)
-    {
-        for (int lane = 0; lane < block.count; lane += F::kLanes)
-        {
-            Gears gears = LoadNumbers<Gears, F>(numbers + kFirst + lane);
-            const F speed =
-                gears.sides[0].Speed(Moving(block, lane, 0, numbers, bodies)) +
-                gears.ratio * gears.sides[1].Speed(Moving(block, lane, 1, numbers, bodies));
+        ForLanes(run, [bodies](Lanes& lanes, float32* own) {
+            Gears& gears = lanes.gears;
+            const F speed = gears.sides[0].Speed(lanes.ends[0].Moving(bodies)) +
+                            gears.ratio * gears.sides[1].Speed(lanes.ends[1].Moving(bodies));
             const F change = -gears.mass * speed;
             gears.impulse = gears.impulse + change;
-            StoreNumbers<1, Gears, F>(numbers + kFirst + lane, gears);
-            Apply(block, lane, gears, change, numbers, bodies);
-        }
-    }
-
-    static PlacedPair<F> Placed(const JointBlock& block, int lane, int side, const float32* numbers,
-                                const float32* bodies)
-    {
-        return side == 0
-                   ? LoadPlaced<F>(block.bodyA + lane, block.bodyB + lane, numbers + lane, bodies)
-                   : LoadPlaced<F>(block.bodyC + lane, block.bodyD + lane, numbers + kSecond + lane,
-                                   bodies);
-    }
-    static void Move(const JointBlock& block, int lane, const Gears& gears, F impulse,
-                     const float32* numbers, float32* bodies)
-    {
-        PlacedPair<F> pair = Placed(block, lane, 0, numbers, bodies);
-        MoveTo(pair, gears.sides[0], impulse);
-        StorePlaced(pair, block.bodyA + lane, block.bodyB + lane, uint32(block.movesA) >> lane,
-                    uint32(block.movesB) >> lane, bodies);
-        pair = Placed(block, lane, 1, numbers, bodies);
-        MoveTo(pair, gears.sides[1], gears.ratio * impulse);
-        StorePlaced(pair, block.bodyC + lane, block.bodyD + lane, uint32(block.movesC) >> lane,
-                    uint32(block.movesD) >> lane, bodies);
-    }
-    static void MoveTo(PlacedPair<F>& pair, const typename Gears::Side& side, F impulse)
-    {
-        pair.MoveAlong(side.axis, side.armFrame, side.armBody, impulse);
+            StoreNumbers<1, Gears, F>(own, gears);
+            lanes.Apply(change, bodies);
+        });
     }
     static bool SolvePositions(const JointRun& run, float32* bodies)
     {
         bool joined = true;
-        for (const JointBlock& block : run)
-        {
-            joined = SolvePositions(block, run.NumbersOf(block), bodies) && joined;
-        }
-        return joined;
-    }
-    static bool SolvePositions(const JointBlock& block, float32* numbers, float32* bodies)
-    {
-        bool joined = true;
-        for (int lane = 0; lane < block.count; lane += F::kLanes)
-        {
-            const Gears gears = LoadNumbers<Gears, F>(numbers + kFirst + lane);
-            const F error =
-                gears.error + gears.sides[0].Displacement(Placed(block, lane, 0, numbers, bodies)) +
-                gears.ratio * gears.sides[1].Displacement(Placed(block, lane, 1, numbers, bodies));
-            Move(block, lane, gears, -gears.mass * error, numbers, bodies);
+        ForLanes(run, [&joined, bodies](const Lanes& lanes, const float32*) {
+            const Gears& gears = lanes.gears;
+            const F error = gears.error +
+                            gears.sides[0].Displacement(lanes.ends[0].Placed(bodies)) +
+                            gears.ratio * gears.sides[1].Displacement(lanes.ends[1].Placed(bodies));
+            lanes.Move(-gears.mass * error, bodies);
             joined = joined && !Any(Not(AtLeast(F::Set(b2_linearSlop), Abs(error))));
-        }
+        });
         return joined;
     }
 };

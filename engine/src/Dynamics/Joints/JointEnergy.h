@@ -39,6 +39,8 @@ public:
     /// Returns the vector from the centre of mass to a point in the body's frame, in world axes.
     b2Vec2 ArmA(const b2Vec2& local) const { return Arm(dataA, a, local); }
     b2Vec2 ArmB(const b2Vec2& local) const { return Arm(dataB, b, local); }
+    /// Returns a direction that is fixed to A, in world axes.
+    b2Vec2 AxisOfA(const b2Vec2& local) const { return b2Mul(a.q, b2Mul(dataA.rotation, local)); }
     /// Returns the vector from the centre of mass A to that of B.
     b2Vec2 Offset() const { return CenterOffset(dataA, dataB) + b.d - a.d; }
     /// Returns the angle of B relative to A [rad].

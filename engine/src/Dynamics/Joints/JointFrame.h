@@ -20,9 +20,6 @@ struct JointFrame : JointPair
           iA(dataA.SolverInvInertia()), mB(dataB.SolverInvMass()), iB(dataB.SolverInvInertia())
     {}
 
-    /// Returns a direction that is fixed to A, in world axes.
-    b2Vec2 AxisOfA(const b2Vec2& local) const { return b2Mul(a.q, b2Mul(dataA.rotation, local)); }
-
     float32 mA, iA, mB, iB; ///< inverse masses and inertias
 };
 

@@ -156,23 +156,15 @@ b2GearJoint::b2GearJoint(const b2GearJointDef* def, const b2JointDef& base)
 /// displacements in it.
 double b2GearJoint::Coordinate(const Side& side, const box2d::SolverContext* context)
 {
-    const BodyData& frame = Data(*side.frame);
-    const BodyData& body = Data(*side.body);
-    const box2d::SolverBody none;
-    const box2d::SolverBody& movedFrame = context ? context->bodies[frame.SolverIndex()] : none;
-    const box2d::SolverBody& movedBody = context ? context->bodies[body.SolverIndex()] : none;
+    const box2d::JointPair pair(*side.frame, *side.body, context ? context->bodies : nullptr);
     if (!side.slides)
     {
-        return body.pose.angle + double(movedBody.angle) - frame.pose.angle -
-               double(movedFrame.angle) - double(side.referenceAngle);
+        return pair.dataB.pose.angle + double(pair.b.angle) - pair.dataA.pose.angle -
+               double(pair.a.angle) - double(side.referenceAngle);
     }
-    const b2Vec2 armBody =
-        b2Mul(movedBody.q, b2Mul(body.rotation, side.localAnchorBody - body.localCenter));
-    const b2Vec2 armFrame =
-        b2Mul(movedFrame.q, b2Mul(frame.rotation, side.localAnchorFrame - frame.localCenter));
     const b2Vec2 d =
-        box2d::CenterOffset(frame, body) + movedBody.d - movedFrame.d + armBody - armFrame;
-    return double(b2Dot(d, b2Mul(movedFrame.q, b2Mul(frame.rotation, side.localAxis))));
+        pair.Offset() + pair.ArmB(side.localAnchorBody) - pair.ArmA(side.localAnchorFrame);
+    return double(b2Dot(d, pair.AxisOfA(side.localAxis)));
 }
 
 /// Computes the derivative of the coordinate by the velocities, at the same pose.
@@ -183,16 +175,10 @@ void b2GearJoint::Measure(Side& side, const box2d::SolverContext* context)
     side.armBody = 1.0f;
     if (side.slides)
     {
-        const BodyData& frame = Data(*side.frame);
-        const BodyData& body = Data(*side.body);
-        const box2d::SolverBody none;
-        const box2d::SolverBody& movedFrame = context ? context->bodies[frame.SolverIndex()] : none;
-        const box2d::SolverBody& movedBody = context ? context->bodies[body.SolverIndex()] : none;
-        const b2Vec2 armBody =
-            b2Mul(movedBody.q, b2Mul(body.rotation, side.localAnchorBody - body.localCenter));
-        const b2Vec2 offset = box2d::CenterOffset(frame, body) + movedBody.d - movedFrame.d;
-        side.axis = b2Mul(movedFrame.q, b2Mul(frame.rotation, side.localAxis));
-        side.armFrame = b2Cross(offset + armBody, side.axis);
+        const box2d::JointPair pair(*side.frame, *side.body, context->bodies);
+        const b2Vec2 armBody = pair.ArmB(side.localAnchorBody);
+        side.axis = pair.AxisOfA(side.localAxis);
+        side.armFrame = b2Cross(pair.Offset() + armBody, side.axis);
         side.armBody = b2Cross(armBody, side.axis);
     }
 }

@@ -112,7 +112,7 @@ box2d::SpringState box2d::JointAccess::Kind<b2WheelJoint>::SpringOf(const b2Whee
 {
     const b2Vec2 armB = pair.ArmB(joint.GetLocalAnchorB());
     const b2Vec2 reachA = pair.Offset() + armB;
-    const b2Vec2 axis = b2Mul(pair.a.q, b2Mul(pair.dataA.rotation, joint.GetLocalAxisA()));
+    const b2Vec2 axis = pair.AxisOfA(joint.GetLocalAxisA());
     SpringState spring;
     spring.error = double(b2Dot(axis, reachA - pair.ArmA(joint.GetLocalAnchorA())));
     spring.stiffness =
