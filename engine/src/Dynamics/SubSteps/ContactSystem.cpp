@@ -48,12 +48,7 @@ constexpr float32 kLeastWeight = 1e-4f;
 /// that weight adds in a kick. Loads at rest are off by at most that speed. With 0.3, 1 and 3
 /// pile-ups of ragdolls take the same time, with 10 a fifth more.
 constexpr float32 kImpact = 1.0f;
-/// Contacts are contradictory if they approach by more than these fractions of the pusher's speed
-/// and of the speed that weight adds in a kick: ten and a hundred times kTolerance, so that what
-/// the solution leaves does not count. No verdict changes with 0.1 and 1, or with a hundredth.
-constexpr double kHeld = 1e-3;
-constexpr double kHeldWeight = 0.01;
-/// They are also contradictory above this multiple of the impulse that brings the whole island to
+/// Contacts are contradictory above this multiple of the impulse that brings the whole island to
 /// the pusher's speed and stops its weight. With 1000 a door presses a box at a wall with 32 m/s
 /// instead of 28; with 1 no verdict changes (docs/notes/tuned-constants.md).
 constexpr double kMaxLoad = 10.0;
@@ -118,31 +113,28 @@ double MassOf(const BoundedSystem& system)
     return mass;
 }
 
-/// True if the constraints of the first `contacts` items are contradictory: bodies become too fast,
-/// points still approach, or impulses exceed what the pusher and weight require.
-bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
-              double driven, double weight)
+/// True if the first `contacts` items have an impulse above that which gives all bodies this speed.
+bool HasLoadAbove(BoundedSystem& system, std::size_t contacts, double speed)
 {
-    if (system.HasBurst(context))
-    {
-        return true;
-    }
-    if (!(driven > 0.0))
-    {
-        return false;
-    }
-    const double maximum = kMaxLoad * MassOf(system) * (driven + weight);
+    const double maximum = MassOf(system) * speed;
     for (std::size_t i = 0; i < contacts; ++i)
     {
-        const Vector3 speed = SpeedOf(context, system.Rows(i));
         const Vector3& impulse = system.At(i).impulse;
-        if (b2Min(speed.at[0], speed.at[1]) < -(kHeldWeight * weight + kHeld * driven) ||
-            b2Max(impulse.at[0], impulse.at[1]) > maximum)
+        if (b2Max(impulse.at[0], impulse.at[1]) > maximum)
         {
             return true;
         }
     }
     return false;
+}
+
+/// True if the constraints of the first `contacts` items are contradictory: bodies become too fast,
+/// or impulses exceed what the pusher and weight require.
+bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
+              double driven, double weight)
+{
+    return system.HasBurst(context) ||
+           (driven > 0.0 && HasLoadAbove(system, contacts, kMaxLoad * (driven + weight)));
 }
 
 /// True if contacts hold each other by friction with impulses that nothing requires. What an impact
@@ -162,16 +154,7 @@ bool IsWedged(BoundedSystem& system, std::size_t contacts, const SolverContext& 
             return false;
         }
     }
-    const double maximum = kMaxWedged * MassOf(system) * (fastest + weight);
-    for (std::size_t i = 0; i < contacts; ++i)
-    {
-        const Vector3& impulse = system.At(i).impulse;
-        if (b2Max(impulse.at[0], impulse.at[1]) > maximum)
-        {
-            return true;
-        }
-    }
-    return false;
+    return HasLoadAbove(system, contacts, kMaxWedged * (fastest + weight));
 }
 
 /// Converts an overlap to an item. Its rows separate the points by a fraction of the excess over
