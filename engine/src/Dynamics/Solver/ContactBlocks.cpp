@@ -402,10 +402,10 @@ void LimitFriction(ContactBlock& block, SolverBody* bodies)
     KernelsOf(block).limitFriction(block, Numbers(bodies));
 }
 
-void FindErrors(const ContactBlock& block, const SolverBody* bodies, const ErrorBounds& bounds,
+void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sticks,
                 float32 (&off)[kBlockLanes])
 {
-    KernelsOf(block).findErrors(block, reinterpret_cast<const float32*>(bodies), bounds, off);
+    KernelsOf(block).findErrors(block, reinterpret_cast<const float32*>(bodies), sticks, off);
 }
 
 bool SolveBlock(ContactBlock& block, SolverBody* bodies, float32 unchanged)
