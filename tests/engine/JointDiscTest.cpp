@@ -81,4 +81,26 @@ TEST_P(JointDisc, PullsARowAslantWithNoMoreThanItsForce)
     EXPECT_GT(largest, 99.0f);
 }
 
+/// What has no force has no direction either.
+TEST_P(JointDisc, LeavesARowAloneWithoutForce)
+{
+    const auto placeAfter = [](bool joined) {
+        Row row(GetParam(), 5, -1.0f);
+        if (joined)
+        {
+            b2FrictionJointDef def;
+            def.Initialize(row.Post(), row.ball, b2Vec2_zero);
+            def.maxTorque = 1.0f;
+            row.world.CreateJoint(&def);
+        }
+        for (int i = 0; i < 60; ++i)
+        {
+            row.last->ApplyForceToCenter(9.0f * Row::kAslant);
+            row.Step();
+        }
+        return row.ball->GetPosition().Length();
+    };
+    EXPECT_NEAR(placeAfter(true), placeAfter(false), 1e-4f);
+}
+
 } // namespace

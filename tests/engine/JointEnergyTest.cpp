@@ -72,7 +72,6 @@ TEST(MotorWork, IsForceTimesSpeedTimesTime)
     EXPECT_NEAR(box2d::MaxMotorWork(*joint, nullptr, 0.5f), 60.0, 1e-4);
 }
 
-/// Whatever the number of sub-steps.
 TEST(MotorWork, OfAMotorJointCorrectsAShareOfItsErrorInAStep)
 {
     Scene scene;

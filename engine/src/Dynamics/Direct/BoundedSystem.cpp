@@ -31,8 +31,8 @@ constexpr double kMinSpeedBefore = 1.0;
 /// of the marked kinetic energy and of the work of bringing all bodies from kMinSpeedBefore to the
 /// target speed. A body of mass m at v that gets the speed s takes m (v + s) s of work; levers need
 /// some more. Where a contact and a limit contradict each other, the work was 1e4 times as large.
-/// Without kMinSpeedBefore a load at rest on a limit exceeds it, too, because the limit gives way
-/// by micrometres.
+/// Without kMinSpeedBefore a load at rest on a limit exceeds it, too, because it sinks into the
+/// limit by micrometres.
 constexpr double kMaxWork = 10.0;
 
 /// Limits with a smaller relative difference are equal: friction that is off by 1 % is not worth
@@ -131,9 +131,9 @@ float32 BoundedSystem::ErrorOf(const SolverContext& context, const JointRows& ro
     return float32(error);
 }
 
-void BoundedSystem::Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination)
+void BoundedSystem::Build(const Array<RowSides>& sides, int32 maxUpdates, Elimination& elimination)
 {
-    m_system.Build(sides, mostUpdates, elimination);
+    m_system.Build(sides, maxUpdates, elimination);
     const auto resize = [](auto& array, std::size_t count) {
         MakeRoom(array, count);
         array.resize(count);
@@ -238,6 +238,13 @@ void BoundedSystem::Limit(const SolverContext& context, std::size_t index, int32
     }
 }
 
+/// Without a force the rows stay at their bounds of zero.
+bool BoundedSystem::IsDisc(std::size_t index) const
+{
+    const JointRows& rows = m_system.Rows(index);
+    return rows.disc && rows.laws[0].maximum > 0.0f;
+}
+
 /// Returns the impulse that the first two rows need. It is longer than their maximum if they slip.
 b2Vec2 BoundedSystem::DiscImpulse(const SolverContext& context, std::size_t index) const
 {
@@ -260,13 +267,12 @@ b2Vec2 BoundedSystem::DiscImpulse(const SolverContext& context, std::size_t inde
 
 bool BoundedSystem::HasOtherDisc(const SolverContext& context, std::size_t index) const
 {
-    const JointRows& rows = m_system.Rows(index);
-    if (!rows.disc)
+    if (!IsDisc(index))
     {
         return false;
     }
     const Item& item = m_items[index];
-    const float32 maximum = rows.laws[0].maximum;
+    const float32 maximum = m_system.Rows(index).laws[0].maximum;
     const b2Vec2 needed = DiscImpulse(context, index);
     const bool slipped = item.minimum.at[0] == item.maximum.at[0];
     const b2Vec2 off = ClampLength(needed, maximum) -
@@ -276,13 +282,12 @@ bool BoundedSystem::HasOtherDisc(const SolverContext& context, std::size_t index
 
 void BoundedSystem::LimitDisc(const SolverContext& context, std::size_t index)
 {
-    const JointRows& rows = m_system.Rows(index);
-    if (!rows.disc)
+    if (!IsDisc(index))
     {
         return;
     }
     Item& item = m_items[index];
-    const float32 maximum = rows.laws[0].maximum;
+    const float32 maximum = m_system.Rows(index).laws[0].maximum;
     const b2Vec2 needed = DiscImpulse(context, index);
     const bool slips = needed.Length() > maximum;
     const b2Vec2 held = ClampLength(needed, maximum);

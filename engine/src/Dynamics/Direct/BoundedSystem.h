@@ -33,7 +33,7 @@ public:
     /// may move away from it.
     static float32 ErrorOf(const SolverContext& context, const JointRows& rows, const Item& item);
 
-    void Build(const Array<RowSides>& sides, int32 mostUpdates, Elimination& elimination);
+    void Build(const Array<RowSides>& sides, int32 maxUpdates, Elimination& elimination);
     bool IsExact() const { return m_system.IsExact(); }
     std::size_t Count() const { return m_items.size(); }
     JointRows& Rows(std::size_t item) { return m_system.Rows(item); }
@@ -76,6 +76,7 @@ private:
     double FastestOfGiven(Motion&& motion) const;
     /// Returns the maximum speed that a body with infinite mass gives to a row [m/s].
     double FastestGiven(const SolverContext& context) const;
+    bool IsDisc(std::size_t item) const;
     b2Vec2 DiscImpulse(const SolverContext& context, std::size_t item) const;
     bool Improve(const SolverContext& context);
     bool Release(const SolverContext& context, double tolerance);

@@ -21,7 +21,7 @@ struct FrictionLanes
 
     Vector<F> impulse;                      ///< [N s]
     F angularImpulse;                       ///< [N m s]
-    F maximum, mostAngular;                 ///< their maximum
+    F maximum, maxAngular;                  ///< their maximum
     Vector<F> armA, armB;                   ///< at the start of the step [m]
     typename PairMasses<F>::Matrix inverse; ///< of the matrix of the point
     F angularMass;
@@ -40,7 +40,7 @@ struct FrictionLanes
 
     void SolveAngular(MovingPair<F>& pair, F speed)
     {
-        const F total = Clamp(angularImpulse - angularMass * speed, -mostAngular, mostAngular);
+        const F total = Clamp(angularImpulse - angularMass * speed, -maxAngular, maxAngular);
         pair.ApplyAngular(total - angularImpulse);
         angularImpulse = total;
     }

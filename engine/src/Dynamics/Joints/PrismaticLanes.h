@@ -68,7 +68,7 @@ struct PrismaticLanes
     F angleError;                           ///< at the start of the step [rad]
     HeldRow<F> row;                         ///< along the axis, while the other two are held
     F hasMotor, hasLimits;                  ///< 1 or 0
-    F motorSpeed, mostMotor;                ///< [m/s], [N s]
+    F motorSpeed, maxMotor;                 ///< [m/s], [N s]
     F lower, upper;                         ///< [m]
     F lowerSpeed, upperSpeed;               ///< that reach the limits in this step [m/s]
 
@@ -112,7 +112,7 @@ struct PrismaticLanes
     void SolveMotor(MovingPair<F>& pair)
     {
         const F wanted = motorImpulse + row.mass * (motorSpeed - AxialSpeed(pair));
-        const F total = Clamp(wanted, -mostMotor, mostMotor);
+        const F total = Clamp(wanted, -maxMotor, maxMotor);
         Push(pair, IsSet(hasMotor), total, motorImpulse);
     }
 

@@ -36,7 +36,7 @@ struct RevoluteLanes
     struct Axial
     {
         HeldRow<F> row;           ///< the angle, while the point is held
-        F motorSpeed, mostMotor;  ///< [rad/s], [N m s]
+        F motorSpeed, maxMotor;   ///< [rad/s], [N m s]
         F angle, lower, upper;    ///< at the start of the step [rad]
         F lowerSpeed, upperSpeed; ///< that reach the limits in this step [rad/s]
     };
@@ -62,7 +62,7 @@ struct RevoluteLanes
             return;
         }
         axial.row = HeldRow<F>::AngleOfPoint(pair, armA, armB);
-        axial.mostMotor = F::Set(kick.share) * start.axial.mostMotor;
+        axial.maxMotor = F::Set(kick.share) * start.axial.maxMotor;
         const F zero = F::Set(0.0f);
         const F rate = F::Set(kick.inverseDrift);
         const F angle = start.axial.angle + pair.b.angle - pair.a.angle;
@@ -94,7 +94,7 @@ struct RevoluteLanes
     {
         const F speed = pair.wB - pair.wA - axial.motorSpeed;
         const F total =
-            Clamp(motorImpulse - axial.row.mass * speed, -axial.mostMotor, axial.mostMotor);
+            Clamp(motorImpulse - axial.row.mass * speed, -axial.maxMotor, axial.maxMotor);
         Turn(pair, IsSet(hasMotor), total, motorImpulse);
     }
 

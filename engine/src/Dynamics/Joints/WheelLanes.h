@@ -32,8 +32,8 @@ struct WheelLanes
     F rigidMass;          ///< effective mass, perpendicular
     F springMass, bias, gamma;
     F motorMass;
-    F hasMotor;              ///< 1 or 0
-    F motorSpeed, mostMotor; ///< [rad/s], [N m s]
+    F hasMotor;             ///< 1 or 0
+    F motorSpeed, maxMotor; ///< [rad/s], [N m s]
 
     void WarmStart(MovingPair<F>& pair, uint8) const
     {
@@ -60,7 +60,7 @@ struct WheelLanes
     void SolveMotor(MovingPair<F>& pair)
     {
         const F speed = pair.wB - pair.wA - motorSpeed;
-        const F total = Clamp(motorImpulse - motorMass * speed, -mostMotor, mostMotor);
+        const F total = Clamp(motorImpulse - motorMass * speed, -maxMotor, maxMotor);
         MovingPair<F> driven = pair;
         driven.ApplyAngular(total - motorImpulse);
         pair.Take(IsSet(hasMotor), driven);

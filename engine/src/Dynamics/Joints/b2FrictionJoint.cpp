@@ -34,7 +34,7 @@ void b2FrictionJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     lane.Write(box2d::FrictionLanes<float32>{.impulse = box2d::InLanes(m_impulse),
                                              .angularImpulse = m_angularImpulse,
                                              .maximum = context.timeStep * m_maxForce,
-                                             .mostAngular = context.timeStep * m_maxTorque,
+                                             .maxAngular = context.timeStep * m_maxTorque,
                                              .armA = box2d::InLanes(armA),
                                              .armB = box2d::InLanes(armB),
                                              .inverse = box2d::InverseInLanes(matrix),

@@ -40,7 +40,7 @@ void b2MotorJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
         box2d::MotorLanes<float32>{.friction = {.impulse = box2d::InLanes(m_impulse),
                                                 .angularImpulse = m_angularImpulse,
                                                 .maximum = context.timeStep * m_maxForce,
-                                                .mostAngular = context.timeStep * m_maxTorque,
+                                                .maxAngular = context.timeStep * m_maxTorque,
                                                 .armA = box2d::InLanes(armA),
                                                 .armB = box2d::InLanes(armB),
                                                 .inverse = box2d::InverseInLanes(matrix),

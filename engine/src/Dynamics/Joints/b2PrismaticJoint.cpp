@@ -81,7 +81,7 @@ void b2PrismaticJoint::FillLane(const box2d::SolverContext& context, box2d::Join
                      .hasMotor = box2d::Flag(m_enableMotor),
                      .hasLimits = box2d::Flag(m_enableLimit),
                      .motorSpeed = m_motorSpeed,
-                     .mostMotor = context.timeStep * m_maxMotorForce,
+                     .maxMotor = context.timeStep * m_maxMotorForce,
                      .lower = m_lowerTranslation,
                      .upper = m_upperTranslation,
                      .lowerSpeed = toLower * context.inverseStep,

@@ -63,7 +63,7 @@ void b2RevoluteJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
                                                        {{armB.x}, {armB.y}});
     lanes.axial = {.row = box2d::NumbersOf(row),
                    .motorSpeed = m_motorSpeed,
-                   .mostMotor = context.timeStep * m_maxMotorTorque,
+                   .maxMotor = context.timeStep * m_maxMotorTorque,
                    .angle = angle,
                    .lower = m_lowerAngle,
                    .upper = m_upperAngle,

@@ -72,7 +72,7 @@ void b2WheelJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
               .motorMass = box2d::InverseOrZero(f.iA + f.iB),
               .hasMotor = box2d::Flag(m_enableMotor),
               .motorSpeed = m_motorSpeed,
-              .mostMotor = context.timeStep * m_maxMotorTorque});
+              .maxMotor = context.timeStep * m_maxMotorTorque});
 }
 
 void b2WheelJoint::KeepImpulses(const box2d::JointLane& lane)

@@ -71,9 +71,9 @@ public:
         std::memcpy(m_bytes.data() + m_size, bytes, sizeof(Number));
         m_size += sizeof(Number);
     }
-    void Count(int32& count, std::size_t leastBytes)
+    void Count(int32& count, std::size_t minBytes)
     {
-        (void)leastBytes;
+        (void)minBytes;
         PutNumber(count);
     }
     template <class Value>
@@ -132,11 +132,11 @@ public:
         m_left = m_left.subspan(sizeof(Number));
         return number;
     }
-    /// The number of items that follow, each of at least `leastBytes`.
-    void Count(int32& count, std::size_t leastBytes)
+    /// The number of items that follow, each of at least `minBytes`.
+    void Count(int32& count, std::size_t minBytes)
     {
         count = TakeNumber<int32>();
-        Require(count >= 0 && std::size_t(count) <= m_left.size() / leastBytes);
+        Require(count >= 0 && std::size_t(count) <= m_left.size() / minBytes);
         count = m_sound ? count : 0;
     }
     /// Reads a number or enumerator and checks its range.

@@ -154,14 +154,14 @@ void Visit(Archive& archive, BodyData& body)
 template <class Archive>
 void VisitFixtures(Archive& archive, World& world, b2Body& body)
 {
-    constexpr std::size_t leastBytes = 32;
+    constexpr std::size_t minBytes = 32;
     Array<b2Fixture*> fixtures;
     for (b2Fixture* f = body.GetFixtureList(); f; f = f->GetNext())
     {
         fixtures.push_back(f);
     }
     auto count = int32(fixtures.size());
-    archive.Count(count, leastBytes);
+    archive.Count(count, minBytes);
     fixtures.resize(std::size_t(count));
     for (auto f = fixtures.rbegin(); f != fixtures.rend() && archive.IsSound(); ++f)
     {
@@ -172,10 +172,10 @@ void VisitFixtures(Archive& archive, World& world, b2Body& body)
 template <class Archive>
 void VisitBodies(Archive& archive, World& world)
 {
-    constexpr std::size_t leastBytes = sizeof(BodyData) / 4;
+    constexpr std::size_t minBytes = sizeof(BodyData) / 4;
     Array<b2Body*>& bodies = archive.lists.bodies;
     auto count = int32(bodies.size());
-    archive.Count(count, leastBytes);
+    archive.Count(count, minBytes);
     bodies.resize(std::size_t(count));
     int32 number = -1;
     for (int32 i = 0; i < count && archive.IsSound(); ++i)

@@ -17,8 +17,8 @@ void SnapshotAccess::Visit(Archive& archive, b2DynamicTree& tree)
 {
     auto& [nodes, root, capacity, nodeCount, proxyCount, freeList, leaves, order] = tree;
     typedef b2DynamicTree::Node Node;
-    constexpr std::size_t leastBytes = 2 * sizeof(int32); // size of a free node
-    archive.Count(capacity, leastBytes);
+    constexpr std::size_t minBytes = 2 * sizeof(int32); // size of a free node
+    archive.Count(capacity, minBytes);
     if constexpr (Archive::kReads)
     {
         nodes =

@@ -52,10 +52,10 @@ void VisitContact(Archive& archive, World& world, b2Contact*& contact)
 template <class Archive>
 void VisitContacts(Archive& archive, World& world)
 {
-    constexpr std::size_t leastBytes = 64;
+    constexpr std::size_t minBytes = 64;
     Array<b2Contact*>& contacts = archive.lists.contacts;
     auto count = int32(contacts.size());
-    archive.Count(count, leastBytes);
+    archive.Count(count, minBytes);
     contacts.resize(std::size_t(count));
     if constexpr (Archive::kReads)
     {

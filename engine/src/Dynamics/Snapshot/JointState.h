@@ -91,10 +91,10 @@ b2Joint* VisitJoint(Archive& archive, World& world, b2Joint* joint)
 template <class Archive>
 void VisitJoints(Archive& archive, World& world)
 {
-    constexpr std::size_t leastBytes = 48;
+    constexpr std::size_t minBytes = 48;
     const Array<b2Joint*> known = archive.lists.joints;
     auto count = int32(known.size());
-    archive.Count(count, leastBytes);
+    archive.Count(count, minBytes);
     int32 number = -1;
     for (int32 i = 0; i < count && archive.IsSound(); ++i)
     {

@@ -17,9 +17,9 @@ void SnapshotAccess::Visit(Archive& archive, Islands& islands)
 {
     // `seenIslands` is empty between steps, and `sleepy` is scratch.
     auto& [all, free, seenIslands, sleepy, members, stack, version] = islands;
-    constexpr std::size_t leastBytes = 2 * sizeof(int32);
+    constexpr std::size_t minBytes = 2 * sizeof(int32);
     auto count = int32(all.size());
-    archive.Count(count, leastBytes);
+    archive.Count(count, minBytes);
     all.resize(std::size_t(count));
     for (int32 i = 0; i < count && archive.IsSound(); ++i)
     {

@@ -106,11 +106,12 @@ void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& wo
 template <class Archive>
 void SnapshotAccess::Visit(Archive& archive, JointSystem& system, const World& world)
 {
-    // The joints that are iterated are chosen again in each step.
+    // The joints that are iterated are chosen again in each step, and their sides found. A step
+    // sets what its first kick reads.
     auto& [joints, sides, rowSystem, parts, trees, treeOf, solutions, rowed, iteratedJoints,
            iterated, threads, hasBounded, states, totals, kicks, poses, carriers, opened, left,
-           speeds, now, elimination, partJoints, begins, lastInverseStep, share, version,
-           awakeVersion, restored, restoredVersion] = system;
+           noted, notedGaps, speeds, now, elimination, partJoints, begins, lastInverseStep, share,
+           version, awakeVersion, restored, restoredVersion] = system;
     const int32 present = world.graph.JointVersion();
     bool followed = version == present || restoredVersion == present;
     archive(followed);

@@ -19,7 +19,7 @@ namespace
 /// The sine's next term, angle^5 / 120 (SmallTurn), is 8e-6 rad then. On a lever of 10 m, the
 /// largest size that the manual advises, that is 0.08 mm, a sixtieth of the slop. With 10 rad
 /// large boxes lose 12 % of their energy (docs/notes/tuned-constants.md).
-constexpr float32 kMostTurn = 0.25f;
+constexpr float32 kMaxTurn = 0.25f;
 
 template <class F, OverlapKind kKind>
 struct BlockPreparer
@@ -104,7 +104,7 @@ struct BlockPreparer
         const auto pressed = AtLeast(press, F::Set(std::numeric_limits<float32>::min()));
         const F time = Select(pressed, F::Set(context.middle), F::Set(0.0f));
         const F spin = Max(Max(bodies.a[2], -bodies.a[2]), Max(bodies.b[2], -bodies.b[2]));
-        const F slow = Min(time, F::Set(kMostTurn) / Max(spin, F::Set(1.0f)));
+        const F slow = Min(time, F::Set(kMaxTurn) / Max(spin, F::Set(1.0f)));
         if (kKind != OverlapKind::Centers)
         {
             return slow;
@@ -112,7 +112,7 @@ struct BlockPreparer
         // Two points turn their line, too, the faster the nearer they are.
         const Vector<F> line = p.offset + p.points[0] - p.reference;
         const Vector<F> speed = SpeedOf(bodies.b, p.points[0]) - SpeedOf(bodies.a, p.reference);
-        const F most = Sqrt(F::Set(kMostTurn * kMostTurn) * Dot(line, line) /
+        const F most = Sqrt(F::Set(kMaxTurn * kMaxTurn) * Dot(line, line) /
                             Max(Dot(speed, speed), F::Set(std::numeric_limits<float32>::min())));
         return Min(slow, most);
     }

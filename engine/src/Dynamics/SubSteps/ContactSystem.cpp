@@ -37,10 +37,10 @@ constexpr int32 kMaxRounds = 8;
 constexpr float32 kJammedSoftness = 0.1f;
 /// Of contacts without weight [m/s]: speeds of 10 m/s are rounded by as much. With 1e-4 a stack of
 /// 20 sways by 18 mm instead of 0.2 (docs/notes/tuned-constants.md).
-constexpr float32 kLeastTolerance = 1e-6f;
-/// Weight counts as at least this speed [m/s], for worlds without gravity. At 60 Hz with 4
-/// sub-steps weight adds 0.04 m/s. No test fails with 1e-6 or 0.01.
-constexpr float32 kLeastWeight = 1e-4f;
+constexpr float32 kMinTolerance = 1e-6f;
+/// Added to the speed that weight adds in a kick [m/s], for worlds without gravity. At 60 Hz with 4
+/// sub-steps that speed is 0.04 m/s. No test fails with 1e-6 or 0.01.
+constexpr float32 kMinWeight = 1e-4f;
 /// An impact goes on in an island in which a contact is off by more than this multiple of the speed
 /// that weight adds in a kick. Loads at rest are off by at most that speed. With 0.3, 1 and 3
 /// pile-ups of ragdolls take the same time, with 10 a fifth more.
@@ -95,7 +95,7 @@ bool MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Hol
     }
     if (changed)
     {
-        limitDiscs();
+        limitDiscs(); // not solved again: some impulses would then exceed their maximum
     }
     return !changed;
 }
@@ -455,9 +455,9 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
         return;
     }
     FindResiduals(solver, group, context.bodies);
-    const float32 tolerance = kTolerance * weight + kLeastTolerance;
+    const float32 tolerance = kTolerance * weight + kMinTolerance;
     ForSelected(group, [&](ContactIsland& island) {
-        const bool inImpact = island.residual > kImpact * (weight + kLeastWeight);
+        const bool inImpact = island.residual > kImpact * (weight + kMinWeight);
         island.inImpact = inImpact && !IsAtRisk(island, solver, joints);
         // The last iteration of contacts leaves no error at a load that rests squarely on a joint's
         // body, but all of it in the joint.
@@ -469,7 +469,7 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
             (island.residual > tolerance || std::ranges::any_of(island.joints, isOff)) &&
             Follow(island, solver, joints);
         const bool driven = solve && SolveVelocities(island, solver, joints, context,
-                                                     {tolerance, weight + kLeastWeight});
+                                                     {tolerance, weight + kMinWeight});
         // Impulses of an impact are not passed on: the next kick would apply them again.
         // WarmStartGuard exempts islands that a platform moves.
         const bool ends = driven && inImpact;
@@ -531,8 +531,7 @@ bool ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     // What is squeezed may hold itself by friction with any load. Then limits that were not found
     // would let the loads grow from round to round.
     const auto isSqueezed = [&] {
-        return jammed || driven > 0.0 ||
-               LeastSeparation(island, solver, context.bodies) < -kSqueezed;
+        return jammed || driven > 0.0 || MinSeparation(island, solver, context.bodies) < -kSqueezed;
     };
     if (!found && isSqueezed())
     {
@@ -558,8 +557,8 @@ bool ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
 }
 
 /// Returns the separation of the points of the island that overlap most [m]; 0 if none does.
-float32 ContactSystem::LeastSeparation(const ContactIsland& island, const SolverMemory& solver,
-                                       const SolverBody* bodies)
+float32 ContactSystem::MinSeparation(const ContactIsland& island, const SolverMemory& solver,
+                                     const SolverBody* bodies)
 {
     float32 least = 0.0f;
     for (const Place& place : island.contacts)
@@ -585,7 +584,7 @@ void ContactSystem::SolveOverlaps(SolverMemory& solver, const IslandGroup& group
         {
             return;
         }
-        if (LeastSeparation(island, solver, context.bodies) < -kMaxOverlap &&
+        if (MinSeparation(island, solver, context.bodies) < -kMaxOverlap &&
             Follow(island, solver, joints))
         {
             SolveOverlaps(island, solver, joints, context, pace);

@@ -71,11 +71,11 @@ private:
     struct Speeds // [m/s]
     {
         float32 tolerance; // of a solution
-        float32 weight;    // that weight adds in a kick, at least kLeastWeight
+        float32 weight;    // that weight adds in a kick, and kMinWeight
     };
 
-    static float32 LeastSeparation(const ContactIsland& island, const SolverMemory& solver,
-                                   const SolverBody* bodies);
+    static float32 MinSeparation(const ContactIsland& island, const SolverMemory& solver,
+                                 const SolverBody* bodies);
     static bool IsAtRisk(const ContactIsland& island, SolverMemory& solver,
                          const JointSystem& joints);
     void ChooseContactIslands(const AwakeIslands& islands);

@@ -6,7 +6,6 @@
 #include "JointSystem.h"
 
 #include <algorithm>
-#include <map>
 
 /// Closing of joints after a drift, a part of JointSystem.
 namespace box2d
@@ -382,22 +381,27 @@ JointSystem::Impulses JointSystem::GapsOf(b2Joint& joint, const SolverContext& c
     return gaps;
 }
 
-/// Impacts wake bodies, and with them joints. Those stay as open as they are now.
+/// Impacts wake bodies, and with them joints. Those stay as open as they are now. Both lists are
+/// sorted by the joints' numbers.
 void JointSystem::FollowOpen(const ConstraintGraph& graph, const SolverContext& context)
 {
-    std::map<const b2Joint*, Impulses> noted;
-    if (m_version != graph.JointVersion())
+    if (m_version == graph.JointVersion())
     {
-        for (std::size_t i = 0; i < m_joints.size(); ++i)
-        {
-            noted[m_joints[i]] = m_left[i];
-        }
+        return; // also where a listener has put a body to sleep since
     }
-    Update(graph, m_awakeVersion); // what a listener has put to sleep since stays in it
-    for (std::size_t i = 0; i < m_joints.size() && !noted.empty(); ++i)
+    m_noted = m_joints;
+    m_notedGaps.swap(m_left);
+    Update(graph, m_awakeVersion);
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < m_joints.size(); ++i)
     {
-        const auto before = noted.find(m_joints[i]);
-        m_left[i] = before != noted.end() ? before->second : GapsOf(*m_joints[i], context);
+        while (before < m_noted.size() &&
+               JointAccess::Number(*m_noted[before]) < JointAccess::Number(*m_joints[i]))
+        {
+            ++before;
+        }
+        const bool known = before < m_noted.size() && m_noted[before] == m_joints[i];
+        m_left[i] = known ? m_notedGaps[before] : GapsOf(*m_joints[i], context);
     }
 }
 

@@ -144,7 +144,7 @@ void JointSystem::BeginParts(const SolverContext& context, float32 share, float3
     }
     m_lastInverseStep = lastInverseStep;
     m_share = share;
-    m_begins = true;
+    m_begins = !m_joints.empty(); // threads of groups, which have no joints, only read it
 }
 
 /// Components in contact with others use their number of drifts.

@@ -316,6 +316,8 @@ private:
     Array<Carrier> m_carriers;       // of infinite mass, of one part
     Array<SolverBody> m_opened;      // by index: before joints were closed
     Array<Impulses> m_left;          // per joint: the error that may remain
+    Array<b2Joint*> m_noted;         // scratch of FollowOpen: the joints
+    Array<Impulses> m_notedGaps;     // and the errors before
     Array<Vector3> m_speeds;         // scratch: per joint
     JointRows m_now;                 // scratch
     Elimination m_elimination;       // scratch of Update, reused as joints wake and sleep
