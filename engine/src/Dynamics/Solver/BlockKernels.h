@@ -17,7 +17,7 @@ struct BlockKernels
                  bool addsLast);
     void (*addToTotals)(const ContactBlock& block, BlockTotals& totals);
     void (*limitFriction)(ContactBlock& block, float32* bodies);
-    void (*findErrors)(const ContactBlock& block, const float32* bodies, float32 sticks,
+    void (*findErrors)(const ContactBlock& block, const float32* bodies, const ErrorBounds& bounds,
                        float32* off);
     bool (*solve)(ContactBlock& block, float32* bodies, float32 unchanged);
     float32 (*solveOverlaps)(const OverlapBlock& block, const MassLanes& masses, float32* bodies,

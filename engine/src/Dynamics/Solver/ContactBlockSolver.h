@@ -352,7 +352,8 @@ void LimitFriction(ContactBlock& block, float32* bodies)
 }
 
 template <class F>
-void FindErrors(const ContactBlock& block, const float32* bodies, float32 sticks, float32* off)
+void FindErrors(const ContactBlock& block, const float32* bodies, const ErrorBounds& bounds,
+                float32* off)
 {
     const F zero = F::Set(0.0f);
     for (int lane = 0; lane < block.count; lane += F::kLanes)
@@ -367,6 +368,7 @@ void FindErrors(const ContactBlock& block, const float32* bodies, float32 sticks
         const F across = x * at(block.normalY) - y * at(block.normalX) - at(block.tangentSpeed);
         const F invMass = at(block.masses.invMassA) + at(block.masses.invMassB);
         const F ownSpeed = Abs(a[0]) + Abs(a[1]) + Abs(b[0]) + Abs(b[1]);
+        const F maxRounding = F::Set(bounds.rounding);
         F largest = F::Load(off + lane);
         for (int i = 0; i < block.pointCount; ++i)
         {
@@ -378,12 +380,12 @@ void FindErrors(const ContactBlock& block, const float32* bodies, float32 sticks
             const F speed = along + turnB - turnA;
             const F slip = across + dragB - dragA;
             const F push = at(p.normalImpulse);
-            const F limit = F::Set(sticks) * at(block.friction) * push;
+            const F limit = F::Set(bounds.sticks) * at(block.friction) * push;
             const F normal = Select(Less(zero, push), Abs(speed), -speed);
             const F tangent = Select(Less(Abs(at(p.tangentImpulse)), limit), Abs(slip), zero);
             const F speeds = ownSpeed + Abs(turnA) + Abs(turnB) + Abs(dragA) + Abs(dragB);
             const F rounding = F::Set(kRounding) * invMass * push + F::Set(kSpeedRounding) * speeds;
-            largest = Max(largest, Max(normal, tangent) - rounding);
+            largest = Max(largest, Max(normal, tangent) - Min(rounding, maxRounding));
         }
         largest.Store(off + lane);
     }

@@ -402,10 +402,10 @@ void LimitFriction(ContactBlock& block, SolverBody* bodies)
     KernelsOf(block).limitFriction(block, Numbers(bodies));
 }
 
-void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sticks,
+void FindErrors(const ContactBlock& block, const SolverBody* bodies, const ErrorBounds& bounds,
                 float32 (&off)[kBlockLanes])
 {
-    KernelsOf(block).findErrors(block, reinterpret_cast<const float32*>(bodies), sticks, off);
+    KernelsOf(block).findErrors(block, reinterpret_cast<const float32*>(bodies), bounds, off);
 }
 
 bool SolveBlock(ContactBlock& block, SolverBody* bodies, float32 unchanged)

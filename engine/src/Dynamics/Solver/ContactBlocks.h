@@ -211,10 +211,16 @@ void AddToTotals(const ContactBlock& block, BlockTotals& totals);
 /// Reduces friction that exceeds its limit, because normal impulses have become smaller since it
 /// was solved.
 void LimitFriction(ContactBlock& block, SolverBody* bodies);
+/// What does not count as an error, see FindErrors.
+struct ErrorBounds
+{
+    float32 sticks;   ///< a contact sticks below this fraction of its friction limit
+    float32 rounding; ///< at most so much is taken for rounding [m/s]
+};
 /// Raises `off` to the error of each contact's speeds [m/s], beyond the rounding of its impulse and
 /// of its bodies' speeds. A normal error is an approach, or any speed of a point that pushes;
-/// tangential errors count while it sticks, below the fraction `sticks` of its friction limit.
-void FindErrors(const ContactBlock& block, const SolverBody* bodies, float32 sticks,
+/// tangential errors count while it sticks.
+void FindErrors(const ContactBlock& block, const SolverBody* bodies, const ErrorBounds& bounds,
                 float32 (&off)[kBlockLanes]);
 /// One iteration. False if no impulse changed a speed by more than `unchanged` [m/s]. With 0: if
 /// that is so for all contacts, no other iteration over them would change an impulse.

@@ -86,7 +86,7 @@ private:
     void SolveOverlaps(ContactIsland& island, SolverMemory& solver, JointSystem& joints,
                        const SolverContext& context, PushPace pace);
     void FindResiduals(const SolverMemory& solver, const IslandGroup& group,
-                       const SolverBody* bodies);
+                       const SolverBody* bodies, float32 maxRounding);
     template <class Function>
     void ForSelected(const IslandGroup& group, Function&& function);
     int32 TakeContactIsland();
