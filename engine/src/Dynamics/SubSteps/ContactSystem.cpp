@@ -6,6 +6,7 @@
 #include "../Joints/JointEnergy.h"
 #include "../Solver/SolverMemory.h"
 #include "ContactItem.h"
+#include "Jams.h"
 #include "JointSystem.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
@@ -50,15 +51,6 @@ constexpr float32 kMinWeight = 1e-4f;
 /// that weight adds in a kick. Loads at rest are off by at most that speed. With 0.3, 1 and 3
 /// pile-ups of ragdolls take the same time, with 10 a fifth more.
 constexpr float32 kImpact = 1.0f;
-/// Contacts are contradictory above this multiple of the impulse that brings the whole island to
-/// the pusher's speed and stops its weight. With 1000 a door presses a box at a wall with 32 m/s
-/// instead of 28; with 1 no verdict changes (docs/notes/tuned-constants.md).
-constexpr double kMaxLoad = 10.0;
-/// A body between two sides of another one holds itself by friction with any impulse. Without
-/// joints and forces, contacts are softened above this multiple of the impulse that stops the
-/// island and its weight. With 100 a tray that tilts still throws its box
-/// (docs/notes/sub-steps-motors-and-jams.md).
-constexpr double kMaxWedged = 30.0;
 /// Displacements that an inactive row may violate its condition by [m]: far below the 0.15 slops
 /// between kMaxOverlap and kRestOverlap.
 constexpr float32 kDisplacementTolerance = 0.01f * b2_linearSlop;
@@ -103,60 +95,6 @@ bool MinimizeWithFriction(BoundedSystem& system, std::size_t contacts, const Hol
         limitDiscs(); // not solved again: some impulses would then exceed their maximum
     }
     return !changed;
-}
-
-double MassOf(const BoundedSystem& system)
-{
-    double mass = 0.0;
-    for (const BodyData* body : system.Bodies())
-    {
-        mass += 1.0 / double(body->SolverInvMass());
-    }
-    return mass;
-}
-
-/// True if the first `contacts` items have an impulse above that which gives all bodies this speed.
-bool HasLoadAbove(BoundedSystem& system, std::size_t contacts, double speed)
-{
-    const double maximum = MassOf(system) * speed;
-    for (std::size_t i = 0; i < contacts; ++i)
-    {
-        const Vector3& impulse = system.At(i).impulse;
-        if (b2Max(impulse.at[0], impulse.at[1]) > maximum)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// True if the constraints of the first `contacts` items are contradictory: bodies become too fast,
-/// or impulses exceed what the pusher and weight require.
-bool IsJammed(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
-              double driven, double weight)
-{
-    return system.HasBurst(context) ||
-           (driven > 0.0 && HasLoadAbove(system, contacts, kMaxLoad * (driven + weight)));
-}
-
-/// True if contacts hold each other by friction with impulses that nothing requires. What an impact
-/// requires follows from the speeds at the start of the step. Forces may require any.
-bool IsWedged(BoundedSystem& system, std::size_t contacts, const SolverContext& context,
-              double weight)
-{
-    double fastest = 0.0;
-    for (const BodyData* body : system.Bodies())
-    {
-        const SolverBody& s = context.bodies[body->SolverIndex()];
-        const float32 v = b2Max(s.v.Length(), body->linearVelocity.Length());
-        const float32 w = b2Max(b2Abs(s.w), b2Abs(body->angularVelocity));
-        fastest = std::max(fastest, double(v + w * body->maxExtent));
-        if (body->force != b2Vec2_zero || body->torque != 0.0f)
-        {
-            return false;
-        }
-    }
-    return HasLoadAbove(system, contacts, kMaxWedged * (fastest + weight));
 }
 
 /// Converts an overlap to an item. Its rows separate the points by a fraction of the excess over
@@ -522,9 +460,8 @@ bool ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     };
     system.Mark(context);
     bool found = MinimizeWithFriction(system, count, holds, context, tolerance);
-    const bool jammed =
-        IsJammed(system, count, context, driven, double(speeds.weight)) ||
-        (island.joints.empty() && IsWedged(system, count, context, double(speeds.weight)));
+    const bool jammed = IsJammed(system, count, context, driven, double(speeds.weight)) ||
+                        IsWedged(system, count, context, double(speeds.weight));
     if (jammed)
     {
         system.GoBack(context);
