@@ -15,10 +15,11 @@
 /// - without sub-steps, pose corrections that loaded springs;
 /// - without sub-steps, the whole displacement, if velocities loaded springs that they cannot pay;
 /// - velocity.
-/// Relative velocity within the island is removed first, because that conserves momentum. Old gains
-/// are removed slowly. Losses count as credit. A loaded chain that iterations do not hold rigidly
-/// returns the energy of stopping it, and opened joints lift their bodies when they close. Bodies
-/// store their island's account in shares, so that islands can merge and split.
+/// Relative velocity within the island is removed first, because that conserves momentum. Gains are
+/// removed slowly, but for large ones in the step in which velocities gain them. Losses count as
+/// credit. A loaded chain that iterations do not hold rigidly returns the energy of stopping it,
+/// and opened joints lift their bodies when they close. Bodies store their island's account in
+/// shares, so that islands can merge and split.
 ///
 /// While an island's debt is at most a hundredth of its scale, no bit of its motion changes. Only
 /// islands with joints at risk (IsAtRisk, TurnsFar) have accounts. Nothing is removed from islands
@@ -73,9 +74,14 @@ private:
     struct Account
     {
         int32 island = -1;
-        double debt = 0.0;  ///< negative: credit [J]
+        double owed = 0.0;             ///< from earlier steps; negative: credit [J]
+        double gained = 0.0;           ///< in this step [J]
+        double gainedByVelocity = 0.0; ///< if bodies moved by their velocities alone [J]
         double past = 0.0;  ///< decaying maximum of the kinetic energy, before the step [J]
         double scale = 0.0; ///< the same after the step
+        double share = 0.0; ///< what is owed after the step, as a fraction of the scale
+
+        double Debt() const { return owed + gained; }
     };
 
     int32 AccountOf(const BodyData& body) const;

@@ -90,12 +90,12 @@ void SnapshotAccess::Visit(Archive& archive, EnergyGuard& guard, const World& wo
         version = world.graph.JointVersion();
     }
     auto count = int32(accounts.size());
-    archive.Count(count, 3 * sizeof(double));
+    archive.Count(count, 6 * sizeof(double));
     accounts.resize(std::size_t(count));
     for (auto& account : accounts)
     {
-        auto& [island, debt, past, scale] = account;
-        archive(island, debt, past, scale);
+        auto& [island, owed, gained, gainedByVelocity, past, scale, share] = account;
+        archive(island, owed, gained, gainedByVelocity, past, scale, share);
     }
     if (count > 0)
     {
