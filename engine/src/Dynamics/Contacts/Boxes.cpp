@@ -104,12 +104,13 @@ float32 RoomIn(const b2AABB& outer, const b2AABB& inner)
 }
 
 /// Returns the maximum difference of boxes in single precision from those of the exact pose, now
-/// and later [m]. Each of a few operations is rounded.
+/// and later [m]. A bound takes eight roundings by half an epsilon: sine, cosine, origin, two
+/// products, two sums, skin. Both boxes have eight epsilons together. This is twice that.
 float32 BoxRounding(const BodyData& body)
 {
-    constexpr float32 operations = 16.0f;
+    constexpr float32 epsilons = 16.0f;
     const float32 farthest = b2Abs(body.worldCenter.x) + b2Abs(body.worldCenter.y) + body.maxExtent;
-    return operations * b2_epsilon * farthest;
+    return epsilons * b2_epsilon * farthest;
 }
 
 /// Call after an impact. The boxes then also contain the rest of the path.

@@ -17,6 +17,8 @@ namespace box2d
 /// Up to `end` the calling thread updates; what others write is not asked for.
 inline void ReadAhead(const World& world, std::size_t present, std::size_t end)
 {
+    // Affects the time only. Prefetching every contact as well, 24 or 64 updates ahead, changes no
+    // time (docs/notes/collision-speed.md). No note compares other distances for bodies.
     constexpr std::size_t ahead = 24;
     const std::size_t later = present + ahead;
     if (later >= world.awakeContacts.size())

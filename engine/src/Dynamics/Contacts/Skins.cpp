@@ -41,10 +41,9 @@ bool IsPlaced(const World& world, const ContactData& c)
 }
 
 /// A body that is put on a shape of the ground must be this far within it [m], also after its path
-/// in this time [s]. The time is longer than
-/// pushing out its skins takes. The distance is twice the skins of two polygons; no test fails with
-/// 0 or 0.4 m. With 0.05 s a box that is pushed later slides on thin skins
-/// (docs/notes/tuned-constants.md).
+/// in this time [s]. The distance is twice the skins of two polygons; no test fails with 0 or 0.4
+/// m. The time is longer than pushing out its skins takes. With 0.05 s a box that is pushed later
+/// slides on thin skins (docs/notes/tuned-constants.md).
 constexpr float32 kWithin = 4.0f * b2_polygonRadius;
 constexpr float32 kWithinFor = 0.5f;
 

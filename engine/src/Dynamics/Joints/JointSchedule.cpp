@@ -250,7 +250,7 @@ void FillPair(const b2Body& bodyA, const b2Body& bodyB, int lane, int32* a, int3
 /// Prefetches the joints of a block.
 void ReadAhead(const JointBlock& block)
 {
-    constexpr std::size_t line = 64;
+    constexpr std::size_t line = 64; // of the cache of x86 and most ARM processors [bytes]
     for (int lane = 0; lane < block.count; ++lane)
     {
         const auto* joint = reinterpret_cast<const char*>(block.joint[lane]);

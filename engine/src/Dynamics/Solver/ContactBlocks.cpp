@@ -72,7 +72,8 @@ OverlapKind KindOf(const b2Manifold& manifold)
 void ContactBlocks::Reserve(std::size_t contactCount, bool sharesBodies, int32 groups)
 {
     // For each form the last block of a group may be partly empty.
-    constexpr std::size_t forms = 5;
+    // Centers measures one point, FaceA and FaceB one or two.
+    constexpr std::size_t forms = 1 + 2 * b2_maxManifoldPoints;
     const std::size_t maximum =
         sharesBodies
             ? contactCount
@@ -126,7 +127,11 @@ void ContactBlocks::Sort(const Array<b2Contact*>& contacts, bool sharesBodies,
         std::copy(contacts.begin(), contacts.end(), m_sorted.begin());
         return;
     }
+    // Affects the time only, because contacts of a colour share no dynamic body. More buckets order
+    // bodies more finely. The sum with the groups must fit into the byte of a bucket number. No
+    // note compares other values.
     constexpr std::size_t maximum = 64;
+    static_assert(maximum + IslandGroups::kMaxCount <= 256);
     const std::size_t buckets = sharesBodies ? 1 : b2Min(maximum, contacts.size() / kPartLanes + 1);
     std::size_t ends[maximum + IslandGroups::kMaxCount] = {};
     std::size_t groupCounts[IslandGroups::kMaxCount] = {};

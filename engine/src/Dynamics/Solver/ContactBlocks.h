@@ -215,7 +215,7 @@ void LimitFriction(ContactBlock& block, SolverBody* bodies);
 struct ErrorBounds
 {
     float32 sticks;   ///< a contact sticks below this fraction of its friction limit
-    float32 rounding; ///< at most so much is taken for rounding [m/s]
+    float32 rounding; ///< maximum error that counts as rounding [m/s]
 };
 /// Raises `off` to the error of each contact's speeds [m/s], beyond the rounding of its impulse and
 /// of its bodies' speeds. A normal error is an approach, or any speed of a point that pushes;

@@ -26,7 +26,8 @@ public:
     /// (docs/notes/sub-steps-direct-solver.md).
     static constexpr float32 kTolerance = 1e-4f;
     /// Overlaps that iterations leave above this are brought to less [m]: under any load less than
-    /// a slop is left.
+    /// a slop is left. It is between the slop and kRestOverlap, at which the solution aims. With
+    /// 0.82, 1 and 1.5 slops stacks of 16 to 50 boxes stand as well; nothing else was compared.
     static constexpr float32 kMaxOverlap = 0.95f * b2_linearSlop;
 
     /// Call once per step, after the blocks were prepared and the awake islands were found.

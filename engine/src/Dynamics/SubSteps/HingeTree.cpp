@@ -26,7 +26,8 @@ constexpr float32 kLastShare = 0.75f;
 
 /// Forces of a drift that are this many times those of the last step are a jerk. It tears hinges if
 /// the inertia does not follow it. An inertia that follows smaller changes as well feeds the
-/// swings that change it (docs/notes/sub-steps-chains.md).
+/// swings that change it. With 1.5 a ball of 1e5:1 gains 240 % of energy; 3 is as good as 2
+/// (docs/notes/sub-steps-chains.md).
 constexpr double kJerk = 2.0;
 /// Relative energy error of a step: more than the truncation error of swings that drifts can
 /// follow. With a tenth steps are repeated for that error; with ten times as much chains of 1000:1

@@ -101,10 +101,12 @@ void b2PosesBetween::Show(b2Body& body, const Pose& pose)
     }
     m_owns.push_back(
         {&body, data.pose, data.rotation, data.transform, data.worldCenter, data.room});
+    // Rounds up: the conversion to float may lower the distance by 6e-8 of it.
+    constexpr double kRoundedUp = 1.0001;
     // The arc is longer than its chord, so this is an upper bound.
     const double distance = Distance(pose, data.pose) +
                             std::fabs(pose.angle - data.pose.angle) * double(data.maxExtent);
-    m_farthest = b2Max(m_farthest, float32(1.0001 * distance)); // rounded up
+    m_farthest = b2Max(m_farthest, float32(kRoundedUp * distance));
     data.pose = pose;
     box2d::SynchronizePose(data);
 }
