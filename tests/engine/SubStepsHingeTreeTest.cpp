@@ -224,4 +224,42 @@ TEST(SubStepsHingeTree, ComesToRestUnderALoadOfAThousandLinks)
     }
 }
 
+/// A pendulum that has touched a large pile stays in its island, whose joints are iterated. It
+/// then hung from forces of zero.
+TEST(SubStepsHingeTree, ReportsItsForcesInALargeIsland)
+{
+    for (const int32 count : {2, 4, 8})
+    {
+        Scene scene;
+        scene.world.SetSubStepCount(count);
+        scene.world.SetAllowSleeping(false);
+        Scene::AddBox(scene.Body(b2_staticBody, 0.0f, -1.0f), 50.0f, 1.0f);
+        constexpr int32 kRows = 14;
+        for (int32 row = 0; row < kRows; ++row)
+        {
+            for (int32 i = 0; i < kRows - row; ++i)
+            {
+                scene.Box(-20.0f + float32(i) + 0.5f * float32(row), 0.5f + float32(row));
+            }
+        }
+        const b2Vec2 pivot(-20.0f + 0.5f * float32(kRows - 1), float32(kRows) + 2.0f);
+        b2Body* upper = scene.Box(pivot.x, pivot.y - 0.5f, 0.1f, 0.5f);
+        b2Body* lower = scene.Box(pivot.x, pivot.y - 1.5f, 0.1f, 0.5f); // stands on the pile
+        b2RevoluteJointDef hinge;
+        hinge.Initialize(scene.Body(b2_staticBody, pivot.x, pivot.y), upper, pivot);
+        const b2Joint* const top = scene.world.CreateJoint(&hinge);
+        hinge.Initialize(upper, lower, pivot - b2Vec2(0.0f, 1.0f));
+        scene.world.CreateJoint(&hinge);
+        scene.Step(10);
+        ASSERT_NE(lower->GetContactList(), nullptr);
+        ASSERT_TRUE(lower->GetContactList()->contact->IsTouching());
+        b2Filter filter;
+        filter.maskBits = 0;
+        lower->GetFixtureList()->SetFilterData(filter);
+        scene.Step(30);
+        const float32 weight = 10.0f * (upper->GetMass() + lower->GetMass());
+        EXPECT_NEAR(top->GetReactionForce(1.0f / kStep).y, weight, 0.05f * weight) << count;
+    }
+}
+
 } // namespace

@@ -160,6 +160,7 @@ void JointSystem::BeginPart(int32 index, const SolverContext& context, const Bod
     if (tree != -1 && !part.touched && m_trees[std::size_t(tree)].Begin(context, kicks))
     {
         part.tree = &m_trees[std::size_t(tree)];
+        part.iterated = false;
     }
     if (!part.IsByRows())
     {
