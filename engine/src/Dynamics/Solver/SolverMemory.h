@@ -11,6 +11,23 @@
 namespace box2d
 {
 
+/// The impulses of a contact that bounced in a corner before the iterations of its step.
+struct CornerImpulse
+{
+    const b2Contact* contact;
+    float32 normal[2], tangent[2];
+};
+
+/// Scratch memory of BounceInCorners.
+struct CornerMemory
+{
+    Array<b2Contact*> contacts;    ///< of one body
+    Array<ContactBlock> blocks;    ///< one for each contact, and more of earlier bodies
+    Array<OverlapBlock> overlaps;  ///< one for each block
+    Array<BlockTotals> totals;     ///< the same
+    Array<CornerImpulse> impulses; ///< of all bodies, for the listener
+};
+
 /// The scratch memory of the solver and the other stages of a step. Owned by the world and reused
 /// in every step.
 struct SolverMemory
@@ -25,6 +42,7 @@ struct SolverMemory
     JointSchedule joints;
     AwakeIslands islands; ///< for sub-steps and groups
     IslandGroups groups;
+    CornerMemory corners;
     Array<uint8> left;          ///< by awake body: true if a shape has left its box
     Array<b2Contact*> reported; ///< contacts with impulses to report to the listener, in order
 };

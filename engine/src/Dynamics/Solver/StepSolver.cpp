@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "StepSolver.h"
+#include "Corners.h"
 #include "Motion.h"
 #include "OverlapSolver.h"
 
@@ -31,8 +32,9 @@ namespace
 /// step gets 120 m/s (docs/notes/tuned-constants.md).
 constexpr float32 kMaxStepRatio = 10.0f;
 
-/// Calls the listener with the impulses of a contact's manifold.
-void ReportImpulse(b2ContactListener& listener, b2Contact& contact)
+/// Calls the listener with the impulses of a contact's manifold, and of its bounce in a corner.
+void ReportImpulse(b2ContactListener& listener, b2Contact& contact,
+                   const Array<CornerImpulse>& bounces)
 {
     const b2Manifold& manifold = Data(contact).manifold;
     b2ContactImpulse impulse;
@@ -41,6 +43,12 @@ void ReportImpulse(b2ContactListener& listener, b2Contact& contact)
     {
         impulse.normalImpulses[i] = manifold.points[i].normalImpulse;
         impulse.tangentImpulses[i] = manifold.points[i].tangentImpulse;
+    }
+    const auto bounce = std::ranges::find(bounces, &contact, &CornerImpulse::contact);
+    for (int32 i = 0; i < manifold.pointCount && bounce != bounces.end(); ++i)
+    {
+        impulse.normalImpulses[i] += bounce->normal[i];
+        impulse.tangentImpulses[i] += bounce->tangent[i];
     }
     listener.PostSolve(&contact, &impulse);
 }
@@ -154,6 +162,11 @@ void StepSolver::AssignContacts()
             AssignBlocks(m_memory.colors[i]);
         }
     });
+}
+
+void StepSolver::BounceInCorners()
+{
+    box2d::BounceInCorners(m_world, m_memory.corners, m_context);
 }
 
 void StepSolver::AssignJoints()
@@ -320,9 +333,10 @@ void StepSolver::ReportImpulses()
     {
         if (m_world.listener != nullptr) // it may remove itself
         {
-            ReportImpulse(*m_world.listener, *contact);
+            ReportImpulse(*m_world.listener, *contact, m_memory.corners.impulses);
         }
     }
+    m_memory.corners.impulses.clear();
 }
 
 /// Call with -1 before pushes and with 1 after them.

@@ -28,6 +28,8 @@ public:
     void IntegrateVelocities();
     void AssignContacts();
     void AssignJoints();
+    /// Call before PrepareContacts.
+    void BounceInCorners();
     /// True if no awake body has a contact or joint.
     bool IsFree() const;
     void PrepareContacts();

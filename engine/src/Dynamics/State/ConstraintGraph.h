@@ -30,6 +30,18 @@ public:
     static constexpr int32 kOverflow = 24;
     static constexpr int32 kColorCount = kOverflow + 1;
 
+    /// Contacts with bodies that are not dynamic take the highest free colour, others the lowest.
+    /// From this one on, a colour therefore has few others.
+    static constexpr int32 kFirstOfGround = kOverflow / 2;
+    /// True if the colour is the second one, from the highest, of a body that has no colour below
+    /// kFirstOfGround. Such a body touches at least two bodies that are not dynamic.
+    static bool IsSecondOfGround(uint32 colorMask, int32 color)
+    {
+        const uint32 above = colorMask >> (color + 1);
+        const uint32 below = colorMask & ((1u << kFirstOfGround) - 1u);
+        return below == 0 && above != 0 && (above & (above - 1u)) == 0;
+    }
+
     void Add(b2Contact& contact);
     void Remove(b2Contact& contact);
     void Add(b2Joint& joint);

@@ -4,9 +4,9 @@
 #include "../Solver/OverlapSolver.h"
 
 #include "../Energy/EnergyGuard.h"
+#include "../Solver/Bouncer.h"
 #include "../State/Access.h"
 #include "../State/ProfileScope.h"
-#include "Bouncer.h"
 
 #include <Box2D/Dynamics/Contacts/b2Contact.h>
 #include <Box2D/Dynamics/b2Body.h>
@@ -33,9 +33,6 @@ namespace
 /// Without a warm start: the manual's number of a whole step. With 1 and 64 no test fails; with 64
 /// forty boxes rest after 6.4 s instead of 3.9 (docs/notes/tuned-constants.md).
 constexpr int32 kMinColdIterations = 8;
-/// Iterations over what bounces in a row: an impulse passes from one body to the next in each, so a
-/// row of 64 balls is exact in any order. A bound; no test fails with 8 or 512.
-constexpr int32 kMaxBounces = 64;
 /// Maximum speed at which a contact pushes out an initial overlap [m/s]: 5 cm a frame. A higher
 /// speed looks like a jump (Catto, "Solver2D", 2024, has a similar bound). Of card houses with
 /// overlaps, at 24 places, 4 fall with it, 11 and 23 with 1 and 0.3

@@ -82,6 +82,7 @@ void SolveAwake(World& world, float32 timeStep, int32 velocityIterations, int32 
         world.energyGuard->Begin(world, *world.solver, timeStep);
         solve.AssignContacts();
         solve.AssignJoints();
+        solve.BounceInCorners();
     }
     if (solve.IsFree())
     {

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../Solver/ContactBlockSolver.h"
-#include "../Solver/Restitution.h"
+#include "ContactBlockSolver.h"
+#include "Restitution.h"
 
 namespace box2d
 {
 
-/// Restitution of one contact of a block, before the first kick of a step with sub-steps
-/// (SubStepSolver::Bounce). Independent of other contacts and joints.
+/// Iterations over what bounces in a row: an impulse passes from one body to the next in each, so a
+/// row of 64 balls is exact in any order. In a wedge of 3 degrees a ball turns back in 30. A bound;
+/// no test fails with 512.
+inline constexpr int32 kMaxBounces = 64;
+
+/// Restitution of one contact of a block, before contacts are solved: in sub-steps of all contacts
+/// (SubStepSolver::Bounce), in a whole step of those in corners (Corners.h). Independent of other
+/// contacts and joints.
 class Bouncer
 {
 public:
