@@ -194,6 +194,43 @@ TEST(SubStepsHingeTree, ClosesAnOpenHingeWithoutResidualSpeed)
     EXPECT_LT(second->GetLinearVelocity().Length(), 0.5f) << "at most " << fastest;
 }
 
+/// Steps that gained energy by truncation were repeated, and those that lost it were kept. Chains
+/// lost 35 to 62 % of their largest kinetic energy in 20 s.
+TEST(SubStepsHingeTree, KeepsItsEnergyInAWhip)
+{
+    struct Case
+    {
+        float32 load; // in masses of a link
+        int32 count;
+        double loss;
+    };
+    for (const Case& c : {Case{1.0f, 2, 0.2}, Case{1.0f, 4, 0.1}, Case{1.0f, 8, 0.02},
+                          Case{10.0f, 2, 0.4}, Case{10.0f, 4, 0.2}, Case{10.0f, 8, 0.05}})
+    {
+        SmallScene s(b2Vec2(0.0f, -kGravity), c.count);
+        b2Body* last = s.Post();
+        for (int32 i = 0; i < 20; ++i)
+        {
+            b2Body* link = s.Part(0.25f + 0.5f * float32(i), 0.0f, 0.25f, 0.06f);
+            s.Hinge(last, link, 0.5f * float32(i), 0.0f);
+            last = link;
+        }
+        b2Body* load = s.Part(10.3f, 0.0f, 0.3f, 0.3f);
+        load->GetFixtureList()->SetDensity(c.load * last->GetMass() / 0.36f);
+        load->ResetMassData();
+        s.Hinge(last, load, 10.0f, 0.0f);
+        const double start = s.Energy();
+        double largest = 0.0;
+        for (int32 step = 0; step < 1200; ++step)
+        {
+            s.Step();
+            largest = std::max(largest, s.Kinetic());
+            EXPECT_LT(s.Energy(), start + 0.02 * largest) << c.load << ":1, " << c.count;
+        }
+        EXPECT_GT(s.Energy(), start - c.loss * largest) << c.load << ":1, " << c.count;
+    }
+}
+
 /// Links under this tension would swing back too fast for a drift, and get more inertia. While that
 /// followed each kick's tension, it fed swings of 18 rad/s, and the chain never came to rest.
 TEST(SubStepsHingeTree, ComesToRestUnderALoadOfAThousandLinks)

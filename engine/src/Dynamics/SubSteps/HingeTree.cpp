@@ -33,9 +33,9 @@ constexpr double kJerk = 2.0;
 /// follow. With a tenth steps are repeated for that error; with ten times as much chains of 1000:1
 /// gain 1.1 % of energy (docs/notes/tuned-constants.md).
 constexpr double kGainedShare = 2e-3;
-/// A step that gained energy or tore a hinge is repeated with stiffened hinges. It takes this many
-/// times as many sub-steps, and no fewer than these. With as many as before, a ball of 1000:1 tears
-/// its chain (docs/notes/sub-steps-chains.md).
+/// A step that lost energy is repeated, and one that gained energy or tore a hinge, with stiffened
+/// hinges. It takes this many times as many sub-steps, and no fewer than these. With as many as
+/// before, a ball of 1000:1 tears its chain (docs/notes/sub-steps-chains.md).
 constexpr int32 kSafeShare = 4;
 constexpr int32 kMinSafe = 16;
 /// A larger gap is hard to close [m]: a quarter of the 0.2 m that an iteration closes at most. With
@@ -127,6 +127,7 @@ void HingeTree::AddLink(b2Joint& joint, const BodyData& above, int32 parent)
 
 bool HingeTree::Begin(const SolverContext& context, const BodyKick* kicks)
 {
+    m_damped = false;
     for (Link& link : m_links)
     {
         const BodyData& body = *link.body;
@@ -136,6 +137,7 @@ bool HingeTree::Begin(const SolverContext& context, const BodyKick* kicks)
         }
         link.state = &context.bodies[body.SolverIndex()];
         link.kick = kicks[body.awakeIndex];
+        m_damped = m_damped || link.kick.linearDamping > 0.0f || link.kick.angularDamping > 0.0f;
         link.given = Pair();
         link.givenTurn = 0.0;
         link.mass = 1.0 / double(body.invMass);
@@ -169,15 +171,23 @@ void HingeTree::Step(float32 timeStep, int32 subSteps, float32 lastStep)
     }
     TakeLastStiffness(double(lastStep));
     const bool wereClosed = WidestGap() < kHardlyOpen;
-    const auto fails = [&](int32 count) {
-        return StepIn(count, timeStep) || (wereClosed && WidestGap() > kTorn);
+    const int32 safe = b2Max(kSafeShare * subSteps, kMinSafe);
+    const auto fails = [&](double gained) {
+        return gained > kGainedShare || (wereClosed && WidestGap() > kTorn);
     };
     m_stiffened = !wereClosed;
-    if (fails(subSteps))
+    double gained = StepIn(subSteps, timeStep);
+    // Without this, gains would be taken back and losses kept.
+    if (gained < -kGainedShare && wereClosed && !m_damped && WidestGap() < kTorn)
+    {
+        GoBack(lastStep);
+        gained = StepIn(safe, timeStep);
+    }
+    if (fails(gained))
     {
         GoBack(lastStep);
         m_stiffened = true;
-        if (fails(b2Max(kSafeShare * subSteps, kMinSafe)))
+        if (fails(StepIn(safe, timeStep)))
         {
             TakeGainedEnergy();
         }
@@ -210,9 +220,9 @@ void HingeTree::GoBack(float32 lastStep)
     TakeLastStiffness(double(lastStep));
 }
 
-/// A leapfrog: half a kick, drifts alternating with whole kicks, half a kick. True if energy was
-/// gained.
-bool HingeTree::StepIn(int32 count, float32 timeStep)
+/// A leapfrog: half a kick, drifts alternating with whole kicks, half a kick. Returns the energy
+/// gained, as a share of the energy moved.
+double HingeTree::StepIn(int32 count, float32 timeStep)
 {
     m_timeStep = timeStep;
     m_drift = timeStep / float32(count);
@@ -237,7 +247,7 @@ bool HingeTree::StepIn(int32 count, float32 timeStep)
         }
     }
     const Energy energy = GainedEnergy();
-    return energy.now - energy.due > kGainedShare * energy.moved;
+    return energy.moved > 0.0 ? (energy.now - energy.due) / energy.moved : 0.0;
 }
 
 HingeTree::Energy HingeTree::GainedEnergy() const

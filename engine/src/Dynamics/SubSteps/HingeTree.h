@@ -25,8 +25,8 @@ public:
     /// in this step, because of motors, limits, moving platforms or bodies without mass.
     bool Begin(const SolverContext& context, const BodyKick* kicks);
     /// Performs the whole step and stores the sums of the impulses in the joints. Where `subSteps`
-    /// sub-steps gain energy or tear a hinge, it takes more, with stiffened hinges. `lastStep` is
-    /// the time of the step before [s].
+    /// sub-steps lose energy, it takes more; where they gain energy or tear a hinge, with stiffened
+    /// hinges. `lastStep` is the time of the step before [s].
     void Step(float32 timeStep, int32 subSteps, float32 lastStep);
 
     template <class Function>
@@ -113,7 +113,7 @@ private:
     };
     void CloseWholly(float32 timeStep);
     void GoBack(float32 lastStep);
-    bool StepIn(int32 count, float32 timeStep);
+    double StepIn(int32 count, float32 timeStep);
     Energy GainedEnergy() const;
     void TakeGainedEnergy();
     float32 WidestGap() const;
@@ -147,6 +147,7 @@ private:
     Array<Link> m_links;       ///< parents first
     Array<JointEnd> m_ends;    ///< scratch of Build
     bool m_stiffened = false;  ///< bodies have added inertia
+    bool m_damped = false;     ///< bodies lose energy by themselves
     float32 m_timeStep = 0.0f; ///< [s]
     float32 m_drift = 0.0f;    ///< length of a sub-step [s]
 };
