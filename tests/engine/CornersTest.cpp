@@ -81,8 +81,7 @@ TEST(Corners, LeaveNoImpulseOfABounceToTheNextStep)
     }
 }
 
-/// The ball leaves one wall, which pushed it in the step before, and meets the other too slowly to
-/// bounce.
+/// The ball already leaves both walls, which pushed it in the step before.
 TEST(Corners, ForgetAnImpulseOfTheLastStep)
 {
     Wedge wedge;

@@ -231,4 +231,46 @@ TEST_P(TightFit, LandsHard)
     }
 }
 
+/// A force with a long lever needs large impulses from the jaws of a wrench, which just fit a nut
+/// with a brake. Softened jaws slip by 0.29 rad.
+TEST_P(TightFit, TurnsANutWithAWrench)
+{
+    Scene scene(b2Vec2_zero);
+    scene.world.SetSubStepCount(GetParam());
+    constexpr float32 kHalf = 0.1f;
+    constexpr float32 kLength = 2.0f;
+    constexpr float32 kTorque = 50.0f;
+    constexpr float32 kGap = 0.02f; // leaves no room for skins
+    b2Body* const nut = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+    Scene::AddBox(nut, kHalf, kHalf, 0.5f)->SetDensity(10.0f);
+    nut->ResetMassData();
+    b2Body* const wrench = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+    const auto addPart = [&](float32 hx, float32 hy, const b2Vec2& center) {
+        b2PolygonShape shape;
+        shape.SetAsBox(hx, hy, center, 0.0f);
+        Scene::Add(wrench, shape, 0.5f, 0.0f);
+    };
+    addPart(0.5f * kLength, 0.5f * kHalf, b2Vec2(0.5f * kLength + kHalf + kGap + 0.02f, 0.0f));
+    for (const float32 side : {-1.0f, 1.0f})
+    {
+        addPart(kHalf + 0.02f, 0.3f * kHalf, b2Vec2(0.0f, side * (1.3f * kHalf + kGap)));
+    }
+    b2RevoluteJointDef brake;
+    brake.Initialize(scene.Body(b2_staticBody, 0.0f, 0.0f), nut, b2Vec2_zero);
+    brake.enableMotor = true;
+    brake.maxMotorTorque = kTorque;
+    scene.world.CreateJoint(&brake);
+    const b2Vec2 end(kLength + kHalf, 0.0f);
+    float32 slip = 0.0f;
+    for (int32 step = 0; step < 300 && wrench->GetAngle() < 1.5f; ++step)
+    {
+        const b2Vec2 force = wrench->GetWorldVector(b2Vec2(0.0f, 1.3f * kTorque / end.x));
+        wrench->ApplyForce(force, wrench->GetWorldPoint(end), true);
+        scene.Step();
+        slip = b2Abs(wrench->GetAngle() - nut->GetAngle());
+    }
+    EXPECT_GT(nut->GetAngle(), 1.0f);
+    EXPECT_LT(slip, 0.1f);
+}
+
 } // namespace

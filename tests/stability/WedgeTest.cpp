@@ -27,7 +27,8 @@ struct Flight : Trial
     }
 
     /// Throws a ball or a box into the wedge, and returns the share of its energy that is left.
-    double Throw(bool isBall, const b2Vec2& from, float32 direction, float32 speed, float32 spin)
+    double Throw(bool isBall, const b2Vec2& from, float32 direction, float32 speed, float32 spin,
+                 int steps = 60)
     {
         b2Body* body = Body(b2_dynamicBody, from.x, from.y, spin);
         body->SetSleepingAllowed(false);
@@ -42,7 +43,7 @@ struct Flight : Trial
         body->SetLinearVelocity(speed * b2Vec2(std::sin(direction), -std::cos(direction)));
         body->SetAngularVelocity(isBall ? 0.0f : spin);
         const double before = EnergyOfAll();
-        for (int i = 0; i < 600 && body->GetPosition().y < kOut; ++i)
+        for (int i = 0; i < steps && body->GetPosition().y < kOut; ++i)
         {
             Step();
         }
@@ -121,6 +122,8 @@ TEST(Wedge, ThrowsBackABallThatComesAlongItsAxis)
     }
 }
 
+constexpr int kLongFlight = 600; // steps, for slow bodies
+
 /// In a step without sub-steps it often touches both walls when the step begins. There the
 /// iterations of the step solved both bounces at once: 93 % was lost, or 160 % was won.
 TEST(Wedge, ThrowsBackABallThatComesNearItsAxis)
@@ -132,7 +135,8 @@ TEST(Wedge, ThrowsBackABallThatComesNearItsAxis)
         {
             const b2Vec2 from(0.01f * float32(i % 5 - 2), 10.0f + 0.007f * float32(i));
             Flight flight(subSteps, 0.0f);
-            const double left = flight.Throw(true, from, 0.0f, 10.0f + 0.075f * float32(i), 0.0f);
+            const double left =
+                flight.Throw(true, from, 0.0f, 10.0f + 0.075f * float32(i), 0.0f, kLongFlight);
             range.least = left < range.least || std::isnan(left) ? left : range.least;
             range.most = Worst(left, range.most);
         }
@@ -146,7 +150,7 @@ TEST(Wedge, ThrowsBackABallThatComesNearItsAxis)
 /// corners meet one wall: if one of them leaves, a whole step holds it there, which is work.
 TEST(Wedge, KeepsTheEnergyOfASlowBoxInAWholeStep)
 {
-    constexpr double kWonAtOneWall = 0.08;
+    constexpr double kWonAtOneWall = 0.05;
     Range range;
     for (int i = 0; i < kFlights; ++i)
     {
@@ -154,7 +158,7 @@ TEST(Wedge, KeepsTheEnergyOfASlowBoxInAWholeStep)
         Flight flight(1, 0.0f);
         const float32 offAxis = 0.001f * float32(i % 201 - 100);
         const double left = flight.Throw(false, from, offAxis, 9.0f + 0.005f * float32(i),
-                                         0.01f * float32(i % 300));
+                                         0.01f * float32(i % 300), kLongFlight);
         range.least = left < range.least || std::isnan(left) ? left : range.least;
         range.most = Worst(left, range.most);
     }

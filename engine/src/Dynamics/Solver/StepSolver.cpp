@@ -44,8 +44,9 @@ void ReportImpulse(b2ContactListener& listener, b2Contact& contact,
         impulse.normalImpulses[i] = manifold.points[i].normalImpulse;
         impulse.tangentImpulses[i] = manifold.points[i].tangentImpulse;
     }
-    const auto bounce = std::ranges::find(bounces, &contact, &CornerImpulse::contact);
-    for (int32 i = 0; i < manifold.pointCount && bounce != bounces.end(); ++i)
+    const auto bounce = std::ranges::lower_bound(bounces, &contact, {}, &CornerImpulse::contact);
+    const bool bounced = bounce != bounces.end() && bounce->contact == &contact;
+    for (int32 i = 0; i < manifold.pointCount && bounced; ++i)
     {
         impulse.normalImpulses[i] += bounce->normal[i];
         impulse.tangentImpulses[i] += bounce->tangent[i];
@@ -166,7 +167,10 @@ void StepSolver::AssignContacts()
 
 void StepSolver::BounceInCorners()
 {
+    m_memory.corners.impulses.clear();
     box2d::BounceInCorners(m_world, m_memory.corners, m_context);
+    // By address, to be found for the listener. No result depends on the order.
+    std::ranges::sort(m_memory.corners.impulses, {}, &CornerImpulse::contact);
 }
 
 void StepSolver::AssignJoints()

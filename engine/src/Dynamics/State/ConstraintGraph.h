@@ -34,7 +34,7 @@ public:
     /// From this one on, a colour therefore has few others.
     static constexpr int32 kFirstOfGround = kOverflow / 2;
     /// True if the colour is the second one, from the highest, of a body that has no colour below
-    /// kFirstOfGround. Such a body touches at least two bodies that are not dynamic.
+    /// kFirstOfGround. Such a body usually touches two or more bodies that are not dynamic.
     static bool IsSecondOfGround(uint32 colorMask, int32 color)
     {
         const uint32 above = colorMask >> (color + 1);

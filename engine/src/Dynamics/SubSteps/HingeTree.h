@@ -144,12 +144,13 @@ private:
     bool CloseByImpulses(float32 timeStep);
     void ClosePoses(float32 timeStep);
 
-    Array<Link> m_links;       ///< parents first
-    Array<JointEnd> m_ends;    ///< scratch of Build
-    bool m_stiffened = false;  ///< bodies have added inertia
-    bool m_damped = false;     ///< bodies lose energy by themselves
-    float32 m_timeStep = 0.0f; ///< [s]
-    float32 m_drift = 0.0f;    ///< length of a sub-step [s]
+    Array<Link> m_links;         ///< parents first
+    Array<JointEnd> m_ends;      ///< scratch of Build
+    bool m_stiffened = false;    ///< bodies have added inertia
+    bool m_unequal = false;      ///< masses of neighbours differ by too much to keep all energy
+    float32 m_maxDamping = 0.0f; ///< [1/s]
+    float32 m_timeStep = 0.0f;   ///< [s]
+    float32 m_drift = 0.0f;      ///< length of a sub-step [s]
 };
 
 } // namespace box2d

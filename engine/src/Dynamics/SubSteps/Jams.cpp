@@ -53,14 +53,14 @@ double ImpulseOn(const BodyData& body, const JointRows& rows, const BoundedSyste
                 impulse += j * b2Vec2(column.x[k], column.y[k]);
                 moment += j * column.w[k];
             }
-            return double(impulse.Length() + b2Abs(moment) / body.maxExtent);
+            return double(impulse.Length() + b2Abs(moment) / b2Max(body.maxExtent, b2_linearSlop));
         }
     }
     return 0.0;
 }
 
-/// Returns the impulse that a body requires of its contacts with another one to stop against it,
-/// for what its velocity has changed by in this step, and for weight and forces [Ns].
+/// Returns the impulse that a body requires of its contacts with another one [Ns]: to stop against
+/// it, for what its velocity has changed by in this step, and for its weight.
 double RequiredImpulse(const JointRows::Column& column, const JointRows::Column& other,
                        const SolverContext& context, double weight)
 {
@@ -76,8 +76,12 @@ double RequiredImpulse(const JointRows::Column& column, const JointRows::Column&
     };
     const float32 v = (s.v - o.v).Length() + (s.v - body.linearVelocity).Length() + spin(s, body) +
                       (other.invMass > 0.0f ? spin(o, *other.data) : 0.0f);
-    const float32 force = body.force.Length() + b2Abs(body.torque) / body.maxExtent;
-    return (double(v) + weight) / double(column.invMass) + double(context.timeStep * force);
+    return (double(v) + weight) / double(column.invMass);
+}
+
+bool IsPushed(const BodyData& body)
+{
+    return body.force != b2Vec2_zero || body.torque != 0.0f;
 }
 
 } // namespace
@@ -112,6 +116,10 @@ bool IsWedged(BoundedSystem& system, std::size_t contacts, const SolverContext& 
         }
         const JointRows::Column& a = rows.columns[0];
         const JointRows::Column& b = rows.columns[1];
+        if (IsPushed(*a.data) || IsPushed(*b.data))
+        {
+            continue; // forces with long levers may require any impulse
+        }
         double requiredOfA = RequiredImpulse(a, b, context, weight);
         double requiredOfB = RequiredImpulse(b, a, context, weight);
         const double push = PushOf(system.At(i));
