@@ -60,8 +60,10 @@ struct JointRows
         float32 softness = 0.0f; ///< [1/kg] or [1/(kg m^2)]
         float32 maximum = b2_maxFloat;
         float32 slowest = -b2_maxFloat, fastest = b2_maxFloat;
-        float32 place = 0.0f; ///< position of a row with a slowest or fastest speed [m] or [rad]
 
+        bool IsLimited() const { return slowest > -b2_maxFloat || fastest < b2_maxFloat; }
+        /// True beyond a limit, or where the speed towards it is bounded by `speed` at most.
+        bool IsNear(float32 speed) const { return slowest >= -speed || fastest <= speed; }
         /// True if a motor pushes against its limit with its maximum force.
         bool DrivesBelow() const { return wanted < slowest - kSameSpeed; }
         bool DrivesAbove() const { return wanted > fastest + kSameSpeed; }
@@ -116,7 +118,7 @@ struct JointRows
     int32 bodies = 0;      ///< number of columns
     Column columns[kMaxBodies];
     Law laws[kMaxRows];
-    float32 error[kMaxRows] = {};   ///< [m] or [rad], of rigid rows
+    float32 error[kMaxRows] = {};   ///< [m] or [rad], of rigid rows and beyond limits, or zero
     float32 impulse[kMaxRows] = {}; ///< [Ns] or [Nms]
 };
 
@@ -219,7 +221,7 @@ struct RowFiller
         JointRows::Law& law = rows.laws[rows.rows - 1];
         law.slowest = lower > -b2_maxFloat ? -SpeedTowards(place - lower) : -b2_maxFloat;
         law.fastest = upper < b2_maxFloat ? SpeedTowards(upper - place) : b2_maxFloat;
-        law.place = place;
+        rows.error[rows.rows - 1] = place - b2Clamp(place, lower, upper);
     }
     /// Adds a row for the angle to the two for the point.
     void GiveToFriction(float32 maxForce, float32 maxTorque)
@@ -237,12 +239,12 @@ struct RowFiller
     }
     void GiveToSpring(float32 error, float32 frequencyHz, float32 dampingRatio,
                       float32 inverseMass);
-    /// Returns the maximum approach speed for a limit at a distance, negative beyond it: it is
-    /// reached in the drift. Beyond the limit the return is slower.
+    /// Returns the maximum approach speed for a limit at a distance: it is reached in the drift.
+    /// Beyond the limit (negative) the body stops. JointSystem moves it back by its pose: it would
+    /// keep the speed of its return.
     float32 SpeedTowards(float32 distance) const
     {
-        return distance >= 0.0f ? distance * context.inverseStep
-                                : b2Max(kReturn * distance * context.inverseStep, -kFastestReturn);
+        return b2Max(distance, 0.0f) * context.inverseStep;
     }
 
     /// Returns the response of a row's speed to an impulse along it.
@@ -261,14 +263,6 @@ struct RowFiller
         };
         return of(a, f.a) + of(b, f.b);
     }
-
-    /// Fraction of a limit violation that a sub-step corrects: b2_baumgarte, as position correction
-    /// in a whole step. The body keeps the speed of its return, so a larger one would throw it off
-    /// the limit. No note compares other values.
-    static constexpr float32 kReturn = 0.2f;
-    /// [m/s], [rad/s]. A body reaches the limit with this speed. With 20 that looks like a hit;
-    /// with 0.2 a violation of 0.5 rad takes seconds (docs/notes/tuned-constants.md).
-    static constexpr float32 kFastestReturn = 2.0f;
 
     JointFrame f;
     const SolverContext& context;
@@ -291,6 +285,7 @@ inline void RowFiller::GiveToSpring(float32 error, float32 frequencyHz, float32 
                                     float32 inverseMass)
 {
     JointRows::Law& law = Give();
+    rows.error[rows.rows - 1] = 0.0f;
     if (inverseMass <= 0.0f || frequencyHz <= 0.0f)
     {
         law.maximum = 0.0f;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "Closing.h"
 #include "JointSystem.h"
 
 #include "../Direct/Disc.h"
@@ -102,9 +103,18 @@ void JointSystem::SetActive(std::size_t joint)
     m_system.SetActive(joint, active);
 }
 
-/// For closing, only rigid rows and active limits take part. Motors and springs act in the kicks,
-/// and would act twice. True if the active rows differ from those of the kick.
-bool JointSystem::SetActiveToClose(std::size_t joint)
+/// Closing also holds limits that the kick had no need to push: a body on a circle leaves its
+/// tangent in the drift.
+bool JointSystem::IsHeld(std::size_t joint, int32 row, const SolverContext& context) const
+{
+    const RowState state = m_states[joint].of[row];
+    return state == RowState::Slowest || state == RowState::Fastest ||
+           m_system.Rows(joint).laws[row].IsNear(kNearlyClosed * context.inverseStep);
+}
+
+/// For closing, only rigid rows and limits take part. Motors and springs act in the kicks, and
+/// would act twice. True if the active rows differ from those of the kick.
+bool JointSystem::SetActiveToClose(std::size_t joint, const SolverContext& context)
 {
     const JointRows& rows = m_system.Rows(joint);
     uint8 active = uint8((1u << rows.Rigid()) - 1u);
@@ -112,9 +122,10 @@ bool JointSystem::SetActiveToClose(std::size_t joint)
     for (int32 i = rows.Rigid(); i < rows.rows; ++i)
     {
         const RowState state = m_states[joint].of[i];
-        const bool bounded = state == RowState::Slowest || state == RowState::Fastest;
-        active = uint8(active | unsigned(bounded) << i);
-        other = other || state == RowState::Holds;
+        const bool was = state != RowState::AtMax && state != RowState::AtMin;
+        const bool held = IsHeld(joint, i, context);
+        active = uint8(active | unsigned(held) << i);
+        other = other || was != held;
     }
     m_system.SetActive(joint, active);
     return other;
@@ -266,19 +277,17 @@ JointSystem::RowState JointSystem::After(const JointRows::Law& law, RowState sta
                                : RowState::Holds;
 }
 
-/// Returns the displacement of a drift beyond a speed bound, by row. Closing also holds joints at
-/// their limits.
-Vector3 JointSystem::Beyond(std::size_t joint, const JointRows& now, float32 timeStep) const
+/// Returns the displacement of a drift beyond limits, by row, except for the error before it.
+Vector3 JointSystem::Beyond(std::size_t joint, const JointRows& now,
+                            const SolverContext& context) const
 {
     Vector3 beyond{};
     const JointRows& rows = m_system.Rows(joint);
     for (int32 i = rows.Rigid(); i < rows.rows; ++i)
     {
-        const RowState state = m_states[joint].of[i];
-        const double path = double(now.laws[i].place) - double(rows.laws[i].place) -
-                            double(timeStep) * WantedSpeed(rows, state, i, double(rows.impulse[i]));
-        if ((state == RowState::Slowest && path < 0.0) ||
-            (state == RowState::Fastest && path > 0.0))
+        const double path = double(now.error[i]) - double(RemainingOf(rows, i));
+        if (rows.laws[i].IsLimited() && path * double(now.error[i]) > 0.0 &&
+            IsHeld(joint, i, context))
         {
             beyond.at[i] = path;
         }

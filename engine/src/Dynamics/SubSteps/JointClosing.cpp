@@ -27,10 +27,10 @@ constexpr double kLoopCompliance = 1e-5;
 /// Drifts per sub-step: a bound of the cost. With 4 chains of rods of 1000:1 open by 9 m; with 64
 /// no test fails (docs/notes/tuned-constants.md).
 constexpr int32 kMaxCycles = 16;
-/// Relative gain of kinetic energy by closing without a rotation, and the maximum with one: see
-/// HasGained. Of 300 heaps of jointed boxes 4 gain energy with 0.05, 6 with 0.2 and 11 with 0.5
-/// (docs/notes/energy-accounts.md). The tests pass with a minimum of 0.01, too, and with a maximum
-/// of 0.05 or 5.
+/// Relative gain of kinetic energy by closing in a step without a rotation, and the maximum with
+/// one: see HasGained. Of 300 heaps of jointed boxes 4 gain energy with 0.05, 6 with 0.2 and 11
+/// with 0.5 (docs/notes/energy-accounts.md). The tests pass with a minimum of 0.01, too, and with a
+/// maximum of 0.05 or 5.
 constexpr double kMinGain = 0.05;
 constexpr double kMaxGain = 0.5;
 /// A square: a drift then turns a swing by at most 1 / sqrt(0.75) = 1.15 rad. A leapfrog is stable
@@ -40,6 +40,14 @@ constexpr double kCycleMargin = 0.75;
 /// Much larger for the jerk of a rope, a rod, or a limit that stops a heavy body. Tuned on 216
 /// chains of ropes and of rods: docs/notes/sub-steps-chains.md.
 constexpr double kSnapMargin = 6.0;
+
+/// Returns how far a drift moves a row back by poses only [m], [rad].
+float32 ReturnOf(const JointRows& rows, int32 row, float32 timeStep)
+{
+    const float32 share = kClosedShare * RemainingError(rows.error[row]);
+    const float32 path = row < rows.Rigid() ? b2_maxFloat : kFastestReturn * timeStep;
+    return b2Clamp(share, -path, path);
+}
 
 double KineticEnergyOf(const BodyData& body, const SolverBody& state)
 {
@@ -245,10 +253,10 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
     m_system.ForItems(part, [&](std::size_t joint) {
         for (int32 k = 0; k < JointRows::kMaxRows; ++k)
         {
-            m_left[joint].at[k] =
-                (1.0f - kClosedShare) * RemainingError(m_system.Rows(joint).error[k]);
+            const JointRows& rows = m_system.Rows(joint);
+            m_left[joint].at[k] = RemainingOf(rows, k) - ReturnOf(rows, k, timeStep);
         }
-        p.factored = (m_hasBounded[joint] == 0 || !SetActiveToClose(joint)) && p.factored;
+        p.factored = (m_hasBounded[joint] == 0 || !SetActiveToClose(joint, context)) && p.factored;
     });
     if (!p.factored)
     {
@@ -319,12 +327,16 @@ float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
     float32 widest = 0.0f;
     m_system.ForItems(part, [&](std::size_t joint) {
         const JointRows& rows = FillHere(joint, context, torn);
-        (void)SetActiveToClose(joint);
+        (void)SetActiveToClose(joint, context);
         Vector3& residual = m_system.Residual(joint);
         residual = Vector3{};
-        for (int32 k = 0; k < rows.Rigid(); ++k)
+        for (int32 k = 0; k < rows.rows; ++k)
         {
             const float32 open = rows.error[k] - m_left[joint].at[k];
+            if (k >= rows.Rigid() && open * rows.error[k] <= 0.0f)
+            {
+                continue; // within the limit
+            }
             widest = b2Max(widest, b2Abs(open));
             residual.at[k] =
                 -double(b2Clamp(open, -b2_maxLinearCorrection, b2_maxLinearCorrection));
@@ -374,9 +386,9 @@ JointSystem::Impulses JointSystem::GapsOf(b2Joint& joint, const SolverContext& c
     m_now.Clear();
     JointAccess::FillRows(joint, context, m_now);
     Impulses gaps{};
-    for (int32 k = 0; k < m_now.Rigid(); ++k)
+    for (int32 k = 0; k < m_now.rows; ++k)
     {
-        gaps.at[k] = RemainingError(m_now.error[k]);
+        gaps.at[k] = RemainingOf(m_now, k);
     }
     return gaps;
 }
@@ -413,16 +425,19 @@ void JointSystem::LetGo(int32 part)
 
 /// True if closing added velocities that no drift explains. Closing corrects the difference of a
 /// straight and a circular path. Until the next kick, that speeds up a body that rotates by the
-/// angle a by the fraction a^2 / 2, which is a^2 of its energy; kMinGain is allowed besides. The
-/// angle is that of the body that rotates fastest. The velocities in m_opened are those before.
+/// angle a by the fraction a^2 / 2, which is a^2 of its energy. The angle is that of the body that
+/// rotates fastest. Besides, kMinGain and slow speeds are allowed, in all drifts of a step
+/// together: a straight knee gained 5 % in each of them. The velocities in m_opened are those
+/// before.
 bool JointSystem::HasGained(int32 part, const SolverContext& context, float32 timeStep) const
 {
-    const double small = double(kNearlyClosed) / double(timeStep);
+    const double small = double(kNearlyClosed) / double(context.timeStep);
     double angle = 0.0;
     m_system.ForBodies(part, [&](const BodyData&, std::size_t place) {
         angle = b2Max(angle, double(b2Abs(m_opened[place].w * timeStep)));
     });
-    const double gain = b2Min(kMinGain + angle * angle, kMaxGain);
+    const double share = double(timeStep) / double(context.timeStep);
+    const double gain = b2Min(kMinGain * share + angle * angle, kMaxGain);
     double before = 0.0;
     double after = 0.0;
     m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
@@ -458,28 +473,38 @@ bool JointSystem::Close(int32 part, const SolverContext& context, float32 timeSt
             break;
         }
     }
-    DrawTogether(part, context, timeStep);
-    return true;
+    return DrawTogether(part, context, timeStep);
 }
 
-/// Closes errors from before the drift by poses only, because velocities would persist.
-void JointSystem::DrawTogether(int32 part, const SolverContext& context, float32 timeStep)
+/// Closes errors from before the drift, and what is beyond limits, by poses only, because
+/// velocities would persist. False if the joints opened further.
+bool JointSystem::DrawTogether(int32 part, const SolverContext& context, float32 timeStep)
 {
     bool any = false;
+    float32 first = 0.0f;
     m_system.ForItems(part, [&](std::size_t joint) {
         const JointRows& rows = m_system.Rows(joint);
         for (int32 k = 0; k < JointRows::kMaxRows; ++k)
         {
-            const float32 open = k < rows.Rigid() ? RemainingError(rows.error[k]) : 0.0f;
-            m_system.Residual(joint).at[k] = -double(kClosedShare * open) / double(timeStep);
+            const float32 open = ReturnOf(rows, k, timeStep);
+            m_system.Residual(joint).at[k] = -double(open) / double(timeStep);
             any = any || open != 0.0f;
         }
+        first = b2Max(first, rows.WidestGap());
     });
-    if (any)
+    if (!any)
     {
-        m_system.Solve(part);
-        m_system.Apply(part, context, timeStep, false);
+        return true;
     }
+    m_system.Solve(part);
+    m_system.Apply(part, context, timeStep, false);
+    float32 widest = 0.0f;
+    m_system.ForItems(part, [&](std::size_t joint) {
+        m_now.Clear();
+        JointAccess::FillRows(*m_joints[joint], context, m_now);
+        widest = b2Max(widest, m_now.WidestGap());
+    });
+    return widest <= b2Max(first, b2_linearSlop);
 }
 
 /// Sets the change of speed that closes a joint in the given time, except for its error from before
@@ -490,7 +515,7 @@ float32 JointSystem::WantClosed(std::size_t joint, const SolverContext& context,
     now.Clear();
     JointAccess::FillRows(*m_joints[joint], context, now);
     const float32(&before)[3] = m_system.Rows(joint).error;
-    Vector3 error = now.boundedRows > 0 ? Beyond(joint, now, timeStep) : Vector3{};
+    Vector3 error = now.boundedRows > 0 ? Beyond(joint, now, context) : Vector3{};
     for (int32 k = 0; k < now.Rigid(); ++k)
     {
         error.at[k] = double(now.error[k]) - double(RemainingError(before[k]));

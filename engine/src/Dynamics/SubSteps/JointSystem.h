@@ -3,6 +3,7 @@
 
 #include "../Direct/BoundedSystem.h"
 #include "../Joints/JointSchedule.h"
+#include "Closing.h"
 #include "HingeTree.h"
 
 #include <algorithm>
@@ -229,7 +230,8 @@ private:
     float32 WarmStartImpulse(std::size_t joint, int32 row, float32 share) const;
     static double WantedSpeed(const JointRows& rows, RowState state, int32 row, double impulse);
     void SetActive(std::size_t joint);
-    bool SetActiveToClose(std::size_t joint);
+    bool IsHeld(std::size_t joint, int32 row, const SolverContext& context) const;
+    bool SetActiveToClose(std::size_t joint, const SolverContext& context);
     void WantSpeeds(std::size_t joint, const SolverContext& context);
     bool Reconsider(std::size_t joint, const SolverContext& context, bool settles);
     bool Reconsider(const SolverContext& context, std::size_t joint, int32 row, float32 speed,
@@ -238,11 +240,16 @@ private:
                         bool settles);
     static RowState After(const JointRows::Law& law, RowState state, float32 impulse,
                           float32 speed);
-    Vector3 Beyond(std::size_t joint, const JointRows& now, float32 timeStep) const;
+    Vector3 Beyond(std::size_t joint, const JointRows& now, const SolverContext& context) const;
     void AddTotals();
     void AddTotals(std::size_t joint);
 
     // JointClosing.cpp
+    /// Returns the part of a row's error that velocities leave: of what is beyond a limit, all.
+    static float32 RemainingOf(const JointRows& rows, int32 row)
+    {
+        return row < rows.Rigid() ? RemainingError(rows.error[row]) : rows.error[row];
+    }
     struct Carrier
     {
         int32 body;     // solver index
@@ -260,7 +267,7 @@ private:
     void NoteKick(std::size_t joint);
     void ClosePart(int32 part, const SolverContext& context, float32 timeStep);
     bool Close(int32 part, const SolverContext& context, float32 timeStep);
-    void DrawTogether(int32 part, const SolverContext& context, float32 timeStep);
+    bool DrawTogether(int32 part, const SolverContext& context, float32 timeStep);
     bool HasGained(int32 part, const SolverContext& context, float32 timeStep) const;
     void ClosePoses(int32 part, const SolverContext& context);
     float32 WantClosedPoses(int32 part, const SolverContext& context);
