@@ -121,9 +121,10 @@ TEST_P(LimitReturn, LiftsAsFarAsTheProgramSays)
     b2PrismaticJointDef def;
     def.Initialize(scene.Post(), lift, b2Vec2_zero, b2Vec2(0.0f, 1.0f));
     def.enableLimit = true;
+    def.upperTranslation = 5.0f;
     auto* joint = scene.Create<b2PrismaticJoint>(def);
     scene.Step(60);
-    joint->SetLimits(0.1f, 0.1f);
+    joint->SetLimits(0.1f, 5.0f);
     float32 highest = 0.0f;
     for (int i = 0; i < 120; ++i)
     {

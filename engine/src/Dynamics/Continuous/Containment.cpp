@@ -244,8 +244,12 @@ bool Containment::HoldOne(const ContactData& c, ImpactJoints& joints)
     const b2Vec2 offset = CentreOf(*moved.shape, body) - body.localCenter;
     const b2Vec2 end = PointAt(body.pose, offset, wall.pose);
     const b2Vec2 held = b2Mul(wall.rotation, crossing.place);
-    const b2Vec2 shift = held - end;
     const b2Vec2 normal = b2Mul(wall.rotation, crossing.normal);
+    // Along a wall that stands still the body stays where it is. Back to the place of the crossing
+    // it could be far, and others of its shapes would come through another wall.
+    const float32 depth = b2Dot(held - end, normal);
+    const b2Vec2 shift =
+        depth > 0.0f && wall.mobility == Mobility::Static ? depth * normal : held - end;
     body.pose.x += double(shift.x);
     body.pose.y += double(shift.y);
     const b2Vec2 arm = end + shift;

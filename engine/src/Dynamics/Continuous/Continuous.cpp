@@ -153,10 +153,12 @@ void ContinuousCollision::Run()
             return;
         }
     }
-    // Closing joints may move bodies through a wall, and containment may open joints. Once each,
-    // because one may undo the other without end.
-    (void)(anyImpact ? m_containment.Hold(m_joints) : m_containment.Hold(m_joints, m_memory.times));
-    if (m_joints.Close())
+    // Both may move other shapes of a body through walls that it had no contact with. Closing
+    // joints may move bodies through a wall, and containment may open joints. Once each, because
+    // one may undo the other without end.
+    const bool held =
+        anyImpact ? m_containment.Hold(m_joints) : m_containment.Hold(m_joints, m_memory.times);
+    if (m_joints.Close() || held)
     {
         FindNewContacts(m_world);
         (void)m_containment.Hold(m_joints);

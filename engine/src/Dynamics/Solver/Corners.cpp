@@ -36,14 +36,14 @@ public:
             return;
         }
         Prepare();
-        if (IsAcute() && (PushOut() || Leaves()))
+        if ((IsAcute() || RollsOff()) && (PushOut() || Leaves()))
         {
             ForgetImpulses();
         }
     }
 
 private:
-    /// False unless the body touches two or more walls at rest, and nothing else, and has no joint.
+    /// False unless the body touches walls at rest, and nothing else, and has no joint.
     bool FindWalls()
     {
         if (m_body.jointList != nullptr)
@@ -66,7 +66,7 @@ private:
             }
             m_memory.contacts.push_back(edge->contact);
         }
-        return m_memory.contacts.size() > 1;
+        return !m_memory.contacts.empty();
     }
 
     void Prepare()
@@ -111,6 +111,19 @@ private:
             }
         }
         return false;
+    }
+
+    /// True if one of two points at a wall leaves it while the other one comes. The iterations of a
+    /// step would hold the leaving point at the wall, which is work.
+    bool RollsOff() const
+    {
+        return Blocks().size() == 1 &&
+               std::ranges::any_of(Blocks(), [&](const ContactBlock& block) {
+                   return block.pointCount == 2 &&
+                          NormalSpeedOf(block, 0, m_context.bodies) *
+                                  NormalSpeedOf(block, 1, m_context.bodies) <
+                              0.0f;
+               });
     }
 
     /// True if anything bounced.
@@ -195,16 +208,16 @@ bool MayBounce(const BodyData& body, const SolverContext& context)
 
 void BounceInCorners(const World& world, CornerMemory& memory, const SolverContext& context)
 {
-    // No contact of the highest colour is a body's second one.
-    constexpr int32 kEnd = ConstraintGraph::kOverflow - 1;
-    for (int32 color = ConstraintGraph::kFirstOfGround; color < kEnd; ++color)
+    for (int32 color = ConstraintGraph::kFirstOfGround; color < ConstraintGraph::kOverflow; ++color)
     {
         for (b2Contact* contact : world.graph.Contacts(color))
         {
             const ContactData& c = Data(*contact);
             const BodyData& body = Data(Data(*c.bodyA).IsDynamic() ? *c.bodyA : *c.bodyB);
-            if (ConstraintGraph::IsSecondOfGround(body.colorMask, color) &&
-                MayBounce(body, context))
+            const bool inCorner = ConstraintGraph::IsSecondOfGround(body.colorMask, color);
+            const bool rolls =
+                c.restitution > 0.0f && c.manifold.pointCount == 2 && body.colorMask == 1u << color;
+            if ((inCorner || rolls) && MayBounce(body, context))
             {
                 Corner(body, memory, context).Bounce();
             }
