@@ -83,6 +83,23 @@ TEST_F(DynamicsMisuse, IsRefusedInBodyDefinitions)
     ExpectMisuse("definition", [&] { EXPECT_EQ(scene.world.CreateBody(nullptr), nullptr); });
 }
 
+/// An edge's box hides one bad end: it is made of the smaller and the larger numbers.
+TEST_F(DynamicsMisuse, IsRefusedForEdgesWithAnEndThatIsNoNumber)
+{
+    for (const bool first : {true, false})
+    {
+        const b2Vec2 bad(kNaN, 0.0f);
+        b2EdgeShape edge;
+        edge.Set(first ? bad : b2Vec2_zero, first ? b2Vec2_zero : bad);
+        ExpectMisuse("finite", [&] { box->CreateFixture(&edge, 0.0f); });
+    }
+}
+
+TEST_F(DynamicsMisuse, IsRefusedForMassDataWithoutAPlace)
+{
+    ExpectMisuse("GetMassData", [&] { box->GetMassData(nullptr); });
+}
+
 TEST_F(DynamicsMisuse, IsRefusedForPlacesBeyondTheWorldsReach)
 {
     for (const float32 far : {1.1e15f, 1e20f, -1e38f})
@@ -95,6 +112,8 @@ TEST_F(DynamicsMisuse, IsRefusedForPlacesBeyondTheWorldsReach)
         ExpectMisuse("within 1e15", [&] { scene.world.ShiftOrigin(b2Vec2(far, 0.0f)); });
         b2EdgeShape edge;
         edge.Set(b2Vec2(0.0f, 0.0f), b2Vec2(far, 0.0f));
+        ExpectMisuse("within 1e15", [&] { box->CreateFixture(&edge, 0.0f); });
+        edge.Set(b2Vec2(far, 0.0f), b2Vec2(0.0f, 0.0f));
         ExpectMisuse("within 1e15", [&] { box->CreateFixture(&edge, 0.0f); });
         b2MouseJointDef mouse;
         mouse.bodyA = ground;

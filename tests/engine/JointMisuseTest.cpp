@@ -33,6 +33,25 @@ protected:
     b2Body* load = scene.Load(1.0f, 0.0f);
 };
 
+TEST_F(JointMisuse, IsRefusedForDefinitionsWithoutABody)
+{
+    const b2Vec2 at(0.5f, 0.0f);
+    const b2Vec2 axis(1.0f, 0.0f);
+    for (b2Body* a : {post, static_cast<b2Body*>(nullptr)})
+    {
+        const char* sentence = "two bodies";
+        ExpectMisuse(sentence, [&] { b2DistanceJointDef().Initialize(a, nullptr, at, at); });
+        ExpectMisuse(sentence, [&] { b2FrictionJointDef().Initialize(a, nullptr, at); });
+        ExpectMisuse(sentence, [&] { b2MotorJointDef().Initialize(a, nullptr); });
+        ExpectMisuse(sentence, [&] { b2PrismaticJointDef().Initialize(a, nullptr, at, axis); });
+        ExpectMisuse(sentence,
+                     [&] { b2PulleyJointDef().Initialize(a, nullptr, at, at, at, at, 1.0f); });
+        ExpectMisuse(sentence, [&] { b2RevoluteJointDef().Initialize(a, nullptr, at); });
+        ExpectMisuse(sentence, [&] { b2WeldJointDef().Initialize(a, nullptr, at); });
+        ExpectMisuse(sentence, [&] { b2WheelJointDef().Initialize(a, nullptr, at, axis); });
+    }
+}
+
 TEST_F(JointMisuse, IsRefusedByDistanceJoints)
 {
     b2DistanceJointDef def;

@@ -31,6 +31,11 @@ namespace
 /// that are nearer to each other than the body is wide there is no end. No test fails with 2 or 64.
 constexpr int32 kMaxRounds = 8;
 
+/// A body goes back to the place of a crossing if that is at most this far, as a fraction of its
+/// extent. Farther, it is moved back only along the normal of a static wall. With 0.25 a shape of
+/// random world 279 is 1.07 m out (8 sub-steps), with 1 world 414 loses a body (one step, 12 s).
+constexpr float32 kMaxBack = 0.5f;
+
 /// Returns the centre in the body's frame. Edges and chains have no inside and use the centre of
 /// mass.
 b2Vec2 CentreOf(const b2Shape& shape, const BodyData& body)
@@ -245,11 +250,12 @@ bool Containment::HoldOne(const ContactData& c, ImpactJoints& joints)
     const b2Vec2 end = PointAt(body.pose, offset, wall.pose);
     const b2Vec2 held = b2Mul(wall.rotation, crossing.place);
     const b2Vec2 normal = b2Mul(wall.rotation, crossing.normal);
-    // Along a wall that stands still the body stays where it is. Back to the place of the crossing
-    // it could be far, and others of its shapes would come through another wall.
+    // Back to the place of the crossing it could be so far that others of its shapes come through
+    // another wall. Then it stays where it is along a wall that stands still.
     const float32 depth = b2Dot(held - end, normal);
-    const b2Vec2 shift =
-        depth > 0.0f && wall.mobility == Mobility::Static ? depth * normal : held - end;
+    const bool far =
+        b2Distance(held, end) > kMaxBack * body.maxExtent && wall.mobility == Mobility::Static;
+    const b2Vec2 shift = far && depth > 0.0f ? depth * normal : held - end;
     body.pose.x += double(shift.x);
     body.pose.y += double(shift.y);
     const b2Vec2 arm = end + shift;

@@ -5,10 +5,17 @@
 
 #include <Box2D/Common/b2Math.h>
 
+class b2Body;
+
 /// Checks of a joint's numbers, for definitions and setters. Each prints its sentence and aborts
 /// with asserts on, or is false with asserts off.
 namespace box2d
 {
+
+inline bool AreBodies(const b2Body* a, const b2Body* b)
+{
+    return B2_REQUIRE(a != nullptr && b != nullptr, "A joint's definition needs two bodies.");
+}
 
 inline bool AreAnchors(const b2Vec2& a, const b2Vec2& b)
 {

@@ -18,6 +18,10 @@ void b2DistanceJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchorA,
 {
     bodyA = a;
     bodyB = b;
+    if (!box2d::AreBodies(a, b))
+    {
+        return;
+    }
     localAnchorA = a->GetLocalPoint(anchorA);
     localAnchorB = b->GetLocalPoint(anchorB);
     length = b2Distance(anchorA, anchorB);

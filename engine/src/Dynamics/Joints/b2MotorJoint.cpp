@@ -14,6 +14,10 @@ void b2MotorJointDef::Initialize(b2Body* a, b2Body* b)
 {
     bodyA = a;
     bodyB = b;
+    if (!box2d::AreBodies(a, b))
+    {
+        return;
+    }
     linearOffset = a->GetLocalPoint(b->GetPosition());
     angularOffset = b->GetAngle() - a->GetAngle();
 }

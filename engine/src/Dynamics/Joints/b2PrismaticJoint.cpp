@@ -17,6 +17,10 @@ void b2PrismaticJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& anchor,
 {
     bodyA = a;
     bodyB = b;
+    if (!box2d::AreBodies(a, b))
+    {
+        return;
+    }
     localAnchorA = a->GetLocalPoint(anchor);
     localAnchorB = b->GetLocalPoint(anchor);
     localAxisA = a->GetLocalVector(axis);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Box2D/Dynamics/Joints/b2PulleyJoint.h>
 
+#include "JointChecks.h"
 #include "JointFrame.h"
 #include "JointRows.h"
 #include "PulleyLanes.h"
@@ -49,6 +50,10 @@ void b2PulleyJointDef::Initialize(b2Body* a, b2Body* b, const b2Vec2& groundA,
 {
     bodyA = a;
     bodyB = b;
+    if (!box2d::AreBodies(a, b))
+    {
+        return;
+    }
     groundAnchorA = groundA;
     groundAnchorB = groundB;
     localAnchorA = a->GetLocalPoint(anchorA);

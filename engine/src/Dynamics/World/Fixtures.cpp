@@ -53,6 +53,11 @@ bool IsSound(const b2Shape& shape)
             sound = sound && IsWithinReach(polygon.GetVertex(i));
         }
     }
+    if (shape.GetType() == b2Shape::e_edge)
+    {
+        const auto& edge = static_cast<const b2EdgeShape&>(shape); // a box hides what is no number
+        sound = IsWithinReach(edge.m_vertex1) && IsWithinReach(edge.m_vertex2);
+    }
     for (int32 child = 0; sound && child < shape.GetChildCount(); ++child)
     {
         b2AABB box;

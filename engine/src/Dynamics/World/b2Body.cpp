@@ -178,6 +178,10 @@ float32 b2Body::GetInertia() const
 
 void b2Body::GetMassData(b2MassData* data) const
 {
+    if (!B2_REQUIRE(data != nullptr, "GetMassData needs a place for the mass."))
+    {
+        return;
+    }
     data->mass = m_data.mass;
     data->I = GetInertia();
     data->center = m_data.localCenter;
