@@ -147,7 +147,7 @@ TEST(Wedge, ThrowsBackABallThatComesNearItsAxis)
 }
 
 /// At 11 m/s no spin of this box can exceed b2_maxRotation. Where one of two corners left a wall
-/// while the other one came, the iterations held it there, which is work: it won up to 4 %.
+/// while the other one came, the iterations held it there, which is work. It won up to 4 %.
 TEST(Wedge, KeepsTheEnergyOfASlowBoxInAWholeStep)
 {
     Range range;

@@ -6,6 +6,7 @@
 #include "JointSystem.h"
 
 #include <algorithm>
+#include <cmath>
 
 /// Closing of joints after a drift, a part of JointSystem.
 namespace box2d
@@ -283,7 +284,7 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
     (void)Close(part, context, timeStep);
     p.damped = false;
     giveBack();
-    if (WantClosedPoses(part, context) > b2_linearSlop)
+    if (WantClosedPoses(part, context).widest > b2_linearSlop)
     {
         ClosePoses(part, context);
     }
@@ -293,22 +294,22 @@ void JointSystem::ClosePart(int32 part, const SolverContext& context, float32 ti
 /// Velocities that do not close the joints would disturb them for long. The best pose is kept.
 void JointSystem::ClosePoses(int32 part, const SolverContext& context)
 {
-    float32 best = b2_maxFloat;
+    Gaps best = {b2_maxFloat, b2_maxFloat};
     for (int32 i = 0; i < kMaxPoseCloses; ++i)
     {
-        const float32 widest = WantClosedPoses(part, context);
-        if (widest >= best)
+        const Gaps gaps = WantClosedPoses(part, context);
+        if (!gaps.AreCloserThan(best))
         {
             m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
                 context.bodies[body.SolverIndex()] = m_opened[place];
             });
             break;
         }
-        best = widest;
+        best = gaps;
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
             m_opened[place] = context.bodies[body.SolverIndex()];
         });
-        if (widest < kNearlyClosed || i + 1 == kMaxPoseCloses)
+        if (gaps.widest < kNearlyClosed || i + 1 == kMaxPoseCloses)
         {
             break;
         }
@@ -320,11 +321,11 @@ void JointSystem::ClosePoses(int32 part, const SolverContext& context)
 }
 
 /// Computes the displacements that close the joints, and the rows at the current poses. Returns the
-/// maximum gap.
-float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
+/// maximum gaps.
+JointSystem::Gaps JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
 {
     const bool torn = m_parts[std::size_t(part)].torn;
-    float32 widest = 0.0f;
+    Gaps gaps;
     m_system.ForItems(part, [&](std::size_t joint) {
         const JointRows& rows = FillHere(joint, context, torn);
         (void)SetActiveToClose(joint, context);
@@ -337,12 +338,13 @@ float32 JointSystem::WantClosedPoses(int32 part, const SolverContext& context)
             {
                 continue; // within the limit
             }
-            widest = b2Max(widest, b2Abs(open));
+            gaps.widest = b2Max(gaps.widest, b2Abs(open));
+            gaps.rigid = k < rows.Rigid() ? b2Max(gaps.rigid, b2Abs(open)) : gaps.rigid;
             residual.at[k] =
                 -double(b2Clamp(open, -b2_maxLinearCorrection, b2_maxLinearCorrection));
         }
     });
-    return widest;
+    return gaps;
 }
 
 bool JointSystem::HasMoved(int32 part, const SolverContext& context) const
@@ -423,19 +425,36 @@ void JointSystem::LetGo(int32 part)
         part, [&](const BodyData&, std::size_t place) { m_system.SetAddedMass(place, 0.0, 0.0); });
 }
 
+/// Returns the largest angle by which a body, or a line between two of them, turns in a drift.
+double JointSystem::AngleOfDrift(int32 part, const SolverContext& context, float32 timeStep) const
+{
+    double fastest = 0.0; // [rad/s]
+    m_system.ForBodies(part, [&](const BodyData&, std::size_t place) {
+        fastest = b2Max(fastest, double(b2Abs(m_opened[place].w)));
+    });
+    m_system.ForItems(part, [&](std::size_t joint) {
+        const JointRows& rows = m_system.Rows(joint);
+        double across = 0.0; // speed of the ends across the line
+        for (int32 side = 0; rows.length > 0.0f && side < rows.bodies; ++side)
+        {
+            const JointRows::Column& c = rows.columns[side];
+            const b2Vec2& v = context.bodies[c.body].v;
+            across += double(b2Cross(b2Vec2(c.x[0], c.y[0]), v));
+        }
+        fastest = across != 0.0 ? b2Max(fastest, std::abs(across) / double(rows.length)) : fastest;
+    });
+    return fastest * double(timeStep);
+}
+
 /// True if closing added velocities that no drift explains. Closing corrects the difference of a
-/// straight and a circular path. Until the next kick, that speeds up a body that rotates by the
-/// angle a by the fraction a^2 / 2, which is a^2 of its energy. The angle is that of the body that
-/// rotates fastest. Besides, kMinGain and slow speeds are allowed, in all drifts of a step
-/// together: a straight knee gained 5 % in each of them. The velocities in m_opened are those
-/// before.
+/// straight and a circular path. Until the next kick, that speeds up what turns by the angle a by
+/// the fraction a^2 / 2, which is a^2 of its energy. Besides, kMinGain and slow speeds are allowed,
+/// in all drifts of a step together: a straight knee gained 5 % in each of them. The velocities in
+/// m_opened are those before.
 bool JointSystem::HasGained(int32 part, const SolverContext& context, float32 timeStep) const
 {
     const double small = double(kNearlyClosed) / double(context.timeStep);
-    double angle = 0.0;
-    m_system.ForBodies(part, [&](const BodyData&, std::size_t place) {
-        angle = b2Max(angle, double(b2Abs(m_opened[place].w * timeStep)));
-    });
+    const double angle = AngleOfDrift(part, context, timeStep);
     const double share = double(timeStep) / double(context.timeStep);
     const double gain = b2Min(kMinGain * share + angle * angle, kMaxGain);
     double before = 0.0;

@@ -270,7 +270,19 @@ private:
     bool DrawTogether(int32 part, const SolverContext& context, float32 timeStep);
     bool HasGained(int32 part, const SolverContext& context, float32 timeStep) const;
     void ClosePoses(int32 part, const SolverContext& context);
-    float32 WantClosedPoses(int32 part, const SolverContext& context);
+    struct Gaps
+    {
+        float32 rigid = 0.0f, widest = 0.0f; ///< of rigid rows, and of all [m], [rad]
+
+        /// Limits count only where rigid rows are closed.
+        bool AreCloserThan(const Gaps& other) const
+        {
+            return rigid < kNearlyClosed && other.rigid < kNearlyClosed ? widest < other.widest
+                                                                        : rigid < other.rigid;
+        }
+    };
+    Gaps WantClosedPoses(int32 part, const SolverContext& context);
+    double AngleOfDrift(int32 part, const SolverContext& context, float32 timeStep) const;
     bool HasMoved(int32 part, const SolverContext& context) const;
     template <class Fate>
     bool HoldStopped(int32 part, Fate&& fate);
