@@ -56,27 +56,6 @@ double ReachedSpeed(double response, double softness, double target)
     return softness > 0.0 ? std::abs(target) * response / (response + softness) : std::abs(target);
 }
 
-/// Returns the speed that bodies with infinite mass give to a row, and those that turn with an
-/// infinite moment of inertia.
-double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context)
-{
-    double speed = 0.0;
-    for (int32 side = 0; side < rows.bodies; ++side)
-    {
-        const JointRows::Column& c = rows.columns[side];
-        const SolverBody& body = context.bodies[c.body];
-        if (!Moves(c.invMass, c.invInertia))
-        {
-            speed += SpeedFrom(c, row, body);
-        }
-        else if (c.invInertia == 0.0f)
-        {
-            speed += double(c.w[row]) * double(body.w);
-        }
-    }
-    return speed;
-}
-
 /// Returns the sum of the magnitudes of the terms of a row's speed [m/s].
 double SpeedsOf(const JointRows& rows, int32 row, const SolverContext& context)
 {
@@ -109,6 +88,25 @@ double ReachOf(const JointRows& rows, int32 row)
 }
 
 } // namespace
+
+double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context)
+{
+    double speed = 0.0;
+    for (int32 side = 0; side < rows.bodies; ++side)
+    {
+        const JointRows::Column& c = rows.columns[side];
+        const SolverBody& body = context.bodies[c.body];
+        if (!Moves(c.invMass, c.invInertia))
+        {
+            speed += SpeedFrom(c, row, body);
+        }
+        else if (c.invInertia == 0.0f)
+        {
+            speed += double(c.w[row]) * double(body.w);
+        }
+    }
+    return speed;
+}
 
 float32 BoundedSystem::ErrorOf(const SolverContext& context, const JointRows& rows,
                                const Item& item)

@@ -14,6 +14,10 @@
 namespace box2d
 {
 
+/// Returns the speed that bodies with infinite mass give to a row, and those that turn with an
+/// infinite moment of inertia.
+double GivenSpeed(const JointRows& rows, int32 row, const SolverContext& context);
+
 class BoundedSystem
 {
 public:

@@ -95,35 +95,15 @@ void WarmStartGuard::Begin(SolverMemory& solver, const JointSystem& joints,
     {
         return;
     }
-    bool anyMoves = false;
+    m_anyMoves = false;
     for (std::size_t i = 1; i < solver.bodies.size(); ++i)
     {
-        anyMoves = anyMoves || (islands.Of(int32(i)) == -1 && Moves(solver.bodies[i]));
+        m_anyMoves = m_anyMoves || (islands.Of(int32(i)) == -1 && Moves(solver.bodies[i]));
     }
-    const auto drives = [&](const ContactBlock& block) { return anyMoves || block.driven; };
-    ForContacts(solver, IslandGroup(), drives,
-                [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
-                    const int32 a = islands.Of(block.bodyA[lane]);
-                    const int32 b = islands.Of(block.bodyB[lane]);
-                    const bool belt = block.tangentSpeed[lane] != 0.0f;
-                    const auto moves = [&](int32 body) {
-                        return Moves(solver.bodies[std::size_t(body)]);
-                    };
-                    Exempt(a, belt || (b == -1 && moves(block.bodyB[lane])));
-                    Exempt(b, belt || (a == -1 && moves(block.bodyA[lane])));
-                });
     joints.ForIterated([&](b2Joint* joint) {
         for (const b2Body* body : {joint->GetBodyA(), joint->GetBodyB()})
         {
             Exempt(islands.Of(Data(*body).SolverIndex()), true);
-        }
-    });
-    joints.ForRowed([&](std::size_t joint, const JointRows&) {
-        const int32 island = IslandOf(solver, joints.Sides(joint));
-        for (b2Body* body : {joints.At(joint).GetBodyA(), joints.At(joint).GetBodyB()})
-        {
-            const int32 index = Data(*body).SolverIndex();
-            Exempt(island, islands.Of(index) == -1 && Moves(solver.bodies[std::size_t(index)]));
         }
     });
     m_checksAny = !std::ranges::all_of(m_islands, &Island::exempt);
@@ -166,6 +146,38 @@ void WarmStartGuard::FindEnergies(const SolverMemory& solver, const IslandGroup&
     }
 }
 
+/// Adds what platforms and belts supply by the contacts' impulses at their speeds. Relative to
+/// them, iterations from zero impulses only lower the energy.
+void WarmStartGuard::AddDrives(SolverMemory& solver, const IslandGroup& group)
+{
+    const auto drives = [&](const ContactBlock& block) { return m_anyMoves || block.driven; };
+    ForContacts(
+        solver, group, drives, [&](const ContactBlock& block, const BlockTotals&, int32 lane) {
+            const auto platform = [&](int32 body) {
+                return solver.islands.Of(body) == -1 ? solver.bodies[std::size_t(body)]
+                                                     : SolverBody();
+            };
+            const SolverBody a = platform(block.bodyA[lane]);
+            const SolverBody b = platform(block.bodyB[lane]);
+            const b2Vec2 normal(block.normalX[lane], block.normalY[lane]);
+            const float32 along = b2Dot(a.v - b.v, normal);
+            const float32 across =
+                b2Dot(a.v - b.v, b2Cross(normal, 1.0f)) + block.tangentSpeed[lane];
+            Island& island = m_islands[std::size_t(
+                b2Max(solver.islands.Of(block.bodyA[lane]), solver.islands.Of(block.bodyB[lane])))];
+            for (int32 i = 0; i < block.pointCount; ++i)
+            {
+                const PointLanes& p = block.points[i];
+                const float32 push =
+                    along + a.w * p.normalLeverA[lane] - b.w * p.normalLeverB[lane];
+                const float32 drag =
+                    across + a.w * p.tangentLeverA[lane] - b.w * p.tangentLeverB[lane];
+                island.before += double(p.normalImpulse[lane]) * double(push) +
+                                 double(p.tangentImpulse[lane]) * double(drag);
+            }
+        });
+}
+
 bool WarmStartGuard::HasGained(SolverMemory& solver, const IslandGroup& group,
                                const BodyKick* kicks, const JointSystem& joints)
 {
@@ -174,6 +186,7 @@ bool WarmStartGuard::HasGained(SolverMemory& solver, const IslandGroup& group,
         return false;
     }
     FindEnergies(solver, group, kicks);
+    AddDrives(solver, group);
     SolverContext start, end;
     start.bodies = m_before.data();
     end.bodies = solver.bodies.data();
@@ -182,6 +195,11 @@ bool WarmStartGuard::HasGained(SolverMemory& solver, const IslandGroup& group,
         if (rows.boundedRows > 0 && island != -1)
         {
             m_islands[std::size_t(island)].before += joints.MaxWork(joint, start, end);
+        }
+        for (int32 row = 0; row < rows.rows && m_anyMoves && island != -1; ++row)
+        {
+            m_islands[std::size_t(island)].before -=
+                double(rows.impulse[row]) * GivenSpeed(rows, row, start);
         }
     });
     return std::ranges::any_of(Of(group), [](const Island& island) { return island.HasGained(); });

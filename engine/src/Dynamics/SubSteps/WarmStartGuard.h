@@ -10,8 +10,7 @@
 /// lower the kinetic energy after the kick. A warm start with the impulses of a past impact must be
 /// undone first. Where joints connect contacts, the few iterations of a kick do not suffice for
 /// that, and bodies gain speed. Such islands are solved again from zero impulses. Exempt are those
-/// that are too large to be solved directly, that have iterated joints, or that platforms or belts
-/// drive.
+/// that are too large to be solved directly or have iterated joints.
 namespace box2d
 {
 
@@ -43,19 +42,21 @@ private:
     {
         double before = 0.0, after = 0.0; ///< kinetic energy; before: plus the energy supplied
                                           ///< since [J]
-        /// Driven by kinematic bodies or belts, or held by warm starting and iterations. Without
-        /// its impulses, a large island would fall until iterations had found them again.
+        /// Held by warm starting and iterations: without its impulses, a large island would fall
+        /// until iterations had found them again.
         bool exempt = false;
         bool HasGained() const;
     };
 
     void FindEnergies(const SolverMemory& solver, const IslandGroup& group, const BodyKick* kicks);
+    void AddDrives(SolverMemory& solver, const IslandGroup& group);
     std::span<Island> Of(const IslandGroup& group);
     bool HasGained(int32 island) const;
     void Exempt(int32 island, bool really);
 
     Array<Island> m_islands; // by number of AwakeIslands
     bool m_checksAny = false;
+    bool m_anyMoves = false;    // a platform
     Array<SolverBody> m_before; // by solver index
 };
 
