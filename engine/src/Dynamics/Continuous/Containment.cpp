@@ -74,6 +74,14 @@ bool Stops(const b2Shape& wall, int32 child, const b2RayCastInput& path, b2RayCa
     return edge.RayCast(&hit, path, here, 0);
 }
 
+/// True if a contact may have to hold a body.
+bool IsConcerned(const ContactData& c)
+{
+    const bool letThrough =
+        c.IsTouching() && !c.IsEnabled(); // listeners see touching contacts only
+    return (c.flags & kContactObstacle) != 0 && !letThrough && !c.IsSensor();
+}
+
 } // namespace
 
 Containment::Containment(World& world)
@@ -101,33 +109,12 @@ void Containment::NoteTurn(const BodyData& body)
     }
 }
 
-bool Containment::IsConcerned(const ContactData& c)
-{
-    const bool letThrough =
-        c.IsTouching() && !c.IsEnabled(); // listeners see touching contacts only
-    return (c.flags & kContactObstacle) != 0 && !letThrough && !c.IsSensor();
-}
-
 bool Containment::Hold(ImpactJoints& joints)
 {
     bool any = false;
     for (std::size_t i = 0; i < m_world.awakeContacts.size(); ++i)
     {
         if (m_world.awakeObstacles[i] != 0)
-        {
-            const ContactData& c = Data(*m_world.awakeContacts[i]);
-            any = (IsConcerned(c) && Hold(c, joints)) || any;
-        }
-    }
-    return any;
-}
-
-bool Containment::Hold(ImpactJoints& joints, const Array<float32>& times)
-{
-    bool any = false;
-    for (std::size_t i = 0; i < times.size(); ++i)
-    {
-        if (times[i] != kNoObstacle)
         {
             const ContactData& c = Data(*m_world.awakeContacts[i]);
             any = (IsConcerned(c) && Hold(c, joints)) || any;

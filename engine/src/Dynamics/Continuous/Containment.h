@@ -34,10 +34,6 @@ public:
     /// Moves bodies back to the walls that the centres of their shapes crossed in the step, and
     /// removes the velocity into the wall. Returns true if there were any.
     bool Hold(ImpactJoints& joints);
-    /// The same in a step without impacts, whose contacts have these times; see ImpactMemory.
-    bool Hold(ImpactJoints& joints, const Array<float32>& times);
-    /// True if a contact may have to hold a body.
-    static bool IsConcerned(const ContactData& c);
 
 private:
     /// A child of a shape, and its body.

@@ -129,8 +129,7 @@ void ContinuousCollision::Run()
         AddEvent(*contacts[i], m_memory.times[i]);
     }
     m_world.stepComplete = true;
-    const bool anyImpact = !m_events.empty();
-    if (anyImpact)
+    if (!m_events.empty())
     {
         m_containment.NoteStarts();
         m_joints.NoteStarts();
@@ -156,8 +155,7 @@ void ContinuousCollision::Run()
     // Both may move other shapes of a body through walls that it had no contact with. Closing
     // joints may move bodies through a wall, and containment may open joints. Once each, because
     // one may undo the other without end.
-    const bool held =
-        anyImpact ? m_containment.Hold(m_joints) : m_containment.Hold(m_joints, m_memory.times);
+    const bool held = m_containment.Hold(m_joints);
     if (m_joints.Close() || held)
     {
         FindNewContacts(m_world);
@@ -185,7 +183,7 @@ void ContinuousCollision::FindImpactTimes()
                         // Contacts are not read either if none of the bodies is an obstacle.
                         if (m_world.awakeObstacles[i] == 0 && !m_world.hasBullets)
                         {
-                            m_memory.times[i] = kNoObstacle;
+                            m_memory.times[i] = 1.0f;
                             continue;
                         }
                         ContactData& c = Data(*contacts[i]);
@@ -193,9 +191,7 @@ void ContinuousCollision::FindImpactTimes()
                         {
                             c.toiCount = 0;
                         }
-                        m_memory.times[i] = IsCandidate(c)                ? TimeOfImpact(c, counts)
-                                            : Containment::IsConcerned(c) ? 1.0f
-                                                                          : kNoObstacle;
+                        m_memory.times[i] = IsCandidate(c) ? TimeOfImpact(c, counts) : 1.0f;
                     }
                     if (counts.toiCalls > 0)
                     {

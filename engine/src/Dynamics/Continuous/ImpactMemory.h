@@ -10,10 +10,6 @@
 namespace box2d
 {
 
-/// The time of impact of a contact without an obstacle that could hold a body. Any number above 1
-/// would do: times are shares of a step, and 1 stands for no impact.
-inline constexpr float32 kNoObstacle = 2.0f;
-
 /// A future impact.
 struct ImpactEvent
 {
@@ -63,7 +59,7 @@ struct ImpactBackup
 /// Scratch memory of the search for impacts, and of one impact.
 struct ImpactMemory
 {
-    Array<float32> times;         ///< by awake contact; 1 without an impact, or kNoObstacle
+    Array<float32> times;         ///< by awake contact; 1 without an impact
     Array<ImpactEvent> events;    ///< a heap, earliest first
     Array<ImpactFate> fates;      ///< by awake body, with sub-steps: see ImpactJoints
     Array<ImpactStart> starts;    ///< by awake body: before all impacts
