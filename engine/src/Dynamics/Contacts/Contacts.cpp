@@ -271,7 +271,7 @@ void ComputeManifold(World& world, ContactData& c, const b2Transform& bInA, bool
     }
     else
     {
-        c.gap = Collide(&c.manifold, shapeA, c.ChildA(), shapeB, c.ChildB(), bInA);
+        c.gap = Collide(&c.manifold, shapeA, c.ChildA(), shapeB, bInA);
         CopyImpulses(c.manifold, old);
         touching = c.manifold.pointCount > 0;
         UpdateSkins(world, c, bInA, isFirst);

@@ -11,11 +11,6 @@ namespace box2d
 namespace
 {
 
-bool IsThin(b2Shape::Type type)
-{
-    return type == b2Shape::e_edge || type == b2Shape::e_chain;
-}
-
 // Edges and chains, then polygons, then circles.
 int32 Rank(b2Shape::Type type)
 {
@@ -47,7 +42,7 @@ bool MustSwap(b2Shape::Type a, b2Shape::Type b)
     return Rank(b) < Rank(a);
 }
 
-float32 Collide(b2Manifold* manifold, const b2Shape& a, int32 childA, const b2Shape& b, int32,
+float32 Collide(b2Manifold* manifold, const b2Shape& a, int32 childA, const b2Shape& b,
                 const b2Transform& bInA)
 {
     switch (a.GetType())

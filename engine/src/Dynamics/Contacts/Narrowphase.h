@@ -8,16 +8,21 @@
 namespace box2d
 {
 
-/// False for two types without an area.
+/// True for a type without an area.
+inline bool IsThin(b2Shape::Type type)
+{
+    return type == b2Shape::e_edge || type == b2Shape::e_chain;
+}
+/// False for two of these.
 bool CanCollide(b2Shape::Type a, b2Shape::Type b);
 
 /// True if B must be the contact's first shape. Manifolds exist only for (polygon, circle), (edge,
 /// circle), (edge, polygon); chains count as edges.
 bool MustSwap(b2Shape::Type a, b2Shape::Type b);
 
-/// Computes the manifold of two children, in an order that MustSwap accepts. Returns the gap as
-/// described in Manifolds.h.
+/// Computes the manifold of a child and a shape without children, in an order that MustSwap
+/// accepts. Returns the gap as described in Manifolds.h.
 float32 Collide(b2Manifold* manifold, const b2Shape& a, int32 childA, const b2Shape& b,
-                int32 childB, const b2Transform& bInA);
+                const b2Transform& bInA);
 
 } // namespace box2d

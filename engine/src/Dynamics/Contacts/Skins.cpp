@@ -3,6 +3,7 @@
 
 #include "../State/Access.h"
 #include "../State/World.h"
+#include "Narrowphase.h"
 
 #include <Box2D/Dynamics/b2Body.h>
 #include <Box2D/Dynamics/b2Fixture.h>
@@ -47,11 +48,6 @@ bool IsPlaced(const World& world, const ContactData& c)
 constexpr float32 kWithin = 4.0f * b2_polygonRadius;
 constexpr float32 kWithinFor = 0.5f;
 
-bool IsEdge(const b2Shape& shape)
-{
-    return shape.GetType() == b2Shape::e_edge || shape.GetType() == b2Shape::e_chain;
-}
-
 /// Returns how far below a point of a contact a ground is tested [m]. The point is between the
 /// surfaces of the skins, so it is above the shape itself by the ground's radius at most.
 float32 DepthOfTest(const b2Shape& ground)
@@ -76,7 +72,7 @@ bool StaysWithinGround(const ContactData& c, const b2WorldManifold& manifold,
     const BodyData& a = Data(*c.bodyA);
     const BodyData& b = Data(*c.bodyB);
     const b2Shape& shapeA = *c.FixtureA()->GetShape();
-    if (IsEdge(shapeA)) // of a pair with an edge it is shape A
+    if (IsThin(shapeA.GetType())) // of a pair with an edge it is shape A
     {
         return false;
     }

@@ -83,5 +83,5 @@ void b2Contact::ResetRestitution()
 void b2Contact::Evaluate(b2Manifold* manifold, const b2Transform& xfA, const b2Transform& xfB)
 {
     box2d::Collide(manifold, *m_data.FixtureA()->GetShape(), m_data.ChildA(),
-                   *m_data.FixtureB()->GetShape(), m_data.ChildB(), b2MulT(xfA, xfB));
+                   *m_data.FixtureB()->GetShape(), b2MulT(xfA, xfB));
 }

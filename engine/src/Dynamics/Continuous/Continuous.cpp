@@ -344,7 +344,7 @@ bool ContinuousCollision::GoesDeeper(const ContactData& c, const b2Sweep& sweepA
         }
     }
     b2Manifold there;
-    Collide(&there, *c.FixtureA()->GetShape(), c.ChildA(), *c.FixtureB()->GetShape(), c.ChildB(),
+    Collide(&there, *c.FixtureA()->GetShape(), c.ChildA(), *c.FixtureB()->GetShape(),
             b2MulT(toA, toB));
     if (there.pointCount == 0)
     {
