@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "Boxes.h"
 
-#include "../State/Access.h"
 #include "../State/BodyPose.h"
 #include "../State/Proxies.h"
 #include "../State/World.h"
@@ -118,16 +117,11 @@ void GrowBoxes(Proxies& proxies, BodyData& body)
 {
     body.flags |= kBodyBoxMoved;
     const b2Transform before = TransformBefore(body);
-    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
-    {
-        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
-        {
-            b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
-            proxy.aabb.Combine(
-                Widen(BoxOnPath(*f->GetShape(), child, body, &before), body.minExtent));
-            proxies.Grow(proxy.proxyId, proxy.aabb);
-        }
-    }
+    ForProxies(body, [&](b2FixtureProxy& proxy) {
+        const b2AABB box = BoxOnPath(*proxy.fixture->GetShape(), proxy.childIndex, body, &before);
+        proxy.aabb.Combine(Widen(box, body.minExtent));
+        proxies.Grow(proxy.proxyId, proxy.aabb);
+    });
 }
 
 } // namespace
@@ -184,9 +178,8 @@ bool RefreshBoxes(BodyData& body, bool swept)
     bool left = rebuilds;
     b2Transform before;
     float32 room = b2_maxFloat;
-    b2Vec2 displacement(0.0f, 0.0f);
-    displacement.x = float32(body.pose.x - body.previous.x);
-    displacement.y = float32(body.pose.y - body.previous.y);
+    const b2Vec2 displacement(float32(body.pose.x - body.previous.x),
+                              float32(body.pose.y - body.previous.y));
     if (swept)
     {
         before = TransformBefore(body);
@@ -213,19 +206,13 @@ bool RefreshBoxes(BodyData& body, bool swept)
 
 void MoveProxies(Proxies& proxies, BodyData& body)
 {
-    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
-    {
-        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
+    ForProxies(body, [&](const b2FixtureProxy& proxy) {
+        const b2AABB& known = proxies.FatBox(proxy.proxyId);
+        if (known.lowerBound != proxy.aabb.lowerBound || known.upperBound != proxy.aabb.upperBound)
         {
-            const b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
-            const b2AABB& known = proxies.FatBox(proxy.proxyId);
-            if (known.lowerBound != proxy.aabb.lowerBound ||
-                known.upperBound != proxy.aabb.upperBound)
-            {
-                proxies.Move(proxy.proxyId, proxy.aabb);
-            }
+            proxies.Move(proxy.proxyId, proxy.aabb);
         }
-    }
+    });
 }
 
 void ResetProxies(Proxies& proxies, BodyData& body)
@@ -233,17 +220,12 @@ void ResetProxies(Proxies& proxies, BodyData& body)
     body.flags &= ~std::uint32_t(kBodyPathBox);
     body.flags |= kBodyBoxMoved;
     body.placedAt = body.world->stepNumber;
-    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
-    {
-        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
-        {
-            b2FixtureProxy& proxy = FixtureAccess::Proxies(*f)[child];
-            b2AABB box;
-            f->GetShape()->ComputeAABB(&box, body.transform, child);
-            proxy.aabb = Fatten(box, b2Vec2(0.0f, 0.0f));
-            proxies.Move(proxy.proxyId, proxy.aabb);
-        }
-    }
+    ForProxies(body, [&](b2FixtureProxy& proxy) {
+        b2AABB box;
+        proxy.fixture->GetShape()->ComputeAABB(&box, body.transform, proxy.childIndex);
+        proxy.aabb = Fatten(box, b2Vec2(0.0f, 0.0f));
+        proxies.Move(proxy.proxyId, proxy.aabb);
+    });
 }
 
 } // namespace box2d

@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Box2D/Dynamics/Internal/BodyData.h>
+#include "../State/Access.h"
 
-class b2Fixture;
+#include <Box2D/Dynamics/Internal/BodyData.h>
 
 /// The boxes of fixtures in the broad phase.
 namespace box2d
 {
 
 class Proxies;
+
+/// Calls the function with each proxy of a body.
+template <class Function>
+void ForProxies(const BodyData& body, Function&& function)
+{
+    for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
+    {
+        for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
+        {
+            function(FixtureAccess::Proxies(*f)[child]);
+        }
+    }
+}
 
 void CreateProxies(Proxies& proxies, b2Fixture& fixture);
 void DestroyProxies(Proxies& proxies, b2Fixture& fixture);

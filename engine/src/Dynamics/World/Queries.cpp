@@ -2,7 +2,6 @@
 #include "Queries.h"
 
 #include "../Contacts/Boxes.h"
-#include "../State/Access.h"
 #include "../State/BodyPose.h"
 #include "../State/World.h"
 
@@ -82,15 +81,10 @@ void ShiftOrigin(World& world, const b2Vec2& newOrigin)
             pose->y -= double(newOrigin.y);
         }
         SynchronizePose(body);
-        for (b2Fixture* f = body.fixtureList; f; f = f->GetNext())
-        {
-            for (int32 child = 0; child < FixtureAccess::ProxyCount(*f); ++child)
-            {
-                b2AABB& box = FixtureAccess::Proxies(*f)[child].aabb;
-                box.lowerBound -= newOrigin;
-                box.upperBound -= newOrigin;
-            }
-        }
+        ForProxies(body, [&newOrigin](b2FixtureProxy& proxy) {
+            proxy.aabb.lowerBound -= newOrigin;
+            proxy.aabb.upperBound -= newOrigin;
+        });
     }
     for (b2Joint* joint = world.jointList; joint; joint = joint->GetNext())
     {
