@@ -4,6 +4,7 @@
 #include "../Solver/OverlapSolver.h"
 
 #include "../Energy/EnergyGuard.h"
+#include "../Islands/Sleep.h"
 #include "../Solver/StepSolver.h"
 #include "../State/Access.h"
 #include "../State/World.h"
@@ -372,9 +373,7 @@ double Impact::KineticEnergyOfAll() const
 bool Impact::KeepsEnergy() const
 {
     const bool driven = std::any_of(m_bodies.begin(), m_bodies.end(), [](const b2Body* body) {
-        const BodyData& data = Data(*body);
-        return !data.IsDynamic() &&
-               (data.linearVelocity != b2Vec2_zero || data.angularVelocity != 0.0f);
+        return IsMovingPlatform(Data(*body));
     });
     return !driven && std::ranges::all_of(Impulses(), [](const ContactBlock& c) {
         return c.tangentSpeed[0] == 0.0f;

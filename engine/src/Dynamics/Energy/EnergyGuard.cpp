@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "EnergyGuard.h"
 
+#include "../Islands/Sleep.h"
 #include "../Solver/SolverMemory.h"
 #include "../State/Access.h"
 #include "../State/World.h"
@@ -49,16 +50,11 @@ constexpr float32 kMinFall = b2_linearSlop / float32(kTolerance);
 /// Keeps all sums in the range of float [J]: those of 1e8 bodies stay below its maximum of 3e38.
 constexpr float32 kMaxScale = 1e30f;
 
-bool MovesByItself(const b2Body& body)
-{
-    return body.GetType() != b2_dynamicBody &&
-           (body.GetLinearVelocity() != b2Vec2_zero || body.GetAngularVelocity() != 0.0f);
-}
-
 /// True if it moves or was moved by the user, so that bodies that it holds or touches move too.
 bool MovesOthers(const b2Body& body)
 {
-    return MovesByItself(body) || Data(body).world->IsRecentUserChange(Data(body).userMovedAt);
+    const BodyData& data = Data(body);
+    return IsMovingPlatform(data) || data.world->IsRecentUserChange(data.userMovedAt);
 }
 
 /// True if energy may enter that the account does not include: kinematic bodies, and user changes

@@ -27,12 +27,6 @@ bool IsPushed(const BodyData& body)
 /// affects allocations only: from 1 to 64 each list would grow six times.
 constexpr std::size_t kFirstRoom = 64;
 
-bool IsMovingPlatform(const BodyData& body)
-{
-    return body.mobility == Mobility::Kinematic &&
-           (body.linearVelocity != b2Vec2(0.0f, 0.0f) || body.angularVelocity != 0.0f);
-}
-
 void NoteAwake(World& world, const ContactData& c)
 {
     world.awakeObstacles.push_back((c.flags & kContactObstacle) != 0);
@@ -42,6 +36,12 @@ void NoteAwake(World& world, const ContactData& c)
 }
 
 } // namespace
+
+bool IsMovingPlatform(const BodyData& body)
+{
+    return body.mobility == Mobility::Kinematic &&
+           (body.linearVelocity != b2Vec2(0.0f, 0.0f) || body.angularVelocity != 0.0f);
+}
 
 void ForgetUpdate(World& world, ContactData& c)
 {

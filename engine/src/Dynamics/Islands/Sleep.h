@@ -16,6 +16,8 @@ struct BodyData;
 struct ContactData;
 class World;
 
+/// True for a kinematic body that moves.
+bool IsMovingPlatform(const BodyData& body);
 /// Wakes the body and its island.
 void Wake(World& world, b2Body& body);
 /// This one only.
