@@ -112,8 +112,8 @@ void FillPoint(ContactConstraint& c, ContactPoint& p, const b2Vec2& armA, const 
     p.normalLeverB = nB;
     p.tangentLeverA = tA;
     p.tangentLeverB = tB;
-    p.normalMass = Inverse(mass + c.invInertiaA * nA * nA + c.invInertiaB * nB * nB);
-    p.tangentMass = Inverse(mass + c.invInertiaA * tA * tA + c.invInertiaB * tB * tB);
+    p.normalMass = box2d::InverseOrZero(mass + c.invInertiaA * nA * nA + c.invInertiaB * nB * nB);
+    p.tangentMass = box2d::InverseOrZero(mass + c.invInertiaA * tA * tA + c.invInertiaB * tB * tB);
     const SolverBody& a = context.bodies[c.bodyA];
     const SolverBody& b = context.bodies[c.bodyB];
     const float32 speed = b2Dot(b.v + b2Cross(b.w, armB) - a.v - b2Cross(a.w, armA), c.normal);
@@ -436,7 +436,7 @@ float32 PushPoint(Push& push, int32 point, PushPace pace)
     const float32 out = PushOut(overlap, pace);
     if (out > 0.0f)
     {
-        push.Apply(overlap, out * Inverse(push.Mass(overlap, overlap)));
+        push.Apply(overlap, out * box2d::InverseOrZero(push.Mass(overlap, overlap)));
     }
     return overlap.separation;
 }

@@ -3,7 +3,7 @@
 #include "ReferenceContacts.h"
 
 #include <Common/WideInstructions.h>
-#include <Dynamics/Solver/ContactBlocks.h>
+#include <Dynamics/Solver/ContactBlockSolver.h>
 #include <Dynamics/Solver/OverlapSolver.h>
 
 #include <gtest/gtest.h>
@@ -556,9 +556,10 @@ void ExpectLanesAsPrepared(const ContactBlock& block, const OverlapBlock& overla
         }
         if (c.pointCount == 2)
         {
-            EXPECT_EQ(ResponseOf(block, lane, 0, 0), c.k11);
-            EXPECT_EQ(ResponseOf(block, lane, 0, 1), c.k12);
-            EXPECT_EQ(ResponseOf(block, lane, 1, 1), c.k22);
+            const auto response = PairResponse<simd::Float1>::Of(block, lane);
+            EXPECT_EQ(response.k11.v, c.k11);
+            EXPECT_EQ(response.k12.v, c.k12);
+            EXPECT_EQ(response.k22.v, c.k22);
             allCoupled = allCoupled && c.coupled;
         }
         else

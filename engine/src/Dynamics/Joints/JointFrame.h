@@ -49,11 +49,6 @@ inline Softness MakeSoftness(float32 frequencyHz, float32 dampingRatio, float32 
     return soft;
 }
 
-inline float32 InverseOrZero(float32 value)
-{
-    return value > 0.0f ? 1.0f / value : 0.0f;
-}
-
 /// Converts for the numbers of a type; see JointBlocks.h.
 inline Vector<float32> InLanes(const b2Vec2& v)
 {

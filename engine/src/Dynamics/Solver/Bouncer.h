@@ -12,6 +12,17 @@ namespace box2d
 /// no test fails with 512.
 inline constexpr int32 kMaxBounces = 64;
 
+/// Returns the normal speed of a point; approach is negative [m/s].
+inline float32 NormalSpeedOf(const ContactBlock& block, int32 lane, int32 point,
+                             const SolverBody* bodies)
+{
+    const SolverBody& a = bodies[block.bodyA[lane]];
+    const SolverBody& b = bodies[block.bodyB[lane]];
+    const PointLanes& p = block.points[point];
+    return b2Dot(b.v - a.v, b2Vec2(block.normalX[lane], block.normalY[lane])) +
+           b.w * p.normalLeverB[lane] - a.w * p.normalLeverA[lane];
+}
+
 /// Restitution of one contact of a block, before contacts are solved: in sub-steps of all contacts
 /// (SubStepSolver::Bounce), in a whole step of those in corners (Corners.h). Independent of other
 /// contacts and joints.
@@ -70,9 +81,7 @@ public:
 private:
     float32 NormalSpeed(int32 i) const
     {
-        const PointLanes& p = m_block.points[i];
-        return b2Dot(m_b.v - m_a.v, m_normal) + m_b.w * p.normalLeverB[m_lane] -
-               m_a.w * p.normalLeverA[m_lane];
+        return NormalSpeedOf(m_block, m_lane, i, m_context.bodies);
     }
     float32 TangentSpeed(int32 i) const
     {

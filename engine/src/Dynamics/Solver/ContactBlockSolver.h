@@ -31,7 +31,7 @@ struct MotionLanes
     F push, drag;
 };
 
-/// The response of the normal speeds of two points to an impulse at either, see ResponseOf.
+/// The changes of the normal speeds of two points by a unit impulse at either [1/kg].
 template <class F>
 struct PairResponse
 {

@@ -65,21 +65,14 @@ struct alignas(kCacheLine) ContactBlock
     float32 bias[2][kBlockLanes]; ///< target separation speed from restitution [m/s]
 };
 
-/// Returns the change of the normal speed at point i by a unit impulse at point k >= i [1/kg].
-inline float32 ResponseOf(const ContactBlock& block, int lane, int i, int k)
-{
-    const MassLanes& m = block.masses;
-    const PointLanes& p = block.points[i];
-    const PointLanes& q = block.points[k];
-    return m.invMassA[lane] + m.invMassB[lane] +
-           m.invInertiaA[lane] * p.normalLeverA[lane] * q.normalLeverA[lane] +
-           m.invInertiaB[lane] * p.normalLeverB[lane] * q.normalLeverB[lane];
-}
-
 /// Returns the effective mass of a point's normal [kg].
 inline float32 NormalMassOf(const ContactBlock& block, int lane, int point)
 {
-    return Inverse(ResponseOf(block, lane, point, point));
+    const MassLanes& m = block.masses;
+    const PointLanes& p = block.points[point];
+    return InverseOrZero(m.invMassA[lane] + m.invMassB[lane] +
+                         m.invInertiaA[lane] * p.normalLeverA[lane] * p.normalLeverA[lane] +
+                         m.invInertiaB[lane] * p.normalLeverB[lane] * p.normalLeverB[lane]);
 }
 
 /// The position constraints of touching contacts, in world axes at the start of the step. All lanes

@@ -120,8 +120,8 @@ private:
         return Blocks().size() == 1 &&
                std::ranges::any_of(Blocks(), [&](const ContactBlock& block) {
                    return block.pointCount == 2 &&
-                          NormalSpeedOf(block, 0, m_context.bodies) *
-                                  NormalSpeedOf(block, 1, m_context.bodies) <
+                          NormalSpeedOf(block, 0, 0, m_context.bodies) *
+                                  NormalSpeedOf(block, 0, 1, m_context.bodies) <
                               0.0f;
                });
     }
@@ -154,7 +154,7 @@ private:
             for (int32 i = 0; i < block.pointCount; ++i)
             {
                 if (block.points[i].normalImpulse[0] > 0.0f &&
-                    NormalSpeedOf(block, i, m_context.bodies) >
+                    NormalSpeedOf(block, 0, i, m_context.bodies) >
                         m_context.settings.restitutionThreshold)
                 {
                     return true;
@@ -162,15 +162,6 @@ private:
             }
             return false;
         });
-    }
-
-    static float32 NormalSpeedOf(const ContactBlock& block, int32 point, const SolverBody* bodies)
-    {
-        const SolverBody& a = bodies[block.bodyA[0]];
-        const SolverBody& b = bodies[block.bodyB[0]];
-        const PointLanes& p = block.points[point];
-        return b2Dot(b.v - a.v, b2Vec2(block.normalX[0], block.normalY[0])) +
-               b.w * p.normalLeverB[0] - a.w * p.normalLeverA[0];
     }
 
     /// The impulses of the last step are those of impacts, which are over.

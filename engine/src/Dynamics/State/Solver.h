@@ -153,8 +153,8 @@ void ForEach(List&& list, Direction direction, Function&& function)
     }
 }
 
-/// Returns 1 / value, or 0 for 0.
-inline float32 Inverse(float32 value)
+/// Returns 1 / value, or 0 for value <= 0.
+inline float32 InverseOrZero(float32 value)
 {
     return value > 0.0f ? 1.0f / value : 0.0f;
 }
