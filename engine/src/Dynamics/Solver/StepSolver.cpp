@@ -173,11 +173,6 @@ void StepSolver::BounceInCorners()
     std::ranges::sort(m_memory.corners.impulses, {}, &CornerImpulse::contact);
 }
 
-void StepSolver::AssignJoints()
-{
-    m_memory.joints.Update(m_world.graph);
-}
-
 bool StepSolver::IsFree() const
 {
     return m_memory.colorCount == 0 && m_memory.joints.IsEmpty();
@@ -307,11 +302,6 @@ void StepSolver::StoreImpulses()
         }
         box2d::StoreImpulses(blocks.Contacts(i));
     });
-}
-
-void StepSolver::TurnDirections()
-{
-    m_world.directionReversed = !m_world.directionReversed;
 }
 
 /// In the order of the colours; notes all contacts before any body falls asleep.

@@ -27,7 +27,6 @@ public:
     void WakeJointNeighbours();
     void IntegrateVelocities();
     void AssignContacts();
-    void AssignJoints();
     /// Call before PrepareContacts.
     void BounceInCorners();
     /// True if no awake body has a contact or joint.
@@ -36,7 +35,6 @@ public:
     void WarmStart();
     void SolveVelocities(int32 iterations);
     void StoreImpulses();
-    void TurnDirections();
     void NoteImpulses();
     void ReportImpulses();
     void IntegratePositions();

@@ -81,7 +81,7 @@ void SolveAwake(World& world, float32 timeStep, int32 velocityIterations, int32 
         solve.IntegrateVelocities();
         world.energyGuard->Begin(world, *world.solver, timeStep);
         solve.AssignContacts();
-        solve.AssignJoints();
+        world.solver->joints.Update(world.graph);
         solve.BounceInCorners();
     }
     if (solve.IsFree())
@@ -95,7 +95,7 @@ void SolveAwake(World& world, float32 timeStep, int32 velocityIterations, int32 
             SolveGroup(group, world.profile, velocityIterations, positionIterations);
         });
     }
-    solve.TurnDirections();
+    world.directionReversed = !world.directionReversed;
     solve.NoteImpulses();
     world.energyGuard->Balance(world, *world.solver);
     solve.WriteBack();
