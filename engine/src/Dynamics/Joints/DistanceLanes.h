@@ -14,7 +14,6 @@ namespace
 template <class F>
 struct DistanceLanes
 {
-    static constexpr bool kHoldsPositions = true;
     enum Features : uint8
     {
         kSpring = 1, ///< positions are not corrected

@@ -17,7 +17,6 @@ struct FrictionLanes
 {
     static constexpr int kImpulses = 3;
     static constexpr int kPlainImpulses = kImpulses;
-    static constexpr bool kHoldsPositions = false;
 
     Vector<F> impulse;                      ///< [N s]
     F angularImpulse;                       ///< [N m s]

@@ -189,7 +189,9 @@ constexpr JointKernels MakeKernels()
         {
             kernels.turn = Kernels::Turn;
         }
-        if constexpr (Lanes::kHoldsPositions)
+        if constexpr (requires(const Lanes lanes, PlacedPair<F> pair) {
+                          lanes.SolvePosition(pair, uint8(0));
+                      })
         {
             kernels.solvePositions = Kernels::SolvePositions;
         }

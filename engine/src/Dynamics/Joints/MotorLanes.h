@@ -16,7 +16,6 @@ struct MotorLanes
 {
     static constexpr int kImpulses = FrictionLanes<F>::kImpulses;
     static constexpr int kPlainImpulses = kImpulses;
-    static constexpr bool kHoldsPositions = false;
 
     FrictionLanes<F> friction;
     Vector<F> bias; ///< correction speed of the position [m/s]

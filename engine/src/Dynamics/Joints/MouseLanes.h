@@ -16,7 +16,6 @@ struct MouseLanes
 {
     static constexpr int kImpulses = 2;
     static constexpr int kPlainImpulses = kImpulses;
-    static constexpr bool kHoldsPositions = false;
     /// Fraction of the angular velocity kept per step, so that a dragged body does not spin for
     /// long. The number is that of Box2D 2.3: 0.98^60 leaves 30 % after a second at 60 Hz.
     static constexpr float32 kKeptSpin = 0.98f;

@@ -16,7 +16,6 @@ struct PrismaticLanes
 {
     static constexpr int kImpulses = 4;
     static constexpr int kPlainImpulses = 2; ///< without features
-    static constexpr bool kHoldsPositions = true;
     enum Features : uint8
     {
         kMotor = 1,

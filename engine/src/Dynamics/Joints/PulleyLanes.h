@@ -21,7 +21,6 @@ struct PulleyLanes
 {
     static constexpr int kImpulses = 1;
     static constexpr int kPlainImpulses = kImpulses;
-    static constexpr bool kHoldsPositions = true;
 
     F impulse;              ///< in A's rope [N s]
     Vector<F> axisA, axisB; ///< from the ground anchors to the bodies'

@@ -16,7 +16,6 @@ struct RopeLanes
 {
     static constexpr int kImpulses = 1;
     static constexpr int kPlainImpulses = kImpulses;
-    static constexpr bool kHoldsPositions = true;
 
     F impulse; ///< along the rope [N s], <= 0
     Vector<F> axis;

@@ -16,7 +16,6 @@ struct WeldLanes
 {
     static constexpr int kImpulses = 3;
     static constexpr int kPlainImpulses = kImpulses;
-    static constexpr bool kHoldsPositions = true;
     enum Features : uint8
     {
         kRigid = 1,

@@ -16,7 +16,6 @@ struct WheelLanes
 {
     static constexpr int kImpulses = 3;
     static constexpr int kPlainImpulses = 2; ///< without features
-    static constexpr bool kHoldsPositions = true;
     enum Features : uint8
     {
         kMotor = 1
