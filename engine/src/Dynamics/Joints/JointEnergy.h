@@ -48,6 +48,22 @@ public:
     {
         return dataB.pose.angle - dataA.pose.angle + double(b.angle) - double(a.angle);
     }
+    /// An axis that rotates with A, and the position of B's point along it.
+    struct Slide
+    {
+        b2Vec2 axis;
+        b2Vec2 armA, armB;
+        b2Vec2 reachA; ///< from the centre of mass A to B's point
+        float32 translation;
+    };
+    Slide Along(const b2Vec2& localAxisA, const b2Vec2& localAnchorA,
+                const b2Vec2& localAnchorB) const
+    {
+        Slide slide{AxisOfA(localAxisA), ArmA(localAnchorA), ArmB(localAnchorB), {}, 0.0f};
+        slide.reachA = Offset() + slide.armB;
+        slide.translation = b2Dot(slide.axis, slide.reachA - slide.armA);
+        return slide;
+    }
     /// Returns the change of speed along a direction per impulse along it.
     double InverseMass(const b2Vec2& armA, const b2Vec2& armB, const b2Vec2& direction) const
     {

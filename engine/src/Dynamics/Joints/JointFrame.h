@@ -20,6 +20,25 @@ struct JointFrame : JointPair
           iA(dataA.SolverInvInertia()), mB(dataB.SolverInvMass()), iB(dataB.SolverInvInertia())
     {}
 
+    /// The vector from the joint's point of A to that of B.
+    struct Line
+    {
+        b2Vec2 armA, armB;
+        b2Vec2 axis; ///< unit vector, or zero without a direction
+        float32 length;
+    };
+    Line Between(const b2Vec2& localAnchorA, const b2Vec2& localAnchorB) const
+    {
+        Line line{ArmA(localAnchorA), ArmB(localAnchorB), {}, 0.0f};
+        line.axis = Offset() + line.armB - line.armA;
+        line.length = line.axis.Normalize();
+        if (line.length == 0.0f)
+        {
+            line.axis.SetZero();
+        }
+        return line;
+    }
+
     float32 mA, iA, mB, iB; ///< inverse masses and inertias
 };
 
@@ -58,16 +77,6 @@ inline Vector<float32> InLanes(const b2Vec2& v)
 inline float32 Flag(bool flag)
 {
     return flag ? 1.0f : 0.0f;
-}
-
-/// Returns the response of the relative speed along `axis` to an impulse along it:
-///   K = mA + mB + iA (rA x n)^2 + iB (rB x n)^2.
-inline float32 AxisMatrix(const JointFrame& f, const b2Vec2& axis, const b2Vec2& rA,
-                          const b2Vec2& rB)
-{
-    const float32 crossA = b2Cross(rA, axis);
-    const float32 crossB = b2Cross(rB, axis);
-    return f.mA + f.mB + f.iA * crossA * crossA + f.iB * crossB * crossB;
 }
 
 /// Limits a vector to the maximum impulse of a force in a step.
@@ -144,33 +153,38 @@ inline void DumpEnd(int32 number)
     b2Log("  joints[%d] = m_world->CreateJoint(&jd);\n", number);
 }
 
-/// Returns the response of the relative velocity of the two points to an impulse at B's point:
-///   K = (mA + mB) E - iA [rA][rA] - iB [rB][rB],   [r] the cross-product matrix of r.
-inline b2Mat22 PointMatrix(const JointFrame& f, const b2Vec2& rA, const b2Vec2& rB)
-{
-    const float32 mass = f.mA + f.mB;
-    const float32 k11 = mass + f.iA * rA.y * rA.y + f.iB * rB.y * rB.y;
-    const float32 k12 = -f.iA * rA.x * rA.y - f.iB * rB.x * rB.y;
-    const float32 k22 = mass + f.iA * rA.x * rA.x + f.iB * rB.x * rB.x;
-    return b2Mat22(k11, k12, k12, k22);
-}
+// For calculations shared with the lanes: a single lane.
 
-/// For calculations shared with the lanes: a single lane.
 inline PairMasses<simd::Float1> MassesOf(const JointFrame& f)
 {
     return {{f.mA}, {f.iA}, {f.mB}, {f.iB}};
+}
+inline Vector<simd::Float1> InOneLane(const b2Vec2& v)
+{
+    return {{v.x}, {v.y}};
 }
 inline HeldRow<float32> NumbersOf(const HeldRow<simd::Float1>& row)
 {
     return {row.mass.v, {row.reaction.x.v, row.reaction.y.v}};
 }
-
-/// Returns the inverse of a symmetric matrix, or zero if it is singular.
-inline PairMasses<float32>::Matrix InverseInLanes(const b2Mat22& m)
+inline PairMasses<float32>::Matrix NumbersOf(const PairMasses<simd::Float1>::Matrix& m)
 {
-    const float32 determinant = b2Cross(m.ex, m.ey);
-    const float32 scale = determinant != 0.0f ? 1.0f / determinant : 0.0f;
-    return {scale * m.ey.y, -scale * m.ex.y, scale * m.ex.x};
+    return {m.k11.v, m.k12.v, m.k22.v};
+}
+
+/// Returns the response of the relative speed along `axis` to an impulse along it:
+///   K = mA + mB + iA (rA x n)^2 + iB (rB x n)^2.
+inline float32 AxisMatrix(const JointFrame& f, const b2Vec2& axis, const b2Vec2& rA,
+                          const b2Vec2& rB)
+{
+    return MassesOf(f).AxisMatrix(InOneLane(axis), InOneLane(rA), InOneLane(rB)).v;
+}
+
+/// Returns the inverse of the response of the two points, see PairMasses; zero if it is singular.
+inline PairMasses<float32>::Matrix InversePointMatrix(const JointFrame& f, const b2Vec2& rA,
+                                                      const b2Vec2& rB)
+{
+    return NumbersOf(MassesOf(f).PointMatrix(InOneLane(rA), InOneLane(rB)).Inverse());
 }
 
 } // namespace box2d

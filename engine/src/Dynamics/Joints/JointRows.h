@@ -24,6 +24,11 @@ struct JointRows
         float32 x[kMaxRows] = {}, y[kMaxRows] = {}, w[kMaxRows] = {};
         float32 reach = 0.0f; ///< for a line: from the centre of mass to its end, along it [m]
 
+        /// Returns the part of the response of a row's speed to an impulse along it.
+        float32 InverseMassOf(int32 row) const
+        {
+            return invMass * (x[row] * x[row] + y[row] * y[row]) + invInertia * w[row] * w[row];
+        }
         void AddTo(int32 row, const b2Vec2& direction, float32 lever)
         {
             x[row] += direction.x;
@@ -131,43 +136,13 @@ struct RowFiller
           b(rows.Of(f.dataB))
     {}
 
-    /// The vector from the joint's point of A to that of B.
-    struct Line
-    {
-        b2Vec2 armA, armB;
-        b2Vec2 axis; ///< unit vector, or zero without a direction
-        float32 length;
-    };
-    Line Between(const b2Vec2& localAnchorA, const b2Vec2& localAnchorB) const
-    {
-        Line line{f.ArmA(localAnchorA), f.ArmB(localAnchorB), {}, 0.0f};
-        line.axis = f.Offset() + line.armB - line.armA;
-        line.length = line.axis.Normalize();
-        if (line.length == 0.0f)
-        {
-            line.axis.SetZero();
-        }
-        return line;
-    }
-
-    /// An axis that rotates with A, and the position of B's point along it.
-    struct Slide
-    {
-        b2Vec2 axis;
-        b2Vec2 reachA, armB; ///< from the centres of mass to the point of B
-        float32 translation;
-    };
     /// Adds a row that holds the points together perpendicular to the axis.
-    Slide AddSlide(const b2Vec2& localAnchorA, const b2Vec2& localAnchorB, const b2Vec2& localAxisA)
+    JointPair::Slide AddSlide(const b2Vec2& localAnchorA, const b2Vec2& localAnchorB,
+                              const b2Vec2& localAxisA)
     {
-        Slide slide;
-        slide.armB = f.ArmB(localAnchorB);
-        slide.reachA = f.Offset() + slide.armB;
-        slide.axis = f.AxisOfA(localAxisA);
-        const b2Vec2 apart = slide.reachA - f.ArmA(localAnchorA);
+        const JointPair::Slide slide = f.Along(localAxisA, localAnchorA, localAnchorB);
         const b2Vec2 across = b2Cross(1.0f, slide.axis);
-        AddAlong(across, slide.reachA, slide.armB, b2Dot(across, apart));
-        slide.translation = b2Dot(slide.axis, apart);
+        AddAlong(across, slide.reachA, slide.armB, b2Dot(across, slide.reachA - slide.armA));
         return slide;
     }
 
@@ -180,17 +155,20 @@ struct RowFiller
         rows.error[rows.rows++] = error;
     }
     /// Adds the first row, along a line between two points.
-    void AddLine(const Line& line, float32 error)
+    void AddLine(const JointFrame::Line& line, float32 error)
     {
         AddAlong(line.axis, line.armA, line.armB, error);
         rows.length = line.length;
         a.reach = b2Dot(line.armA, line.axis);
         b.reach = -b2Dot(line.armB, line.axis);
     }
-    /// Adds two rows that hold two points together.
-    void AddPoint(const b2Vec2& armA, const b2Vec2& armB, const b2Vec2& error)
+    /// Adds the first two rows, which hold two points together.
+    void AddPoint(const b2Vec2& localAnchorA, const b2Vec2& localAnchorB)
     {
-        rows.point = rows.rows == 0;
+        const b2Vec2 armA = f.ArmA(localAnchorA);
+        const b2Vec2 armB = f.ArmB(localAnchorB);
+        const b2Vec2 error = f.Offset() + armB - armA;
+        rows.point = true;
         AddAlong(b2Vec2(1.0f, 0.0f), armA, armB, error.x);
         AddAlong(b2Vec2(0.0f, 1.0f), armA, armB, error.y);
     }
@@ -229,6 +207,7 @@ struct RowFiller
         AddAngle(0.0f);
         rows.boundedRows = rows.rows;
         rows.disc = true;
+        rows.error[0] = rows.error[1] = 0.0f; // only speeds matter
         rows.laws[0].maximum = rows.laws[1].maximum = context.timeStep * maxForce;
         rows.laws[2].maximum = context.timeStep * maxTorque;
     }
@@ -248,14 +227,7 @@ struct RowFiller
     }
 
     /// Returns the response of a row's speed to an impulse along it.
-    float32 InverseMassOf(int32 row) const
-    {
-        const auto of = [row](const JointRows::Column& c) {
-            return c.invMass * (c.x[row] * c.x[row] + c.y[row] * c.y[row]) +
-                   c.invInertia * c.w[row] * c.w[row];
-        };
-        return of(a) + of(b);
-    }
+    float32 InverseMassOf(int32 row) const { return a.InverseMassOf(row) + b.InverseMassOf(row); }
     float32 SpeedOf(int32 row) const
     {
         const auto of = [row](const JointRows::Column& c, const SolverBody& body) {

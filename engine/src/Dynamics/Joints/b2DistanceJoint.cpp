@@ -65,16 +65,9 @@ void b2DistanceJoint::ChooseForm()
 void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::JointLane& lane)
 {
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const b2Vec2 armA = f.ArmA(m_localAnchorA);
-    const b2Vec2 armB = f.ArmB(m_localAnchorB);
-    const b2Vec2 offset = f.Offset();
-    m_axis = offset + armB - armA;
-    const float32 length = m_axis.Normalize();
-    if (length == 0.0f)
-    {
-        m_axis.SetZero(); // no direction
-    }
-    const float32 k = box2d::AxisMatrix(f, m_axis, armA, armB);
+    const auto line = f.Between(m_localAnchorA, m_localAnchorB);
+    m_axis = line.axis;
+    const float32 k = box2d::AxisMatrix(f, line.axis, line.armA, line.armB);
     const box2d::Softness soft =
         box2d::MakeSoftness(m_springHz, m_dampingRatio, box2d::InverseOrZero(k), context.timeStep);
     box2d::Scale(m_impulse, box2d::WarmStartFactor(context, *this));
@@ -87,11 +80,11 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     lanes.impulse = m_impulse;
     lanes.lowerImpulse = lanes.upperImpulse = 0.0f;
     lanes.axis = box2d::InLanes(m_axis);
-    lanes.armA = box2d::InLanes(armA);
-    lanes.armB = box2d::InLanes(armB);
-    lanes.offset = box2d::InLanes(offset);
+    lanes.armA = box2d::InLanes(line.armA);
+    lanes.armB = box2d::InLanes(line.armB);
+    lanes.offset = box2d::InLanes(f.Offset());
     lanes.mass = box2d::InverseOrZero(k + soft.gamma);
-    lanes.bias = (length - m_restLength) * soft.biasRate;
+    lanes.bias = (line.length - m_restLength) * soft.biasRate;
     lanes.gamma = soft.gamma;
     lanes.length = m_restLength;
     lanes.form = isSpring ? float32(Lanes::kSpringForm) : float32(Lanes::kRodForm);
@@ -102,9 +95,9 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     }
     box2d::Scale(m_lowerImpulse, box2d::WarmStartFactor(context, *this));
     box2d::Scale(m_upperImpulse, box2d::WarmStartFactor(context, *this));
-    const float32 toLower = b2Max(length - m_minLength, 0.0f);
+    const float32 toLower = b2Max(line.length - m_minLength, 0.0f);
     // To a limit that there is not: what no body goes in a step.
-    const float32 toUpper = b2Clamp(m_maxLength - length, 0.0f, box2d::kReach);
+    const float32 toUpper = b2Clamp(m_maxLength - line.length, 0.0f, box2d::kReach);
     lane.features = Lanes::kLimits;
     lanes.form = float32(Lanes::kLimitedForm);
     if (!isSpring) // free between the limits
@@ -113,7 +106,7 @@ void b2DistanceJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     }
     lanes.lowerImpulse = m_lowerImpulse;
     lanes.upperImpulse = m_upperImpulse;
-    lanes.limits = {.mass = length > 0.0f ? box2d::InverseOrZero(k) : 0.0f,
+    lanes.limits = {.mass = line.length > 0.0f ? box2d::InverseOrZero(k) : 0.0f,
                     .lower = m_minLength,
                     .upper = m_maxLength,
                     .lowerSpeed = toLower * context.inverseStep,
@@ -134,7 +127,7 @@ void b2DistanceJoint::KeepImpulses(const box2d::JointLane& lane)
 void b2DistanceJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const auto line = row.Between(m_localAnchorA, m_localAnchorB);
+    const auto line = row.f.Between(m_localAnchorA, m_localAnchorB);
     m_axis = line.axis;
     row.AddLine(line, line.length - m_restLength);
     if (m_springHz > 0.0f)

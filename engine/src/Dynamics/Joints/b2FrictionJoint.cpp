@@ -34,14 +34,13 @@ void b2FrictionJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
     const b2Vec2 armA = f.ArmA(m_localAnchorA);
     const b2Vec2 armB = f.ArmB(m_localAnchorB);
-    const b2Mat22 matrix = box2d::PointMatrix(f, armA, armB);
     lane.Write(box2d::FrictionLanes<float32>{.impulse = box2d::InLanes(m_impulse),
                                              .angularImpulse = m_angularImpulse,
                                              .maximum = context.timeStep * m_maxForce,
                                              .maxAngular = context.timeStep * m_maxTorque,
                                              .armA = box2d::InLanes(armA),
                                              .armB = box2d::InLanes(armB),
-                                             .inverse = box2d::InverseInLanes(matrix),
+                                             .inverse = box2d::InversePointMatrix(f, armA, armB),
                                              .angularMass = box2d::InverseOrZero(f.iA + f.iB)});
 }
 
@@ -54,9 +53,7 @@ void b2FrictionJoint::KeepImpulses(const box2d::JointLane& lane)
 void b2FrictionJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armA = row.f.ArmA(m_localAnchorA);
-    const b2Vec2 armB = row.f.ArmB(m_localAnchorB);
-    row.AddPoint(armA, armB, b2Vec2(0.0f, 0.0f));
+    row.AddPoint(m_localAnchorA, m_localAnchorB);
     row.GiveToFriction(m_maxForce, m_maxTorque);
 }
 

@@ -162,9 +162,8 @@ double b2GearJoint::Coordinate(const Side& side, const box2d::SolverContext* con
         return pair.dataB.pose.angle + double(pair.b.angle) - pair.dataA.pose.angle -
                double(pair.a.angle) - double(side.referenceAngle);
     }
-    const b2Vec2 d =
-        pair.Offset() + pair.ArmB(side.localAnchorBody) - pair.ArmA(side.localAnchorFrame);
-    return double(b2Dot(d, pair.AxisOfA(side.localAxis)));
+    return double(
+        pair.Along(side.localAxis, side.localAnchorFrame, side.localAnchorBody).translation);
 }
 
 /// Computes the derivative of the coordinate by the velocities, at the same pose.

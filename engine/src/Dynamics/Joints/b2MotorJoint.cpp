@@ -39,7 +39,6 @@ void b2MotorJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
     const b2Vec2 error = f.Offset() + armB - armA;
     const double angle = f.Angle() - double(m_angularOffset);
     const float32 rate = context.inverseWhole * m_correctionFactor; // a share of each step
-    const b2Mat22 matrix = box2d::PointMatrix(f, armA, armB);
     lane.Write(
         box2d::MotorLanes<float32>{.friction = {.impulse = box2d::InLanes(m_impulse),
                                                 .angularImpulse = m_angularImpulse,
@@ -47,7 +46,7 @@ void b2MotorJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
                                                 .maxAngular = context.timeStep * m_maxTorque,
                                                 .armA = box2d::InLanes(armA),
                                                 .armB = box2d::InLanes(armB),
-                                                .inverse = box2d::InverseInLanes(matrix),
+                                                .inverse = box2d::InversePointMatrix(f, armA, armB),
                                                 .angularMass = box2d::InverseOrZero(f.iA + f.iB)},
                                    .bias = box2d::InLanes(rate * error),
                                    .angularBias = rate * float32(angle)});
@@ -62,11 +61,9 @@ void b2MotorJoint::KeepImpulses(const box2d::JointLane& lane)
 void b2MotorJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armA = row.f.ArmA(m_linearOffset);
-    const b2Vec2 armB = row.f.ArmB(b2Vec2(0.0f, 0.0f));
     const float32 rate = context.inverseWhole * m_correctionFactor; // a share of each step
-    const b2Vec2 error = row.f.Offset() + armB - armA;
-    row.AddPoint(armA, armB, b2Vec2(0.0f, 0.0f));
+    row.AddPoint(m_linearOffset, b2Vec2(0.0f, 0.0f));
+    const b2Vec2 error(rows.error[0], rows.error[1]);
     row.GiveToFriction(m_maxForce, m_maxTorque);
     rows.laws[0].wanted = -rate * error.x;
     rows.laws[1].wanted = -rate * error.y;

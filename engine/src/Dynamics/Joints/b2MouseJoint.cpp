@@ -45,11 +45,11 @@ void b2MouseJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
     const float32 k11 = f.mB + f.iB * arm.y * arm.y + soft.gamma;
     const float32 k12 = -f.iB * arm.x * arm.y;
     const float32 k22 = f.mB + f.iB * arm.x * arm.x + soft.gamma;
-    const b2Mat22 matrix(k11, k12, k12, k22);
+    const box2d::PairMasses<box2d::simd::Float1>::Matrix matrix = {{k11}, {k12}, {k22}};
     lane.Write(box2d::MouseLanes<float32>{.impulse = box2d::InLanes(m_impulse),
                                           .maximum = context.timeStep * m_maxForce,
                                           .arm = box2d::InLanes(arm),
-                                          .inverse = box2d::InverseInLanes(matrix),
+                                          .inverse = box2d::NumbersOf(matrix.Inverse()),
                                           .bias = box2d::InLanes(soft.biasRate * error),
                                           .gamma = soft.gamma});
 }

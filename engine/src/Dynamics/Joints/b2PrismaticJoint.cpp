@@ -48,25 +48,19 @@ void b2PrismaticJoint::FillLane(const box2d::SolverContext& context, box2d::Join
     box2d::Scale(m_limitImpulse, m_enableLimit ? share : 0.0f);
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const b2Vec2 armA = f.ArmA(m_localAnchorA);
-    const b2Vec2 armB = f.ArmB(m_localAnchorB);
-    const b2Vec2 offset = f.Offset();
-    m_axis = f.AxisOfA(m_localAxisA);
-    const float32 translation = b2Dot(m_axis, offset + armB - armA);
+    const auto slide = f.Along(m_localAxisA, m_localAnchorA, m_localAnchorB);
+    m_axis = slide.axis;
     const double angle = f.Angle() - double(m_referenceAngle);
-    const float32 axisA = b2Cross(offset + armB, m_axis);
-    const float32 axisB = b2Cross(armB, m_axis);
+    const float32 axisA = b2Cross(slide.reachA, m_axis);
+    const float32 axisB = b2Cross(slide.armB, m_axis);
     const b2Vec2 across = b2Cross(1.0f, m_axis);
-    const float32 acrossA = b2Cross(offset + armB, across);
-    const float32 acrossB = b2Cross(armB, across);
-    const float32 k11 = f.mA + f.mB + f.iA * acrossA * acrossA + f.iB * acrossB * acrossB;
-    const float32 k12 = f.iA * acrossA + f.iB * acrossB;
-    const float32 k22 = f.iA + f.iB;
-    const b2Mat22 matrix(k11, k12, k12, k22 > 0.0f ? k22 : 1.0f); // two bodies that cannot rotate
+    const float32 acrossA = b2Cross(slide.reachA, across);
+    const float32 acrossB = b2Cross(slide.armB, across);
     using OneLane = box2d::PrismaticLanes<box2d::simd::Float1>;
     const OneLane::Levers levers = {{axisA}, {axisB}, {acrossA}, {acrossB}};
-    const float32 toLower = b2Max(translation - m_lowerTranslation, 0.0f);
-    const float32 toUpper = b2Max(m_upperTranslation - translation, 0.0f);
+    const auto masses = box2d::MassesOf(f);
+    const float32 toLower = b2Max(slide.translation - m_lowerTranslation, 0.0f);
+    const float32 toUpper = b2Max(m_upperTranslation - slide.translation, 0.0f);
 
     using Lanes = box2d::PrismaticLanes<float32>;
     lane.features =
@@ -76,12 +70,12 @@ void b2PrismaticJoint::FillLane(const box2d::SolverContext& context, box2d::Join
                      .limitImpulse = m_limitImpulse,
                      .axis = box2d::InLanes(m_axis),
                      .levers = {axisA, axisB, acrossA, acrossB},
-                     .inverse = box2d::InverseInLanes(matrix),
-                     .armA = box2d::InLanes(armA),
-                     .armB = box2d::InLanes(armB),
-                     .offset = box2d::InLanes(offset),
+                     .inverse = box2d::NumbersOf(levers.MatrixOf(masses).Inverse()),
+                     .armA = box2d::InLanes(slide.armA),
+                     .armB = box2d::InLanes(slide.armB),
+                     .offset = box2d::InLanes(f.Offset()),
                      .angleError = float32(angle),
-                     .row = box2d::NumbersOf(levers.RowOf(box2d::MassesOf(f))),
+                     .row = box2d::NumbersOf(levers.RowOf(masses)),
                      .hasMotor = box2d::Flag(m_enableMotor),
                      .hasLimits = box2d::Flag(m_enableLimit),
                      .motorSpeed = m_motorSpeed,

@@ -51,7 +51,7 @@ void b2RevoluteJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
     lanes.armA = box2d::InLanes(armA);
     lanes.armB = box2d::InLanes(armB);
     lanes.offset = box2d::InLanes(f.Offset());
-    lanes.inverse = box2d::InverseInLanes(box2d::PointMatrix(f, armA, armB));
+    lanes.inverse = box2d::InversePointMatrix(f, armA, armB);
     lanes.hasMotor = box2d::Flag(m_enableMotor);
     lanes.hasLimits = box2d::Flag(m_enableLimit);
     if (!m_enableMotor && !m_enableLimit)
@@ -63,8 +63,8 @@ void b2RevoluteJoint::FillLane(const box2d::SolverContext& context, box2d::Joint
         uint8((m_enableMotor ? Lanes::kMotor : 0) | (m_enableLimit ? Lanes::kLimits : 0));
     const float32 angle = float32(f.Angle() - double(m_referenceAngle));
     using One = box2d::simd::Float1;
-    const auto row = box2d::HeldRow<One>::AngleOfPoint(box2d::MassesOf(f), {{armA.x}, {armA.y}},
-                                                       {{armB.x}, {armB.y}});
+    const auto row = box2d::HeldRow<One>::AngleOfPoint(box2d::MassesOf(f), box2d::InOneLane(armA),
+                                                       box2d::InOneLane(armB));
     lanes.axial = {.row = box2d::NumbersOf(row),
                    .motorSpeed = m_motorSpeed,
                    .maxMotor = context.timeStep * m_maxMotorTorque,
@@ -86,9 +86,7 @@ void b2RevoluteJoint::KeepImpulses(const box2d::JointLane& lane)
 void b2RevoluteJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armA = row.f.ArmA(m_localAnchorA);
-    const b2Vec2 armB = row.f.ArmB(m_localAnchorB);
-    row.AddPoint(armA, armB, row.f.Offset() + armB - armA);
+    row.AddPoint(m_localAnchorA, m_localAnchorB);
     if (m_enableMotor || m_enableLimit)
     {
         const float32 angle = float32(row.f.Angle() - double(m_referenceAngle));

@@ -48,7 +48,7 @@ void b2RopeJoint::KeepImpulses(const box2d::JointLane& lane)
 void b2RopeJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const auto line = row.Between(m_localAnchorA, m_localAnchorB);
+    const auto line = row.f.Between(m_localAnchorA, m_localAnchorB);
     m_axis = line.axis;
     row.AddLine(line, 0.0f);
     row.GiveToMotor(0.0f, 0.0f);

@@ -65,9 +65,7 @@ void b2WeldJoint::KeepImpulses(const box2d::JointLane& lane)
 void b2WeldJoint::FillRows(const box2d::SolverContext& context, box2d::JointRows& rows)
 {
     box2d::RowFiller row(*m_bodyA, *m_bodyB, context, rows);
-    const b2Vec2 armA = row.f.ArmA(m_localAnchorA);
-    const b2Vec2 armB = row.f.ArmB(m_localAnchorB);
-    row.AddPoint(armA, armB, row.f.Offset() + armB - armA);
+    row.AddPoint(m_localAnchorA, m_localAnchorB);
     const float32 angle = float32(row.f.Angle() - double(m_referenceAngle));
     row.AddAngle(angle);
     if (m_frequencyHz > 0.0f)

@@ -45,13 +45,11 @@ void b2WheelJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
     box2d::Scale(m_motorImpulse, m_enableMotor ? share : 0.0f);
 
     const box2d::JointFrame f(*m_bodyA, *m_bodyB, context);
-    const b2Vec2 armA = f.ArmA(m_localAnchorA);
-    const b2Vec2 armB = f.ArmB(m_localAnchorB);
-    const b2Vec2 offset = f.Offset();
-    m_axis = f.AxisOfA(m_localAxisA);
-    const float32 k = box2d::AxisMatrix(f, m_axis, offset + armB, armB);
+    const auto slide = f.Along(m_localAxisA, m_localAnchorA, m_localAnchorB);
+    m_axis = slide.axis;
+    const float32 k = box2d::AxisMatrix(f, m_axis, slide.reachA, slide.armB);
     const b2Vec2 across = b2Cross(1.0f, m_axis);
-    const float32 kAcross = box2d::AxisMatrix(f, across, offset + armB, armB);
+    const float32 kAcross = box2d::AxisMatrix(f, across, slide.reachA, slide.armB);
     const box2d::Softness soft = box2d::MakeSoftness(m_frequencyHz, m_dampingRatio,
                                                      box2d::InverseOrZero(k), context.timeStep);
 
@@ -62,16 +60,16 @@ void b2WheelJoint::FillLane(const box2d::SolverContext& context, box2d::JointLan
               .springImpulse = m_springImpulse,
               .motorImpulse = m_motorImpulse,
               .axis = box2d::InLanes(m_axis),
-              .axisA = b2Cross(offset + armB, m_axis),
-              .axisB = b2Cross(armB, m_axis),
-              .acrossA = b2Cross(offset + armB, across),
-              .acrossB = b2Cross(armB, across),
-              .armA = box2d::InLanes(armA),
-              .armB = box2d::InLanes(armB),
-              .offset = box2d::InLanes(offset),
+              .axisA = b2Cross(slide.reachA, m_axis),
+              .axisB = b2Cross(slide.armB, m_axis),
+              .acrossA = b2Cross(slide.reachA, across),
+              .acrossB = b2Cross(slide.armB, across),
+              .armA = box2d::InLanes(slide.armA),
+              .armB = box2d::InLanes(slide.armB),
+              .offset = box2d::InLanes(f.Offset()),
               .rigidMass = box2d::InverseOrZero(kAcross),
               .springMass = m_frequencyHz > 0.0f ? box2d::InverseOrZero(k + soft.gamma) : 0.0f,
-              .bias = b2Dot(m_axis, offset + armB - armA) * soft.biasRate,
+              .bias = slide.translation * soft.biasRate,
               .gamma = soft.gamma,
               .motorMass = box2d::InverseOrZero(f.iA + f.iB),
               .hasMotor = box2d::Flag(m_enableMotor),
@@ -114,13 +112,12 @@ void b2WheelJoint::SetRowImpulses(const float32 (&within)[3], const float32 (&)[
 box2d::SpringState box2d::JointAccess::Kind<b2WheelJoint>::SpringOf(const b2WheelJoint& joint,
                                                                     const JointPair& pair)
 {
-    const b2Vec2 armB = pair.ArmB(joint.GetLocalAnchorB());
-    const b2Vec2 reachA = pair.Offset() + armB;
-    const b2Vec2 axis = pair.AxisOfA(joint.GetLocalAxisA());
+    const auto slide =
+        pair.Along(joint.GetLocalAxisA(), joint.GetLocalAnchorA(), joint.GetLocalAnchorB());
     SpringState spring;
-    spring.error = double(b2Dot(axis, reachA - pair.ArmA(joint.GetLocalAnchorA())));
-    spring.stiffness =
-        StiffnessOf(pair.InverseMass(reachA, armB, axis), joint.GetSpringFrequencyHz());
+    spring.error = double(slide.translation);
+    spring.stiffness = StiffnessOf(pair.InverseMass(slide.reachA, slide.armB, slide.axis),
+                                   joint.GetSpringFrequencyHz());
     return spring;
 }
 

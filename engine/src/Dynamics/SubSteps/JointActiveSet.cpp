@@ -29,9 +29,7 @@ float32 ResidualImpulse(const JointRows& rows, int32 row, float32 speed)
     float32 response = law.softness;
     for (int32 side = 0; side < rows.bodies; ++side)
     {
-        const JointRows::Column& c = rows.columns[side];
-        response += c.invMass * (c.x[row] * c.x[row] + c.y[row] * c.y[row]) +
-                    c.invInertia * c.w[row] * c.w[row];
+        response += rows.columns[side].InverseMassOf(row);
     }
     const float32 residual = WantedOf(law) - law.softness * rows.impulse[row] - speed;
     return response > 0.0f ? residual / response : 0.0f;
