@@ -43,12 +43,6 @@ constexpr double kSameLimit = 0.01;
 /// dozen operations, and a margin. From 0 to 1e-4 no test fails.
 constexpr double kRounding = 8.0 * double(b2_epsilon);
 
-double SpeedFrom(const JointRows::Column& c, int32 row, const SolverBody& s)
-{
-    return double(c.x[row]) * double(s.v.x) + double(c.y[row]) * double(s.v.y) +
-           double(c.w[row]) * double(s.w);
-}
-
 /// Returns the speed that a row brings its bodies to if nothing else holds them. A soft spring that
 /// is far from its rest has a target speed of thousands of metres per second, and never reaches it.
 double ReachedSpeed(double response, double softness, double target)
@@ -324,7 +318,7 @@ void BoundedSystem::GoBack(const SolverContext& context)
 }
 
 template <class Motion>
-double BoundedSystem::FastestOfGiven(Motion&& motion) const
+double BoundedSystem::FastestGiven(Motion&& motion) const
 {
     double fastest = 0.0;
     for (std::size_t i = 0; i < m_items.size(); ++i)
@@ -346,17 +340,12 @@ double BoundedSystem::FastestOfGiven(Motion&& motion) const
     return fastest;
 }
 
-double BoundedSystem::FastestGiven(const SolverContext& context) const
-{
-    return FastestOfGiven([&](const BodyData& body) { return context.bodies[body.SolverIndex()]; });
-}
-
 /// All are compared with the first one, as if they were parts of it.
 double BoundedSystem::FastestDriven(const SolverContext& context) const
 {
     const BodyData* first = nullptr;
     double fastest = 0.0;
-    const double driven = FastestOfGiven([&](const BodyData& body) {
+    const double driven = FastestGiven([&](const BodyData& body) {
         first = first != nullptr ? first : &body;
         const SolverBody& whole = context.bodies[first->SolverIndex()];
         SolverBody s = context.bodies[body.SolverIndex()];
@@ -424,7 +413,8 @@ bool BoundedSystem::HasEndlessWork() const
 /// that rows bring bodies to [m/s].
 double BoundedSystem::Fastest(const SolverContext& context) const
 {
-    double fastest = FastestGiven(context);
+    double fastest =
+        FastestGiven([&](const BodyData& body) { return context.bodies[body.SolverIndex()]; });
     for (const BodyData* body : m_system.Bodies())
     {
         const SolverBody& s = context.bodies[body->SolverIndex()];

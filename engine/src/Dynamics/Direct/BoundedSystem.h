@@ -76,10 +76,10 @@ public:
     double FastestDriven(const SolverContext& context) const;
 
 private:
+    /// Returns the maximum speed that a body with infinite mass gives to a row [m/s], if it moves
+    /// like `motion` of it.
     template <class Motion>
-    double FastestOfGiven(Motion&& motion) const;
-    /// Returns the maximum speed that a body with infinite mass gives to a row [m/s].
-    double FastestGiven(const SolverContext& context) const;
+    double FastestGiven(Motion&& motion) const;
     bool IsDisc(std::size_t item) const;
     b2Vec2 DiscImpulse(const SolverContext& context, std::size_t item) const;
     bool Improve(const SolverContext& context);

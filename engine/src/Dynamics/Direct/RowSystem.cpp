@@ -592,9 +592,7 @@ Vector3 SpeedOf(const SolverContext& context, const JointRows& rows)
         const SolverBody& body = context.bodies[column.body];
         for (int32 i = 0; i < rows.rows; ++i)
         {
-            speed.at[i] += double(column.x[i]) * double(body.v.x) +
-                           double(column.y[i]) * double(body.v.y) +
-                           double(column.w[i]) * double(body.w);
+            speed.at[i] += SpeedFrom(column, i, body);
         }
     }
     return speed;

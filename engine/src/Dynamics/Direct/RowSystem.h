@@ -40,6 +40,12 @@ struct Vector3
     double at[3];
 };
 
+/// Returns a body's part of the speed of a row.
+inline double SpeedFrom(const JointRows::Column& c, int32 row, const SolverBody& s)
+{
+    return double(c.x[row]) * double(s.v.x) + double(c.y[row]) * double(s.v.y) +
+           double(c.w[row]) * double(s.w);
+}
 /// Returns the speed of each row.
 Vector3 SpeedOf(const SolverContext& context, const JointRows& rows);
 /// Applies an impulse along the rows and adds it to theirs.
