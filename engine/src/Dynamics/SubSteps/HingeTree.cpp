@@ -61,16 +61,6 @@ b2Vec2 ArmOf(const BodyData& body, const b2Vec2& local)
 
 } // namespace
 
-bool HingeTree::JointEnd::ByBodyAndOrder(const JointEnd& a, const JointEnd& b)
-{
-    return a.body->number != b.body->number ? a.body->number < b.body->number : a.order < b.order;
-}
-
-bool HingeTree::JointEnd::ByBody(const JointEnd& a, const JointEnd& b)
-{
-    return a.body->number < b.body->number;
-}
-
 bool HingeTree::Build(const Array<b2Joint*>& joints)
 {
     m_links.clear();
@@ -94,7 +84,10 @@ bool HingeTree::Build(const Array<b2Joint*>& joints)
             AddLink(*joint, IsMoved(a) ? b : a, -1);
         }
     }
-    std::sort(m_ends.begin(), m_ends.end(), JointEnd::ByBodyAndOrder);
+    const auto bodyOf = [](const JointEnd& end) { return end.body->number; };
+    std::sort(m_ends.begin(), m_ends.end(), [&](const JointEnd& a, const JointEnd& b) {
+        return bodyOf(a) != bodyOf(b) ? bodyOf(a) < bodyOf(b) : a.order < b.order;
+    });
     if (m_links.empty())
     {
         m_links.emplace_back().body = m_ends.front().body;
@@ -103,13 +96,11 @@ bool HingeTree::Build(const Array<b2Joint*>& joints)
     for (std::size_t i = 0; i < m_links.size() && m_links.size() <= count; ++i)
     {
         const Link link = m_links[i];
-        const auto [first, last] = std::equal_range(
-            m_ends.begin(), m_ends.end(), JointEnd{link.body, nullptr, 0}, JointEnd::ByBody);
-        for (auto end = first; end != last; ++end)
+        for (const JointEnd& end : std::ranges::equal_range(m_ends, link.body->number, {}, bodyOf))
         {
-            if (end->joint != link.joint)
+            if (end.joint != link.joint)
             {
-                AddLink(*end->joint, *link.body, int32(i));
+                AddLink(*end.joint, *link.body, int32(i));
             }
         }
     }

@@ -97,9 +97,6 @@ private:
         const BodyData* body;
         b2Joint* joint;
         std::size_t order; ///< index of the joint
-
-        static bool ByBodyAndOrder(const JointEnd& a, const JointEnd& b);
-        static bool ByBody(const JointEnd& a, const JointEnd& b);
     };
 
     void AddLink(b2Joint& joint, const BodyData& above, int32 parent);

@@ -129,6 +129,7 @@ bool JointSystem::SetActiveToClose(std::size_t joint, const SolverContext& conte
     return other;
 }
 
+/// Sets the residuals of the target speeds.
 void JointSystem::WantSpeeds(std::size_t joint, const SolverContext& context)
 {
     const JointRows& rows = m_system.Rows(joint);
@@ -137,7 +138,11 @@ void JointSystem::WantSpeeds(std::size_t joint, const SolverContext& context)
     {
         wanted.at[i] = WantedSpeed(rows, m_states[joint].of[i], i, double(rows.impulse[i]));
     }
-    SetResidual(joint, context, wanted);
+    const Vector3 speed = SpeedOf(context, rows);
+    for (int32 k = 0; k < JointRows::kMaxRows; ++k)
+    {
+        m_system.Residual(joint).at[k] = wanted.at[k] - speed.at[k];
+    }
 }
 
 double JointSystem::WantedSpeed(const JointRows& rows, RowState state, int32 row, double impulse)

@@ -320,17 +320,6 @@ void JointSystem::Start(const SolverContext& context, std::size_t joint, float32
     }
 }
 
-/// Sets the residuals of the target speeds.
-void JointSystem::SetResidual(std::size_t joint, const SolverContext& context,
-                              const Vector3& wanted)
-{
-    const Vector3 speed = SpeedOf(context, m_system.Rows(joint));
-    for (int32 k = 0; k < JointRows::kMaxRows; ++k)
-    {
-        m_system.Residual(joint).at[k] = wanted.at[k] - speed.at[k];
-    }
-}
-
 void JointSystem::Factor(int32 part, double compliance)
 {
     m_system.Read(part, compliance);

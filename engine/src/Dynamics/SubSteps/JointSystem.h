@@ -305,7 +305,6 @@ private:
     double ComplianceOf(int32 part) const;
     void Factor(int32 part, double compliance);
     void SolvePart(int32 part, const SolverContext& context);
-    void SetResidual(std::size_t joint, const SolverContext& context, const Vector3& wanted);
 
     /// A body that an impact has stopped counts as this many times heavier than the rest of its
     /// component, so joints move it by a twentieth of a gap. With 200 a heavy body goes 0.49 m
