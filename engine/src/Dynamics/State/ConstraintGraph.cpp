@@ -15,13 +15,6 @@ namespace box2d
 namespace
 {
 
-// True if the solver moves the body. Bodies that never move may be shared by any constraints of a
-// colour.
-bool IsMovable(const BodyData& body)
-{
-    return body.mobility == Mobility::Dynamic;
-}
-
 /// Initial capacity of a colour, to avoid repeated growth. It affects allocations only: a list of
 /// 16 takes two cache lines.
 constexpr std::size_t kFirstRoom = 16;
@@ -31,20 +24,21 @@ constexpr uint32 kAllColors = (1u << ConstraintGraph::kOverflow) - 1;
 } // namespace
 
 // Between two moving bodies the first free colour, against a static one the last. Contacts with the
-// ground are solved last, so that their error is smallest.
+// ground are solved last, so that their error is smallest. Bodies that the solver does not move may
+// be shared by any constraints of a colour.
 int32 ConstraintGraph::Claim(BodyData& a, BodyData& b)
 {
-    const uint32 taken = (IsMovable(a) ? a.colorMask : 0u) | (IsMovable(b) ? b.colorMask : 0u);
+    const uint32 taken = (a.IsDynamic() ? a.colorMask : 0u) | (b.IsDynamic() ? b.colorMask : 0u);
     const uint32 open = ~taken & kAllColors;
     if (open == 0)
     {
         return kOverflow;
     }
     const int32 color =
-        IsMovable(a) && IsMovable(b) ? std::countr_zero(open) : 31 - std::countl_zero(open);
+        a.IsDynamic() && b.IsDynamic() ? std::countr_zero(open) : 31 - std::countl_zero(open);
     for (BodyData* body : {&a, &b})
     {
-        if (IsMovable(*body))
+        if (body->IsDynamic())
         {
             body->colorMask |= 1u << color;
         }
@@ -60,7 +54,7 @@ void ConstraintGraph::Release(BodyData& a, BodyData& b, int32 color)
     }
     for (BodyData* body : {&a, &b})
     {
-        if (IsMovable(*body))
+        if (body->IsDynamic())
         {
             body->colorMask &= ~(1u << color);
         }

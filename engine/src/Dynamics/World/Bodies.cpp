@@ -221,8 +221,9 @@ void Include(const b2Shape& shape, BodyData& body)
     }
 }
 
-/// Measures the maximum distance of the shapes from the centre of mass, and their thickness.
-void MeasureExtents(BodyData& body)
+} // namespace
+
+void MeasureShapes(BodyData& body)
 {
     ForgetExtents(body);
     body.minExtent = b2_maxFloat;
@@ -233,18 +234,11 @@ void MeasureExtents(BodyData& body)
     }
 }
 
-} // namespace
-
-void MeasureShapes(BodyData& body)
-{
-    MeasureExtents(body);
-}
-
 void MeasureNewest(BodyData& body)
 {
     if (body.fixtureCount == 1)
     {
-        MeasureExtents(body);
+        MeasureShapes(body);
         return;
     }
     ForgetExtents(body);
@@ -297,13 +291,9 @@ void SetMassData(BodyData& body, const b2MassData& massData)
     const float32 aboutCenter = massData.I - massData.mass * massData.center.LengthSquared();
     SetInertia(body, massData.mass, massData.mass > 0.0f ? aboutCenter : 0.0f);
     MoveCenter(body, massData.center);
-    MeasureExtents(body);
+    MeasureShapes(body);
 }
 
-namespace
-{
-
-/// Discards manifolds, because a shape may have been changed in place.
 void ForgetManifolds(BodyData& body)
 {
     for (b2ContactEdge* edge = body.contactList; edge; edge = edge->next)
@@ -311,8 +301,6 @@ void ForgetManifolds(BodyData& body)
         ForgetManifold(*body.world, Data(*edge->contact));
     }
 }
-
-} // namespace
 
 void ResetMassData(BodyData& body)
 {
@@ -339,7 +327,7 @@ void ResetMassData(BodyData& body)
         body.invInertia = 0.0f;
     }
     MoveCenter(body, b2Vec2(float32(total.centerX), float32(total.centerY)));
-    MeasureExtents(body);
+    MeasureShapes(body);
 }
 
 void SetMobility(World& world, b2Body& body, Mobility mobility)

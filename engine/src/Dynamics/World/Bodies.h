@@ -19,6 +19,8 @@ b2Body& AddBody(World& world);
 void DestroyBody(World& world, b2Body& body);
 void SetTransform(World& world, b2Body& body, const b2Vec2& position, float32 angle);
 void SetMassData(BodyData& body, const b2MassData& massData);
+/// Discards manifolds, because a shape may have been changed in place.
+void ForgetManifolds(BodyData& body);
 /// From its fixtures.
 void ResetMassData(BodyData& body);
 /// After a fixture has been added that weighs nothing. Measures how far its shapes reach from the

@@ -218,10 +218,7 @@ bool SetShape(World& world, b2Fixture& fixture, const b2Shape& shape)
         return true;
     }
     ResetProxies(world.proxies, data);
-    for (b2ContactEdge* edge = data.contactList; edge; edge = edge->next)
-    {
-        ForgetManifold(world, Data(*edge->contact));
-    }
+    ForgetManifolds(data);
     return true;
 }
 
