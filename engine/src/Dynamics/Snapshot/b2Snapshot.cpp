@@ -95,21 +95,16 @@ void VisitWorld(Archive& archive, World& world)
 SnapshotLists ListsOf(World& world)
 {
     SnapshotLists lists;
-    for (b2Body* body = world.bodyList; body; body = body->GetNext())
-    {
-        lists.bodies.push_back(body);
-    }
-    for (b2Joint* joint = world.jointList; joint; joint = joint->GetNext())
-    {
-        lists.joints.push_back(joint);
-    }
-    for (b2Contact* contact = world.contactList; contact; contact = contact->GetNext())
-    {
-        lists.contacts.push_back(contact);
-    }
-    std::reverse(lists.bodies.begin(), lists.bodies.end());
-    std::reverse(lists.joints.begin(), lists.joints.end());
-    std::reverse(lists.contacts.begin(), lists.contacts.end());
+    const auto fill = [](auto& list, auto* newest) {
+        for (auto* thing = newest; thing; thing = thing->GetNext())
+        {
+            list.push_back(thing);
+        }
+        std::reverse(list.begin(), list.end());
+    };
+    fill(lists.bodies, world.bodyList);
+    fill(lists.joints, world.jointList);
+    fill(lists.contacts, world.contactList);
     for (std::size_t i = 0; i < lists.bodies.size(); ++i)
     {
         Data(*lists.bodies[i]).place = int32(i);
