@@ -37,10 +37,7 @@ void Islands::Append(int32 island, b2Body& body)
 
 void Islands::Add(b2Body& body)
 {
-    if (Data(body).island == -1)
-    {
-        Append(Create(), body);
-    }
+    Append(Create(), body);
 }
 
 void Islands::Remove(b2Body& body)

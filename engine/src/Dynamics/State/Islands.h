@@ -29,7 +29,7 @@ public:
         bool seen = false; // a body of it was reported in the current step
     };
 
-    void Add(b2Body& body);    // as a separate island
+    void Add(b2Body& body);    // one that is in none, as a separate island
     void Remove(b2Body& body); // counts as lost links of the rest
     void Link(b2Body& a, b2Body& b);
     void Unlink(b2Body& a, b2Body& b);

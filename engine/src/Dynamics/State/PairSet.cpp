@@ -55,35 +55,21 @@ void PairSet::Reserve(std::size_t count)
     m_slots.assign(std::max(kFirstSlots, std::bit_ceil(2 * (count + 1))), 0);
 }
 
-bool PairSet::Insert(std::int32_t proxyA, std::int32_t proxyB)
+void PairSet::Insert(std::int32_t proxyA, std::int32_t proxyB)
 {
     if (2 * (m_count + 1) > m_slots.size())
     {
         Grow();
     }
     const std::uint64_t key = Key(proxyA, proxyB);
-    const std::size_t slot = Find(key);
-    if (m_slots[slot] == key)
-    {
-        return false;
-    }
-    m_slots[slot] = key;
+    m_slots[Find(key)] = key;
     ++m_count;
-    return true;
 }
 
 void PairSet::Erase(std::int32_t proxyA, std::int32_t proxyB)
 {
-    if (m_slots.empty())
-    {
-        return;
-    }
     const std::size_t mask = m_slots.size() - 1;
     std::size_t hole = Find(Key(proxyA, proxyB));
-    if (m_slots[hole] == 0)
-    {
-        return;
-    }
     --m_count;
     // Close the gap: a later entry of the same run moves up unless its home is behind the hole.
     for (std::size_t slot = (hole + 1) & mask; m_slots[slot] != 0; slot = (slot + 1) & mask)

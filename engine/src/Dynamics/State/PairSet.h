@@ -16,8 +16,9 @@ class PairSet
 public:
     /// Reserves room for `count` pairs in an empty set.
     void Reserve(std::size_t count);
-    /// False if the pair was already present.
-    bool Insert(std::int32_t proxyA, std::int32_t proxyB);
+    /// A new pair.
+    void Insert(std::int32_t proxyA, std::int32_t proxyB);
+    /// A pair of the set.
     void Erase(std::int32_t proxyA, std::int32_t proxyB);
     bool Contains(std::int32_t proxyA, std::int32_t proxyB) const;
 
