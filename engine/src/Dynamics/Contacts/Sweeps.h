@@ -32,10 +32,6 @@ inline Pose Between(const Pose& from, const Pose& to, double share)
 /// Returns the body's pose at a fraction of the step within its path.
 inline Pose PoseAt(const BodyData& body, float32 time)
 {
-    if (body.sweepStart >= 1.0f || time >= 1.0f)
-    {
-        return body.pose;
-    }
     if (time == body.sweepStart)
     {
         return body.previous;

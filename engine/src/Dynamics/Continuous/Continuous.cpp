@@ -267,10 +267,6 @@ float32 ContinuousCollision::TimeOfImpact(const ContactData& c, SearchCounts& co
     const BodyData& a = Data(*c.bodyA);
     const BodyData& b = Data(*c.bodyB);
     const float32 start = b2Max(a.sweepStart, b.sweepStart);
-    if (start >= 1.0f)
-    {
-        return 1.0f;
-    }
     const Pose fromA = PoseAt(a, start);
     const Pose fromB = PoseAt(b, start);
     if (!CirclesMeet(a, fromA, b, fromB))
