@@ -349,8 +349,7 @@ int32 RowPattern::EntryAt(int32 row, int32 column) const
 {
     const auto first = rows.begin() + columns[std::size_t(column)].firstEntry;
     const auto last = rows.begin() + columns[std::size_t(column) + 1].firstEntry;
-    const auto place = std::lower_bound(first, last, row);
-    return place != last && *place == row ? int32(place - rows.begin()) : -1;
+    return int32(std::lower_bound(first, last, row) - rows.begin());
 }
 
 void RowPattern::Clear()

@@ -66,7 +66,7 @@ struct RowPattern
     };
 
     void Clear();                                 ///< keeps the memory
-    int32 EntryAt(int32 row, int32 column) const; ///< index; -1 if there is none
+    int32 EntryAt(int32 row, int32 column) const; ///< index of one that there is
 
     Array<Column> columns; ///< in elimination order, with one more for the end
     Array<int32> rows;     ///< row index of each entry below the diagonal, ascending in a column

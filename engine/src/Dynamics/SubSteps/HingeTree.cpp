@@ -77,10 +77,6 @@ bool HingeTree::Build(const Array<b2Joint*>& joints)
         m_ends.push_back({&b, joint, m_ends.size()});
         if (!IsMoved(a) || !IsMoved(b))
         {
-            if (!m_links.empty())
-            {
-                return false; // attached to the world twice
-            }
             AddLink(*joint, IsMoved(a) ? b : a, -1);
         }
     }

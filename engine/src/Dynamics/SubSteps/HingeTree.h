@@ -18,7 +18,8 @@ namespace box2d
 class HingeTree
 {
 public:
-    /// False if the joints are not a tree of plain hinges; it cannot be used then.
+    /// For connected joints that are attached to the world once at most. False if they are not a
+    /// tree of plain hinges; it cannot be used then.
     bool Build(const Array<b2Joint*>& joints);
 
     /// Call at the start of a step; the kicks are by awake body. False if the tree cannot be used

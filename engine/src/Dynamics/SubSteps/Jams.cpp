@@ -110,10 +110,6 @@ bool IsWedged(BoundedSystem& system, std::size_t contacts, const SolverContext& 
     for (std::size_t i = 0; i < contacts; ++i)
     {
         const JointRows& rows = system.Rows(i);
-        if (rows.bodies < 2)
-        {
-            continue;
-        }
         const JointRows::Column& a = rows.columns[0];
         const JointRows::Column& b = rows.columns[1];
         if (IsPushed(*a.data) || IsPushed(*b.data))
