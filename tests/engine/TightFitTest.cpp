@@ -231,46 +231,49 @@ TEST_P(TightFit, LandsHard)
     }
 }
 
-/// A force with a long lever needs large impulses from the jaws of a wrench, which just fit a nut
-/// with a brake. Softened jaws slip by 0.29 rad.
+/// A force with a long lever turns a nut with a brake by a wrench, whose jaws just fit. Their rows
+/// contradict each other by rounding and by what both turn by in a step. Where impulses of 1,000 Ns
+/// balanced that, jaws slipped by 0.2 to 0.4 rad; 3 Ns are enough to turn the nut.
 TEST_P(TightFit, TurnsANutWithAWrench)
 {
-    Scene scene(b2Vec2_zero);
-    scene.world.SetSubStepCount(GetParam());
-    constexpr float32 kHalf = 0.1f;
-    constexpr float32 kLength = 2.0f;
-    constexpr float32 kTorque = 50.0f;
-    constexpr float32 kGap = 0.02f; // leaves no room for skins
-    b2Body* const nut = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
-    Scene::AddBox(nut, kHalf, kHalf, 0.5f)->SetDensity(10.0f);
-    nut->ResetMassData();
-    b2Body* const wrench = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
-    const auto addPart = [&](float32 hx, float32 hy, const b2Vec2& center) {
-        b2PolygonShape shape;
-        shape.SetAsBox(hx, hy, center, 0.0f);
-        Scene::Add(wrench, shape, 0.5f, 0.0f);
-    };
-    addPart(0.5f * kLength, 0.5f * kHalf, b2Vec2(0.5f * kLength + kHalf + kGap + 0.02f, 0.0f));
-    for (const float32 side : {-1.0f, 1.0f})
+    for (const float32 gap : {0.015f, 0.017f, 0.018f})
     {
-        addPart(kHalf + 0.02f, 0.3f * kHalf, b2Vec2(0.0f, side * (1.3f * kHalf + kGap)));
+        Scene scene(b2Vec2_zero);
+        scene.world.SetSubStepCount(GetParam());
+        constexpr float32 kHalf = 0.1f;
+        constexpr float32 kLength = 2.0f;
+        constexpr float32 kTorque = 50.0f;
+        b2Body* const nut = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+        Scene::AddBox(nut, kHalf, kHalf, 0.5f)->SetDensity(10.0f);
+        nut->ResetMassData();
+        b2Body* const wrench = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+        const auto addPart = [&](float32 hx, float32 hy, const b2Vec2& center) {
+            b2PolygonShape shape;
+            shape.SetAsBox(hx, hy, center, 0.0f);
+            Scene::Add(wrench, shape, 0.5f, 0.0f);
+        };
+        addPart(0.5f * kLength, 0.5f * kHalf, b2Vec2(0.5f * kLength + kHalf + gap + 0.02f, 0.0f));
+        for (const float32 side : {-1.0f, 1.0f})
+        {
+            addPart(kHalf + 0.02f, 0.3f * kHalf, b2Vec2(0.0f, side * (1.3f * kHalf + gap)));
+        }
+        b2RevoluteJointDef brake;
+        brake.Initialize(scene.Body(b2_staticBody, 0.0f, 0.0f), nut, b2Vec2_zero);
+        brake.enableMotor = true;
+        brake.maxMotorTorque = kTorque;
+        scene.world.CreateJoint(&brake);
+        const b2Vec2 end(kLength + kHalf, 0.0f);
+        float32 slip = 0.0f;
+        for (int32 step = 0; step < 300 && wrench->GetAngle() < 1.2f; ++step)
+        {
+            const b2Vec2 force = wrench->GetWorldVector(b2Vec2(0.0f, 1.3f * kTorque / end.x));
+            wrench->ApplyForce(force, wrench->GetWorldPoint(end), true);
+            scene.Step();
+            slip = b2Max(slip, b2Abs(wrench->GetAngle() - nut->GetAngle()));
+        }
+        EXPECT_GT(nut->GetAngle(), 1.0f) << gap;
+        EXPECT_LT(slip, 0.01f) << gap;
     }
-    b2RevoluteJointDef brake;
-    brake.Initialize(scene.Body(b2_staticBody, 0.0f, 0.0f), nut, b2Vec2_zero);
-    brake.enableMotor = true;
-    brake.maxMotorTorque = kTorque;
-    scene.world.CreateJoint(&brake);
-    const b2Vec2 end(kLength + kHalf, 0.0f);
-    float32 slip = 0.0f;
-    for (int32 step = 0; step < 300 && wrench->GetAngle() < 1.5f; ++step)
-    {
-        const b2Vec2 force = wrench->GetWorldVector(b2Vec2(0.0f, 1.3f * kTorque / end.x));
-        wrench->ApplyForce(force, wrench->GetWorldPoint(end), true);
-        scene.Step();
-        slip = b2Abs(wrench->GetAngle() - nut->GetAngle());
-    }
-    EXPECT_GT(nut->GetAngle(), 1.0f);
-    EXPECT_LT(slip, 0.1f);
 }
 
 } // namespace

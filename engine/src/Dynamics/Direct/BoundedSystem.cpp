@@ -50,6 +50,12 @@ double ReachedSpeed(double response, double softness, double target)
     return softness > 0.0 ? std::abs(target) * response / (response + softness) : std::abs(target);
 }
 
+/// Returns by how much a row's softness lets it miss its target speed.
+double SoftSpeed(const JointRows& rows, const BoundedSystem::Item& item, int32 row)
+{
+    return double(rows.laws[row].softness) * (item.impulse.at[row] - item.start.at[row]);
+}
+
 /// Returns the sum of the magnitudes of the terms of a row's speed [m/s].
 double SpeedsOf(const JointRows& rows, int32 row, const SolverContext& context)
 {
@@ -110,8 +116,7 @@ float32 BoundedSystem::ErrorOf(const SolverContext& context, const JointRows& ro
     for (int32 row = 0; row < rows.rows; ++row)
     {
         const double impulse = item.impulse.at[row];
-        const double off =
-            speed.at[row] + double(rows.laws[row].softness) * impulse - item.speeds.at[row];
+        const double off = speed.at[row] + SoftSpeed(rows, item, row) - item.speeds.at[row];
         const bool mayMove =
             off < 0.0 ? impulse >= item.maximum.at[row] : impulse <= item.minimum.at[row];
         const double rounding = kRounding * SpeedsOf(rows, row, context);
@@ -187,8 +192,7 @@ bool BoundedSystem::Release(const SolverContext& context, double tolerance)
         const Vector3 speed = m_system.SpeedOf(context, i, m_given[i]);
         for (int32 row = 0; row < rows.rows; ++row)
         {
-            const double soft = double(rows.laws[row].softness) * item.impulse.at[row];
-            const double off = speed.at[row] + soft - item.speeds.at[row];
+            const double off = speed.at[row] + SoftSpeed(rows, item, row) - item.speeds.at[row];
             const bool wantsMore = off < -tolerance && item.impulse.at[row] < item.maximum.at[row];
             const bool wantsLess = off > tolerance && item.impulse.at[row] > item.minimum.at[row];
             if ((item.active >> row & 1) == 0 && (wantsMore || wantsLess))
@@ -251,8 +255,7 @@ b2Vec2 BoundedSystem::DiscImpulse(const SolverContext& context, std::size_t inde
     b2Vec2 residual;
     for (int32 row = 0; row < 2; ++row)
     {
-        const double soft = double(rows.laws[row].softness) * item.impulse.at[row];
-        residual(row) = float32(item.speeds.at[row] - soft - speed.at[row]);
+        residual(row) = float32(item.speeds.at[row] - SoftSpeed(rows, item, row) - speed.at[row]);
     }
     return SlippingImpulse(rows, impulse, residual, rows.laws[0].maximum);
 }
@@ -442,9 +445,9 @@ bool BoundedSystem::Improve(const SolverContext& context)
         const Vector3 speed = m_system.SpeedOf(context, i, m_given[i]);
         for (int32 row = 0; row < JointRows::kMaxRows; ++row)
         {
-            const double soft = double(m_system.Rows(i).laws[row].softness);
-            m_system.Residual(i).at[row] =
-                m_items[i].speeds.at[row] - soft * m_items[i].impulse.at[row] - speed.at[row];
+            m_system.Residual(i).at[row] = m_items[i].speeds.at[row] -
+                                           SoftSpeed(m_system.Rows(i), m_items[i], row) -
+                                           speed.at[row];
         }
     }
     for (int32 i = 0; i < m_system.Components(); ++i)
@@ -555,9 +558,9 @@ double BoundedSystem::Energy(const SolverContext& context) const
         const JointRows& rows = m_system.Rows(i);
         for (int32 row = 0; row < rows.rows; ++row)
         {
-            const double impulse = item.impulse.at[row];
-            sum += impulse * (m_given[i].at[row] - item.speeds.at[row] +
-                              0.5 * double(rows.laws[row].softness) * impulse);
+            const double off = item.impulse.at[row] - item.start.at[row];
+            sum += item.impulse.at[row] * (m_given[i].at[row] - item.speeds.at[row]) +
+                   0.5 * SoftSpeed(rows, item, row) * off;
         }
     }
     return sum;

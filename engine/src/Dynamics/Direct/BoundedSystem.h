@@ -29,6 +29,7 @@ public:
     {
         Vector3 speeds{};  ///< target speed of each row
         Vector3 impulse{}; ///< applied impulse
+        Vector3 start{};   ///< impulse at which a row's softness has no effect
         Vector3 minimum{}, maximum{};
         uint8 active = 0; ///< rows that are not at a bound
     };

@@ -440,9 +440,11 @@ bool ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     const std::size_t count = island.contacts.size();
     for (std::size_t i = 0; i < count; ++i)
     {
+        const Place& place = island.contacts[i];
         ContactItem item = contact(i);
-        item.FillRows(system.Rows(i));
+        item.FillRows(system.Rows(i), solver.contacts[place.color].Overlaps(place.block), context);
         item.Fill(system.At(i), SpeedOf(context, system.Rows(i)), tolerance);
+        item.SetSoftness(system.Rows(i), system.At(i), kProximal, system.At(i).impulse);
     }
     for (std::size_t i = 0; i < island.joints.size(); ++i)
     {
@@ -452,12 +454,6 @@ bool ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     system.Begin(context);
     const double driven = system.FastestDriven(context);
     const auto holds = [&](std::size_t i) { return contact(i).Holds(system.At(i)); };
-    const auto soften = [&](float32 share) {
-        for (std::size_t i = 0; i < count; ++i)
-        {
-            contact(i).SetSoftness(system.Rows(i), share);
-        }
-    };
     system.Mark(context);
     bool found = MinimizeWithFriction(system, count, holds, context, tolerance);
     const bool jammed = IsJammed(system, count, context, driven, double(speeds.weight)) ||
@@ -465,7 +461,10 @@ bool ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     if (jammed)
     {
         system.GoBack(context);
-        soften(kJammedSoftness);
+        for (std::size_t i = 0; i < count; ++i)
+        {
+            contact(i).SetSoftness(system.Rows(i), system.At(i), kJammedSoftness, Vector3());
+        }
         system.Begin(context);
         system.Mark(context); // soft contacts store energy
         found = MinimizeWithFriction(system, count, holds, context, tolerance);
@@ -482,10 +481,6 @@ bool ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     else
     {
         system.KeepIfBetter(context);
-    }
-    if (jammed)
-    {
-        soften(0.0f);
     }
     for (std::size_t i = 0; i < count; ++i)
     {
