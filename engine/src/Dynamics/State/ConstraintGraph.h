@@ -31,7 +31,7 @@ public:
     static constexpr int32 kColorCount = kOverflow + 1;
 
     /// Contacts with bodies that are not dynamic take the highest free colour, others the lowest.
-    /// From this one on, a colour therefore has few others.
+    /// From this one on, a colour therefore has few others. Half, so that both have as many.
     static constexpr int32 kFirstOfGround = kOverflow / 2;
     /// True if the colour is the second one, from the highest, of a body that has no colour below
     /// kFirstOfGround. Such a body usually touches two or more bodies that are not dynamic.

@@ -310,10 +310,6 @@ private:
     /// component, so joints move it by a twentieth of a gap. With 200 a heavy body goes 0.49 m
     /// beyond a wall (docs/notes/tuned-constants.md).
     static constexpr double kHeldShare = 20.0;
-    /// Its rotation is held only up to this angle [rad]. An impact ignores joints, and may give a
-    /// light body a spin that its joints would prevent. From 0.05 to 1e9 no test or random world
-    /// changes its verdict.
-    static constexpr double kMaxHeldTurn = 0.5;
 
     Array<b2Joint*> m_joints;
     Array<RowSides> m_sides;
@@ -366,9 +362,8 @@ bool JointSystem::HoldStopped(int32 part, Fate&& fate)
     {
         m_system.ForBodies(part, [&](const BodyData& body, std::size_t place) {
             const double held = fate(body) == AfterImpact::Free ? mass : kHeldShare * mass;
-            const double turn = std::abs(body.pose.angle - body.previous.angle);
             const double reach = double(body.maxExtent);
-            m_system.SetAddedMass(place, held, (turn > kMaxHeldTurn ? mass : held) * reach * reach);
+            m_system.SetAddedMass(place, held, held * reach * reach);
         });
     }
     return any;
