@@ -414,7 +414,6 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
         const bool driven = solve && SolveVelocities(island, solver, joints, context,
                                                      {tolerance, weight + kMinWeight});
         // Impulses of an impact are not passed on: the next kick would apply them again.
-        // WarmStartGuard exempts islands that a platform moves.
         const bool ends = driven && inImpact;
         for (const Place& place : island.contacts)
         {
