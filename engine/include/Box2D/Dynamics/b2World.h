@@ -129,7 +129,8 @@ public:
     /// second-order scheme. Free flight is exact; joints are solved exactly and conserve energy.
     /// Shapes that are put into each other's skins stay there for as long as they touch. On a
     /// ground they stay so for as long as they are well within one of its shapes. The iterations
-    /// given to Step are divided among the sub-steps, see b2IterationsOfASubStep. A number out of
+    /// given to Step are divided among the sub-steps, see b2IterationsOfASubStep. Gaps that joints
+    /// under load have with one sub-step close at once when the number is raised. A number out of
     /// range asserts and is clamped; while the world is locked nothing changes.
     void SetSubStepCount(int32 count);
     int32 GetSubStepCount() const; ///< 1 to 64

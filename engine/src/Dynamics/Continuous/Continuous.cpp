@@ -7,6 +7,7 @@
 #include "../Contacts/Sweeps.h"
 #include "../Energy/EnergyGuard.h"
 #include "../Islands/Sleep.h"
+#include "../Joints/JointKinds.h"
 #include "../Solver/SolverMemory.h"
 #include "../State/Access.h"
 #include "../State/World.h"
@@ -97,6 +98,10 @@ private:
     bool IsValid(const ImpactEvent& event) const;
     bool Resolve(const ImpactEvent& event);
     void AddNeighbours(b2Body& body, float32 time);
+    void AddJointed(float32 time);
+    bool Bounces(const ContactData& c) const;
+    bool Falls(const JointedBounce& jointed) const;
+    void AddJointed(b2Body& body, bool falls, float32 time);
     bool Sinks(const ContactData& c) const;
     static bool GoesDeeper(const ContactData& c, const b2Sweep& sweepA, const b2Sweep& sweepB);
     static bool IsNear(const BodyData& body, const BodyData& other, bool known, float32 time);
@@ -427,6 +432,7 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
     ContactData& c = Data(*event.contact);
     b2Body& bodyA = *c.bodyA;
     b2Body& bodyB = *c.bodyB;
+    m_impact.Falling().clear();
     const ImpactBackup backupA = Save(bodyA);
     const ImpactBackup backupB = Save(bodyB);
     Advance(Data(bodyA), event.time);
@@ -449,6 +455,7 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
     m_contacts.assign(1, event.contact);
     AddNeighbours(bodyA, event.time);
     AddNeighbours(bodyB, event.time);
+    AddJointed(event.time);
     m_impact.SolvePositions(bodyA, bodyB);
     m_impact.SolveVelocities(event.time);
     for (std::size_t i = 0; i < m_bodies.size(); ++i)
@@ -526,6 +533,80 @@ void ContinuousCollision::AddNeighbours(b2Body& body, float32 time)
         {
             m_bodies.push_back(&other);
             m_before.push_back(backup);
+        }
+    }
+}
+
+/// True if a point of the contact approaches fast enough to bounce.
+bool ContinuousCollision::Bounces(const ContactData& c) const
+{
+    b2WorldManifold manifold;
+    manifold.Initialize(&c.manifold, Data(*c.bodyA).transform, c.radiusA, Data(*c.bodyB).transform,
+                        c.radiusB);
+    bool any = false;
+    for (int32 i = 0; i < c.manifold.pointCount; ++i)
+    {
+        const b2Vec2 v = c.bodyB->GetLinearVelocityFromWorldPoint(manifold.points[i]) -
+                         c.bodyA->GetLinearVelocityFromWorldPoint(manifold.points[i]);
+        any = any || b2Dot(v, manifold.normal) < -m_world.settings.restitutionThreshold;
+    }
+    return any && c.restitution > 0.0f;
+}
+
+/// True if all that joints connect falls freely at the same acceleration.
+bool ContinuousCollision::Falls(const JointedBounce& jointed) const
+{
+    const SubStepMemory& steps = *m_world.subSteps;
+    const auto placeOf = [](const b2Body* body) { return std::size_t(Data(*body).awakeIndex); };
+    const std::size_t first = placeOf(jointed.Bodies()[0]);
+    const auto falls = [&](const b2Body* body) {
+        const BodyData& data = Data(*body);
+        const std::size_t place = placeOf(body);
+        return data.IsDynamic() && place < steps.modes.size() &&
+               steps.modes[place] != BodyMode::Together && data.linearDamping == 0.0f &&
+               data.angularDamping == 0.0f &&
+               steps.kicks[place].acceleration == steps.kicks[first].acceleration;
+    };
+    return std::ranges::all_of(jointed.Bodies(), falls) &&
+           std::ranges::none_of(jointed.Joints(),
+                                [](b2Joint* joint) { return HoldsToWorld(*joint); });
+}
+
+/// With sub-steps joints pass on the impulse of what bounces. Their bodies are moved to its time.
+void ContinuousCollision::AddJointed(float32 time)
+{
+    JointedBounce& jointed = m_world.subSteps->jointedBounce;
+    for (std::size_t i = 0; i < m_contacts.size() && m_world.settings.subStepCount > 1; ++i)
+    {
+        const ContactData& c = Data(*m_contacts[i]);
+        if (!Bounces(c) || !jointed.Find(c))
+        {
+            continue;
+        }
+        const bool falls = Falls(jointed);
+        for (b2Body* body : jointed.Bodies())
+        {
+            AddJointed(*body, falls, time);
+        }
+    }
+}
+
+void ContinuousCollision::AddJointed(b2Body& body, bool falls, float32 time)
+{
+    BodyData& data = Data(body);
+    if (std::find(m_bodies.begin(), m_bodies.end(), &body) == m_bodies.end())
+    {
+        m_before.push_back(Save(body));
+        m_bodies.push_back(&body);
+        Advance(data, time);
+    }
+    Array<const BodyData*>& falling = m_impact.Falling();
+    if (falls && std::find(falling.begin(), falling.end(), &data) == falling.end())
+    {
+        falling.push_back(&data);
+        if (data.sweepStart == time)
+        {
+            data.linearVelocity -= (1.0f - time) * m_timeStep * m_impact.AccelerationOf(data);
         }
     }
 }

@@ -5,6 +5,7 @@
 
 #include "../Energy/EnergyGuard.h"
 #include "../Islands/Sleep.h"
+#include "../Solver/Bouncer.h"
 #include "../Solver/StepSolver.h"
 #include "../State/Access.h"
 #include "../State/World.h"
@@ -41,7 +42,7 @@ constexpr int32 kCornerIterations = 1024;
 
 /// Relative rounding error of a kinetic energy: some 80 roundings of a float. With 0 no test fails;
 /// with 1e-3 impacts may add that much energy (docs/notes/tuned-constants.md).
-constexpr double kRounding = 1e-5;
+constexpr double kEnergyRounding = 1e-5;
 
 bool IsWithGround(const ContactData& c)
 {
@@ -76,8 +77,8 @@ void HoldOthers(OverlapBlock& o, MassLanes& masses, int32 indexA, int32 indexB)
 Impact::Impact(World& world, float32 timeStep, int32 velocityIterations)
     : m_world(world), m_memory(*world.impacts), m_solver(*world.solver),
       m_velocityIterations(velocityIterations), m_context(MakeContext(world, timeStep)),
-      m_bodies(m_memory.bodies), m_contacts(m_memory.contacts), m_bounced(m_memory.bounced),
-      m_depths(m_memory.depths)
+      m_bodies(m_memory.bodies), m_falling(m_memory.falling), m_contacts(m_memory.contacts),
+      m_bounced(m_memory.bounced), m_depths(m_memory.depths)
 {
     m_context.warmStarting = false;
 }
@@ -86,10 +87,11 @@ Impact::Impact(World& world, float32 timeStep, int32 velocityIterations)
 /// time.
 b2Vec2 Impact::AccelerationOf(const BodyData& body) const
 {
-    const bool known = m_world.settings.subStepCount > 1 && body.IsDynamic() &&
-                       body.awakeIndex != -1 &&
-                       std::size_t(body.awakeIndex) < m_world.subSteps->modes.size() &&
-                       m_world.subSteps->modes[std::size_t(body.awakeIndex)] == BodyMode::Flies;
+    const SubStepMemory& steps = *m_world.subSteps;
+    const bool stepped = m_world.settings.subStepCount > 1 && body.IsDynamic() &&
+                         body.awakeIndex != -1 && std::size_t(body.awakeIndex) < steps.modes.size();
+    const bool known = stepped && (steps.modes[std::size_t(body.awakeIndex)] == BodyMode::Flies ||
+                                   std::ranges::find(m_falling, &body) != m_falling.end());
     return known ? m_world.subSteps->kicks[std::size_t(body.awakeIndex)].acceleration
                  : b2Vec2(0.0f, 0.0f);
 }
@@ -476,12 +478,91 @@ EnergyGuard::Path Impact::PathOf(std::size_t index, float32 time) const
             data.angularVelocity};
 }
 
+/// Returns the restitution that gives a contact its bounce speed at its present speed.
+float32 Impact::RestitutionOf(std::size_t index) const
+{
+    const ContactBlock& c = m_memory.impulses[index];
+    float32 wanted = 0.0f;
+    float32 coming = 0.0f;
+    for (int32 k = 0; k < c.pointCount; ++k)
+    {
+        wanted = b2Max(wanted, c.bias[k][0]);
+        coming = b2Max(coming, -NormalSpeedOf(c, 0, k, m_context.bodies));
+    }
+    return coming > 0.0f ? wanted / coming : 0.0f;
+}
+
+/// With sub-steps joints take part in bounces. Then one contact bounces at a time, and Sweep brings
+/// the others to rest.
+void Impact::BounceWithJoints()
+{
+    Array<float32>& restitutions = m_memory.restitutions;
+    restitutions.clear();
+    m_memory.totals.clear();
+    JointedBounce& jointed = m_world.subSteps->jointedBounce;
+    bool any = false;
+    for (std::size_t i = 0; i < m_contacts.size() && m_world.settings.subStepCount > 1; ++i)
+    {
+        restitutions.push_back(RestitutionOf(i));
+        any = any || (Bounces(m_memory.impulses[i]) && jointed.Find(Data(*m_contacts[i])));
+    }
+    if (!any)
+    {
+        return;
+    }
+    m_memory.totals.assign(m_contacts.size(), BlockTotals());
+    for (int32 iteration = 0; iteration < kMaxBounces && any; ++iteration)
+    {
+        any = false;
+        for (std::size_t i = 0; i < m_contacts.size(); ++i)
+        {
+            any = Bounce(i) || any;
+        }
+    }
+    for (ContactBlock& block : Impulses())
+    {
+        block.bounces = false;
+        std::fill_n(&block.bias[0][0], 2 * kBlockLanes, 0.0f);
+    }
+}
+
+/// False if the contact approaches too slowly.
+bool Impact::Bounce(std::size_t index)
+{
+    ContactBlock& block = m_memory.impulses[index];
+    const ContactData& contact = Data(*m_contacts[index]);
+    if (contact.restitution == 0.0f || !IsBouncing(block, 0, m_context))
+    {
+        return false;
+    }
+    BlockTotals& totals = m_memory.totals[index];
+    const float32 found = m_memory.restitutions[index];
+    const float32 restitution = found > 0.0f ? found : contact.restitution;
+    JointedBounce& jointed = m_world.subSteps->jointedBounce;
+    return jointed.Find(contact)
+               ? jointed.Bounce(block, m_memory.overlaps[index], totals, 0, restitution, m_context)
+               : Bouncer(block, totals, 0, m_context).Bounce(restitution);
+}
+
+/// Returns the impulses of a contact, for a listener.
+b2ContactImpulse Impact::ImpulsesOf(std::size_t index) const
+{
+    b2ContactImpulse impulse = ImpulseOf(m_memory.impulses[index], 0);
+    for (int32 k = 0; k < impulse.count && index < m_memory.totals.size(); ++k)
+    {
+        impulse.normalImpulses[k] += m_memory.totals[index].normal[k][0];
+        impulse.tangentImpulses[k] += m_memory.totals[index].tangent[k][0];
+    }
+    return impulse;
+}
+
 // Impulses are not stored: the contact is solved for the remaining time only.
 void Impact::SolveVelocities(float32 time)
 {
     Prepare();
     const double before = KineticEnergyOfAll();
-    const double maximum = (1.0 + kRounding) * (before + CorrectBounces());
+    const double maximum = (1.0 + kEnergyRounding) * (before + CorrectBounces());
+    BounceWithJoints();
     Sweep();
     if (KineticEnergyOfAll() > maximum && KeepsEnergy())
     {
@@ -498,12 +579,12 @@ void Impact::SolveVelocities(float32 time)
             m_world.energyGuard->NoteImpact(data, path);
         }
     }
-    for (const ContactBlock& block : Impulses())
+    for (std::size_t i = 0; i < m_contacts.size(); ++i)
     {
         if (m_world.listener != nullptr) // it may remove itself
         {
-            const b2ContactImpulse impulse = ImpulseOf(block, 0);
-            m_world.listener->PostSolve(block.contact[0], &impulse);
+            const b2ContactImpulse impulse = ImpulsesOf(i);
+            m_world.listener->PostSolve(m_contacts[i], &impulse);
         }
     }
 }

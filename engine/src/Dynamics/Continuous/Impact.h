@@ -8,6 +8,8 @@
 
 #include <span>
 
+struct b2ContactImpulse;
+
 /// One impact within a step. Its bodies have been moved to its time; their contacts get separating
 /// velocities, and the bodies advance for the rest of the step. Continuous collision fills it again
 /// for each impact.
@@ -34,6 +36,9 @@ public:
     /// Solves velocities and advances the bodies. The time is a fraction of the step.
     void SolveVelocities(float32 time);
 
+    /// Those of its bodies that fall freely with all that their joints connect.
+    Array<const BodyData*>& Falling() { return m_falling; }
+
     /// Returns the acceleration of a freely falling body in a step with sub-steps, where only the
     /// velocity is known at every time. Otherwise 0 [m/s^2].
     b2Vec2 AccelerationOf(const BodyData& body) const;
@@ -52,6 +57,10 @@ private:
     template <class Function>
     void ForMoved(Function&& function) const;
     bool IsInCorner() const;
+    void BounceWithJoints();
+    float32 RestitutionOf(std::size_t index) const;
+    bool Bounce(std::size_t index);
+    b2ContactImpulse ImpulsesOf(std::size_t index) const;
     void PushApart(std::size_t first) const;
     void Sweep();
     bool KeepsEnergy() const;
@@ -67,6 +76,7 @@ private:
     int32 m_velocityIterations;
     SolverContext m_context;
     Array<b2Body*>& m_bodies;
+    Array<const BodyData*>& m_falling;
     Array<b2Contact*>& m_contacts;
     Array<SolverBody>& m_bounced; // scratch of BounceLess: by body
     std::size_t m_ground = 0;     // the first contact with the ground, if that comes after others

@@ -59,16 +59,19 @@ struct ImpactBackup
 /// Scratch memory of the search for impacts, and of one impact.
 struct ImpactMemory
 {
-    Array<float32> times;         ///< by awake contact; 1 without an impact
-    Array<ImpactEvent> events;    ///< a heap, earliest first
-    Array<ImpactFate> fates;      ///< by awake body, with sub-steps: see ImpactJoints
-    Array<ImpactStart> starts;    ///< by awake body: before all impacts
-    Array<ImpactTurn> turns;      ///< of all bodies, by time
-    Array<b2Body*> bodies;        ///< of one impact
-    Array<ImpactBackup> before;   ///< backup of these bodies
-    Array<b2Contact*> contacts;   ///< of one impact
-    Array<ContactBlock> impulses; ///< one for each contact, and more of earlier impacts
-    Array<OverlapBlock> overlaps; ///< one for each block above
+    Array<float32> times;           ///< by awake contact; 1 without an impact
+    Array<ImpactEvent> events;      ///< a heap, earliest first
+    Array<ImpactFate> fates;        ///< by awake body, with sub-steps: see ImpactJoints
+    Array<ImpactStart> starts;      ///< by awake body: before all impacts
+    Array<ImpactTurn> turns;        ///< of all bodies, by time
+    Array<b2Body*> bodies;          ///< of one impact
+    Array<const BodyData*> falling; ///< some of them: see Impact::Falling
+    Array<ImpactBackup> before;     ///< backup of these bodies
+    Array<b2Contact*> contacts;     ///< of one impact
+    Array<ContactBlock> impulses;   ///< one for each contact, and more of earlier impacts
+    Array<OverlapBlock> overlaps;   ///< one for each block above
+    Array<float32> restitutions;    ///< one for each contact, with sub-steps
+    Array<BlockTotals> totals;      ///< of bounces, if joints took part
     Array<float32> depths;
     Array<SolverBody> bounced;
     Array<ContactBlock> bouncedImpulses;

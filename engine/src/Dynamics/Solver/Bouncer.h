@@ -23,6 +23,18 @@ inline float32 NormalSpeedOf(const ContactBlock& block, int32 lane, int32 point,
            b.w * p.normalLeverB[lane] - a.w * p.normalLeverA[lane];
 }
 
+/// True if a point of the contact approaches fast enough to bounce.
+inline bool IsBouncing(const ContactBlock& block, int32 lane, const SolverContext& context)
+{
+    bool any = false;
+    for (int32 i = 0; i < block.pointCount; ++i)
+    {
+        const float32 speed = NormalSpeedOf(block, lane, i, context.bodies);
+        any = any || IsBouncing(simd::Float1{speed}, context).v;
+    }
+    return any;
+}
+
 /// Restitution of one contact of a block, before contacts are solved: in sub-steps of all contacts
 /// (SubStepSolver::Bounce), in a whole step of those in corners (Corners.h). Independent of other
 /// contacts and joints.
@@ -42,22 +54,16 @@ public:
     /// the normal impulses, which do not include the rotation that it causes.
     bool Bounce(float32 restitution)
     {
-        const int32 count = m_block.pointCount;
-        float32 speeds[2] = {};
-        bool bounces = false;
-        for (int32 i = 0; i < count; ++i)
-        {
-            speeds[i] = NormalSpeed(i);
-            bounces = bounces || IsBouncing(simd::Float1{speeds[i]}, m_context).v;
-        }
-        if (!bounces)
+        if (!IsBouncing(m_block, m_lane, m_context))
         {
             return false;
         }
+        const int32 count = m_block.pointCount;
         const float32 more = 1.0f + restitution;
+        const float32 speed1 = NormalSpeed(0);
+        const float32 speed2 = count == 2 ? NormalSpeed(1) : 0.0f;
         float32 x[2] = {};
-        if (count == 2 && speeds[0] < 0.0f && speeds[1] < 0.0f &&
-            SolvePair(more * speeds[0], more * speeds[1], x))
+        if (speed1 < 0.0f && speed2 < 0.0f && SolvePair(more * speed1, more * speed2, x))
         {
             Push(0, x[0]);
             Push(1, x[1]);

@@ -6,6 +6,7 @@
 #include "ContactSystem.h"
 #include "FirstLoads.h"
 #include "JointSystem.h"
+#include "JointedBounce.h"
 #include "WarmStartGuard.h"
 
 namespace box2d
@@ -15,9 +16,15 @@ namespace box2d
 enum class BodyMode : uint8
 {
     Together, ///< sub-step by sub-step
-    Flies,    ///< in one step: without joints and contacts
+    OnJoints, ///< likewise, without contacts and damping
+    Flies,    ///< in one step: without joints, contacts and damping
     InTree,   ///< with its HingeTree
 };
+
+inline bool IsTogether(BodyMode mode)
+{
+    return mode == BodyMode::Together || mode == BodyMode::OnJoints;
+}
 
 /// Scratch memory of a step with sub-steps.
 struct SubStepMemory
@@ -26,6 +33,7 @@ struct SubStepMemory
     ContactSystem contacts;
     FirstLoads firstLoads;
     WarmStartGuard warmStartGuard;
+    JointedBounce jointedBounce;
     Array<BodyMode> modes;          ///< by awake body
     Array<BodyKick> kicks;          ///< by awake body
     Array<SolverBody> beforePushes; ///< by solver index: see MoveApart

@@ -103,9 +103,12 @@ void TakeTotals(ContactBlock& block, const BlockTotals& totals)
 /// Bodies without joints and contacts move through the step at once, with less cost and rounding.
 BodyMode ModeOf(const BodyData& body)
 {
-    const bool flies = body.IsDynamic() && body.colorMask == 0 && body.jointList == nullptr &&
-                       body.linearDamping == 0.0f && body.angularDamping == 0.0f;
-    return flies ? BodyMode::Flies : BodyMode::Together;
+    if (!body.IsDynamic() || body.colorMask != 0 || body.linearDamping != 0.0f ||
+        body.angularDamping != 0.0f)
+    {
+        return BodyMode::Together;
+    }
+    return body.jointList == nullptr ? BodyMode::Flies : BodyMode::OnJoints;
 }
 
 } // namespace
@@ -252,13 +255,29 @@ void SubStepSolver::Bounce()
             ContactBlock& block = blocks.Contacts(i);
             for (int32 lane = 0; lane < block.count; ++lane)
             {
-                const float32 restitution = Data(*block.contact[lane]).restitution;
-                any = (restitution > 0.0f &&
-                       Bouncer(block, blocks.Totals(i), lane, m_context).Bounce(restitution)) ||
+                any = (Data(*block.contact[lane]).restitution > 0.0f && Bounce(blocks, i, lane)) ||
                       any;
             }
         });
     }
+}
+
+/// False if it approaches too slowly to bounce.
+bool SubStepSolver::Bounce(ContactBlocks& blocks, int32 index, int32 lane)
+{
+    ContactBlock& block = blocks.Contacts(index);
+    if (!IsBouncing(block, lane, m_context))
+    {
+        return false;
+    }
+    const ContactData& contact = Data(*block.contact[lane]);
+    JointedBounce& jointed = m_subSteps.jointedBounce;
+    if (jointed.Find(contact))
+    {
+        return jointed.Bounce(block, blocks.Overlaps(index), blocks.Totals(index), lane,
+                              contact.restitution, m_context);
+    }
+    return Bouncer(block, blocks.Totals(index), lane, m_context).Bounce(contact.restitution);
 }
 
 /// True if there are contacts, or joints outside of trees.
@@ -270,22 +289,20 @@ bool SubStepSolver::AnyHeld() const
 /// True if any body takes the common sub-steps.
 bool SubStepSolver::AnyTogether() const
 {
-    return AnyHeld() || std::find(m_subSteps.modes.begin(), m_subSteps.modes.end(),
-                                  BodyMode::Together) != m_subSteps.modes.end();
+    return AnyHeld() || std::ranges::any_of(m_subSteps.modes, IsTogether);
 }
 
 template <class Function>
 void SubStepSolver::ForTogether(Function&& function)
 {
     const auto modes = std::span(m_subSteps.modes);
-    const auto together = [](BodyMode mode) { return mode == BodyMode::Together; };
     const int32 first = m_group.firstBody;
     ParallelFor(m_threads, m_group.endBody - first, kBodyGrain, [&](int32 begin, int32 end) {
         const auto last = modes.begin() + first + end;
         for (auto from = modes.begin() + first + begin; from != last;)
         {
-            from = std::find_if(from, last, together);
-            const auto to = std::find_if_not(from, last, together);
+            from = std::find_if(from, last, IsTogether);
+            const auto to = std::find_if_not(from, last, IsTogether);
             const auto index = std::size_t(from - modes.begin());
             function(m_memory.bodies.data() + index + 1, m_subSteps.kicks.data() + index,
                      int32(to - from));

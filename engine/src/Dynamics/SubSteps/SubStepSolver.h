@@ -35,6 +35,7 @@ private:
     bool AnyHeld() const;
     bool AreStillApart() const;
     void Bounce();
+    bool Bounce(ContactBlocks& blocks, int32 index, int32 lane);
     bool Iterate(int32 iterations, float32 unchanged);
     void LimitPushes(float32 maximum);
     void HoldOverflow();
