@@ -275,6 +275,71 @@ TEST_P(JointedBounce, RubsAsOneBodyDoes)
     EXPECT_NEAR(spinAfter(Hold::Weld), spinAfter(Hold::Shape), 0.02f);
 }
 
+/// A torso with two arms and two legs of two parts each, on hinges with limits.
+void AddRagdoll(JointScene& scene, float32 x, float32 y, const b2Vec2& v,
+                std::vector<b2Joint*>& hinges)
+{
+    const auto part = [&](float32 px, float32 py, float32 hx, float32 hy) {
+        b2Body* body = scene.Load(x + px, y + py, hx, hy);
+        body->GetFixtureList()->SetRestitution(0.95f);
+        body->GetFixtureList()->SetFriction(0.0f);
+        body->SetLinearVelocity(v);
+        return body;
+    };
+    const auto join = [&](b2Body* a, b2Body* b, float32 px, float32 py) {
+        b2RevoluteJointDef def;
+        def.Initialize(a, b, b2Vec2(x + px, y + py));
+        def.enableLimit = true;
+        def.lowerAngle = -1.0f;
+        def.upperAngle = 1.0f;
+        hinges.push_back(scene.world.CreateJoint(&def));
+    };
+    b2Body* torso = part(0.0f, 0.0f, 0.25f, 0.5f);
+    for (const float32 side : {-1.0f, 1.0f})
+    {
+        b2Body* arm = part(0.45f * side, 0.4f, 0.2f, 0.1f);
+        b2Body* hand = part(0.85f * side, 0.4f, 0.2f, 0.08f);
+        b2Body* thigh = part(0.15f * side, -0.8f, 0.1f, 0.3f);
+        b2Body* foot = part(0.15f * side, -1.4f, 0.08f, 0.3f);
+        join(torso, arm, 0.27f * side, 0.4f);
+        join(arm, hand, 0.65f * side, 0.4f);
+        join(torso, thigh, 0.15f * side, -0.5f);
+        join(thigh, foot, 0.15f * side, -1.1f);
+    }
+}
+
+/// Bodies that joints connect with one that bounces were moved on straight: hinges opened by up to
+/// 4 m, and all stopped.
+TEST_P(JointedBounce, LeavesElasticRagdollsWhole)
+{
+    for (int trial = 0; trial < 8; ++trial)
+    {
+        JointScene scene;
+        scene.world.SetSubStepCount(GetParam());
+        b2ChainShape room;
+        b2Vec2 corners[] = {b2Vec2(-5.0f, 0.0f), b2Vec2(-5.0f, 10.0f), b2Vec2(5.0f, 10.0f),
+                            b2Vec2(5.0f, 0.0f)};
+        room.CreateLoop(corners, 4);
+        scene.Add(scene.Post(), room, 0.0f, 0.95f);
+        std::vector<b2Joint*> hinges;
+        for (int i = 0; i < 3; ++i)
+        {
+            const b2Vec2 v(float32((trial * 7 + i * 5) % 17 - 8),
+                           float32((trial * 5 + i) % 17 - 8));
+            AddRagdoll(scene, -3.0f + 3.0f * float32(i), 4.0f, v, hinges);
+        }
+        for (int i = 0; i < 300; ++i)
+        {
+            scene.Step();
+            for (const b2Joint* hinge : hinges)
+            {
+                ASSERT_LT(b2Distance(hinge->GetAnchorA(), hinge->GetAnchorB()), 0.02f)
+                    << "trial " << trial << ", step " << i;
+            }
+        }
+    }
+}
+
 /// Beyond the bound of the cost bounces ignore joints.
 TEST_P(JointedBounce, LeavesLongChainsWhole)
 {

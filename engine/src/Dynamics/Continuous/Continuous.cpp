@@ -101,12 +101,13 @@ private:
     void AddJointed(float32 time);
     bool Bounces(const ContactData& c) const;
     bool Falls(const JointedBounce& jointed) const;
-    void AddJointed(b2Body& body, bool falls, float32 time);
+    void MoveBack(b2Body& body, bool falls, float32 time);
     bool Sinks(const ContactData& c) const;
     static bool GoesDeeper(const ContactData& c, const b2Sweep& sweepA, const b2Sweep& sweepB);
     static bool IsNear(const BodyData& body, const BodyData& other, bool known, float32 time);
     void Advance(BodyData& body, float32 time);
     bool HasNewPath(std::size_t index) const;
+    bool HasOtherPose(std::size_t index) const;
     ImpactBackup Save(b2Body& body) const;
     void Restore(const ImpactBackup& backup, float32 time);
 
@@ -389,10 +390,15 @@ ImpactBackup ContinuousCollision::Save(b2Body& body) const
 /// its velocity.
 bool ContinuousCollision::HasNewPath(std::size_t index) const
 {
-    const BodyData& data = Data(*m_bodies[index]);
+    return Data(*m_bodies[index]).IsDynamic() || HasOtherPose(index);
+}
+
+/// True if the body's pose at the end of the step is not the one before the impact.
+bool ContinuousCollision::HasOtherPose(std::size_t index) const
+{
+    const Pose& pose = Data(*m_bodies[index]).pose;
     const Pose& before = m_before[index].pose;
-    return data.IsDynamic() || data.pose.x != before.x || data.pose.y != before.y ||
-           data.pose.angle != before.angle;
+    return pose.x != before.x || pose.y != before.y || pose.angle != before.angle;
 }
 
 /// Takes back that Advance stopped the body at that time, if its path had not begun later. A
@@ -464,7 +470,10 @@ bool ContinuousCollision::Resolve(const ImpactEvent& event)
         if (HasNewPath(i))
         {
             ++data.sweepVersion;
-            m_joints.NoteStopped(data);
+            if (i < m_memory.firstJoined || HasOtherPose(i))
+            {
+                m_joints.NoteStopped(data);
+            }
             m_containment.NoteTurn(data);
             UpdateProxies(m_world.proxies, data, true);
         }
@@ -563,8 +572,9 @@ bool ContinuousCollision::Falls(const JointedBounce& jointed) const
         const BodyData& data = Data(*body);
         const std::size_t place = placeOf(body);
         return data.IsDynamic() && place < steps.modes.size() &&
-               steps.modes[place] != BodyMode::Together && data.linearDamping == 0.0f &&
-               data.angularDamping == 0.0f &&
+               (steps.modes[place] == BodyMode::OnJoints ||
+                steps.modes[place] == BodyMode::InTree) &&
+               data.linearDamping == 0.0f && data.angularDamping == 0.0f &&
                steps.kicks[place].acceleration == steps.kicks[first].acceleration;
     };
     return std::ranges::all_of(jointed.Bodies(), falls) &&
@@ -572,26 +582,32 @@ bool ContinuousCollision::Falls(const JointedBounce& jointed) const
                                 [](b2Joint* joint) { return HoldsToWorld(*joint); });
 }
 
-/// With sub-steps joints pass on the impulse of what bounces. Their bodies are moved to its time.
+/// With sub-steps joints pass on the impulses of an impact that bounces. Their bodies are moved
+/// back to its time.
 void ContinuousCollision::AddJointed(float32 time)
 {
-    JointedBounce& jointed = m_world.subSteps->jointedBounce;
-    for (std::size_t i = 0; i < m_contacts.size() && m_world.settings.subStepCount > 1; ++i)
+    m_memory.firstJoined = m_bodies.size();
+    if (m_world.settings.subStepCount == 1 ||
+        std::ranges::none_of(m_contacts, [this](b2Contact* c) { return Bounces(Data(*c)); }))
     {
-        const ContactData& c = Data(*m_contacts[i]);
-        if (!Bounces(c) || !jointed.Find(c))
+        return;
+    }
+    JointedBounce& jointed = m_world.subSteps->jointedBounce;
+    for (b2Contact* contact : m_contacts)
+    {
+        const ContactData& c = Data(*contact);
+        if (c.restitution > 0.0f && jointed.Find(c))
         {
-            continue;
-        }
-        const bool falls = Falls(jointed);
-        for (b2Body* body : jointed.Bodies())
-        {
-            AddJointed(*body, falls, time);
+            const bool falls = Falls(jointed);
+            for (b2Body* body : jointed.Bodies())
+            {
+                MoveBack(*body, falls, time);
+            }
         }
     }
 }
 
-void ContinuousCollision::AddJointed(b2Body& body, bool falls, float32 time)
+void ContinuousCollision::MoveBack(b2Body& body, bool falls, float32 time)
 {
     BodyData& data = Data(body);
     if (std::find(m_bodies.begin(), m_bodies.end(), &body) == m_bodies.end())

@@ -39,8 +39,8 @@ public:
     /// Those of its bodies that fall freely with all that their joints connect.
     Array<const BodyData*>& Falling() { return m_falling; }
 
-    /// Returns the acceleration of a freely falling body in a step with sub-steps, where only the
-    /// velocity is known at every time. Otherwise 0 [m/s^2].
+    /// Returns the acceleration of a freely falling body, or one of Falling, in a step with
+    /// sub-steps, where only the velocity is known at every time. Otherwise 0 [m/s^2].
     b2Vec2 AccelerationOf(const BodyData& body) const;
 
 private:
@@ -57,7 +57,8 @@ private:
     template <class Function>
     void ForMoved(Function&& function) const;
     bool IsInCorner() const;
-    void BounceWithJoints();
+    void BounceWithJoints(float32 timeLeft);
+    bool IsJointed(std::size_t index);
     float32 RestitutionOf(std::size_t index) const;
     bool Bounce(std::size_t index);
     b2ContactImpulse ImpulsesOf(std::size_t index) const;
@@ -68,6 +69,7 @@ private:
     void BounceLess(double maximum);
     EnergyGuard::Path PathOf(std::size_t index, float32 time) const;
     void MoveOn(std::size_t index, float32 time);
+    void MoveJoined(std::size_t index, float32 timeLeft);
     void MoveOn(SolverBody& body, const b2Vec2& acceleration, float32 timeLeft) const;
 
     World& m_world;

@@ -67,6 +67,7 @@ struct ImpactMemory
     Array<b2Body*> bodies;          ///< of one impact
     Array<const BodyData*> falling; ///< some of them: see Impact::Falling
     Array<ImpactBackup> before;     ///< backup of these bodies
+    std::size_t firstJoined = 0;    ///< the first of these bodies that only joints connect
     Array<b2Contact*> contacts;     ///< of one impact
     Array<ContactBlock> impulses;   ///< one for each contact, and more of earlier impacts
     Array<OverlapBlock> overlaps;   ///< one for each block above

@@ -42,6 +42,8 @@ constexpr double kSameLimit = 0.01;
 /// A difference of speeds may be rounded by this fraction of them: half an ulp for each of a
 /// dozen operations, and a margin. From 0 to 1e-4 no test fails.
 constexpr double kRounding = 8.0 * double(b2_epsilon);
+/// Relative rounding error of a kinetic energy, as at impacts: some 80 roundings of a float.
+constexpr double kEnergyRounding = 1e-5;
 
 /// Returns the speed that a row brings its bodies to if nothing else holds them. A soft spring that
 /// is far from its rest has a target speed of thousands of metres per second, and never reaches it.
@@ -382,6 +384,15 @@ bool BoundedSystem::Separates(const SolverContext& context, std::size_t items,
 bool BoundedSystem::HasBurst(const SolverContext& context) const
 {
     return Fastest(context) > kBurst * b2Max(m_markedFastest, kMinSpeedBefore) || HasEndlessWork();
+}
+
+bool BoundedSystem::HasGained(const SolverContext& context) const
+{
+    const auto isGiven = [](const Vector3& speeds) {
+        return speeds.at[0] != 0.0 || speeds.at[1] != 0.0 || speeds.at[2] != 0.0;
+    };
+    return !(KineticEnergyOfAll(context) <= (1.0 + kEnergyRounding) * m_markedKinetic) &&
+           std::ranges::none_of(m_given, isGiven);
 }
 
 /// The work of springs, motors and friction is bounded, that of platforms is not counted here.

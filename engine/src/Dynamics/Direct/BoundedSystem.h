@@ -69,6 +69,9 @@ public:
     /// without bound.
     bool HasBurst(const SolverContext& context) const;
     void GoBack(const SolverContext& context);
+    /// True if there is more kinetic energy than marked, beyond rounding, and no body of infinite
+    /// mass moves, which might have supplied it.
+    bool HasGained(const SolverContext& context) const;
     /// True if rows of the first `items` that may only push have reached their target speeds, but
     /// for this tolerance.
     bool Separates(const SolverContext& context, std::size_t items, double tolerance) const;

@@ -86,7 +86,10 @@ bool JointedBounce::Find(const ContactData& contact)
             Follow(*part.GetBodyB());
         });
     }
-    if (m_joints.empty() || m_joints.size() > kMaxJoints)
+    const auto sleeps = [](const b2Body* body) { // if a listener has put it to sleep in this step
+        return Data(*body).IsDynamic() && !IsMoved(Data(*body));
+    };
+    if (m_joints.empty() || m_joints.size() > kMaxJoints || std::ranges::any_of(m_bodies, sleeps))
     {
         return false;
     }
@@ -127,7 +130,7 @@ void JointedBounce::Fill(ContactBlock& block, const OverlapBlock& overlap, int32
     m_system.Begin(context);
 }
 
-/// Of a step whose joints do not match their poses: that is no part of the impact.
+/// Stops what opens joints: velocities of the end of the step do not match poses within it.
 void JointedBounce::HoldJoints(const SolverContext& context)
 {
     bool any = false;
@@ -146,26 +149,27 @@ bool JointedBounce::Bounce(ContactBlock& block, const OverlapBlock& overlap, Blo
                            int32 lane, float32 restitution, const SolverContext& context)
 {
     Fill(block, overlap, lane, context);
-    HoldJoints(context);
     m_system.Mark(context);
+    HoldJoints(context);
     BoundedSystem::Item& item = m_system.At(0);
+    const Vector3 speed = SpeedOf(context, m_system.Rows(0));
     for (int32 i = 0; i < block.pointCount; ++i)
     {
-        const float32 speed = NormalSpeedOf(block, lane, i, context.bodies);
-        if (speed < 0.0f)
+        if (speed.at[i] < 0.0)
         {
-            item.speeds.at[i] = -double(restitution * speed);
+            item.speeds.at[i] = -double(restitution) * speed.at[i];
             item.maximum.at[i] = BoundedSystem::kUnbounded;
             item.active = uint8(item.active | 1 << i);
         }
     }
     m_system.Minimize(context, kTolerance);
-    if (m_system.HasBurst(context))
+    Rub(block, lane, context);
+    const bool driven = restitution > 1.0f || block.tangentSpeed[lane] != 0.0f;
+    if (m_system.HasBurst(context) || (!driven && m_system.HasGained(context)))
     {
         m_system.GoBack(context);
         return false;
     }
-    Rub(block, lane, context);
     const double load = item.impulse.at[0] + item.impulse.at[1];
     for (int32 i = 0; i < block.pointCount; ++i)
     {

@@ -16,7 +16,7 @@ namespace box2d
 enum class BodyMode : uint8
 {
     Together, ///< sub-step by sub-step
-    OnJoints, ///< likewise, without contacts and damping
+    OnJoints, ///< likewise; it may fall freely with its joints: no contacts, no damping
     Flies,    ///< in one step: without joints, contacts and damping
     InTree,   ///< with its HingeTree
 };

@@ -272,12 +272,10 @@ bool SubStepSolver::Bounce(ContactBlocks& blocks, int32 index, int32 lane)
     }
     const ContactData& contact = Data(*block.contact[lane]);
     JointedBounce& jointed = m_subSteps.jointedBounce;
-    if (jointed.Find(contact))
-    {
-        return jointed.Bounce(block, blocks.Overlaps(index), blocks.Totals(index), lane,
-                              contact.restitution, m_context);
-    }
-    return Bouncer(block, blocks.Totals(index), lane, m_context).Bounce(contact.restitution);
+    return (jointed.Find(contact) &&
+            jointed.Bounce(block, blocks.Overlaps(index), blocks.Totals(index), lane,
+                           contact.restitution, m_context)) ||
+           Bouncer(block, blocks.Totals(index), lane, m_context).Bounce(contact.restitution);
 }
 
 /// True if there are contacts, or joints outside of trees.
