@@ -8,7 +8,9 @@ namespace box2d
 namespace
 {
 // A's best face is preferred unless it is deeper by more than this [m]. Parallel sides of resting
-// boxes differ only by rounding; otherwise the choice would flicker and warm starting fail.
+// boxes differ only by rounding; otherwise the choice would flicker and warm starting fail. With 0,
+// boxes of 0.8 m at 100 m/s lose 0.51 % of energy (4 sub-steps), where the test allows 0.5. With
+// 0.4 slops ragdolls with limits do not come to rest.
 constexpr float32 kPreferA = 0.1f * b2_linearSlop;
 
 using simd::Float4;

@@ -15,7 +15,8 @@ namespace box2d
 inline constexpr float32 kImpactOverlap = 3.0f * b2_linearSlop;
 
 /// An impact is found up to this distance before the target [m]. It leaves at least 3/4 of a slop
-/// between cores. A smaller one needs more steps of the search.
+/// between cores. A smaller one needs more steps of the search: with 0.06 slops the search for long
+/// bars that rotate together ends before their impact. With 0.6 slops only tests of bits fail.
 inline constexpr float32 kImpactTolerance = 0.25f * b2_linearSlop;
 
 /// Returns the distance of two cores at an impact [m], by the sum of their skins. With thin skins,

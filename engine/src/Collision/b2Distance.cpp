@@ -64,7 +64,8 @@ namespace box2d
 {
 namespace
 {
-constexpr int32 kMaxIterations = 20; // convex shapes of 16 vertices need 2 to 5
+// A bound: convex shapes of 16 vertices need 2 to 5 iterations. With 5 and 80 no test changes.
+constexpr int32 kMaxIterations = 20;
 
 struct Vertex
 {

@@ -29,7 +29,8 @@
 namespace
 {
 // Limit of steps; a longer search advances slowly along an almost touching feature, and ends with
-// the safe time.
+// the safe time. A box that rotates with 7500 rad/s takes up to 126 steps (see kMaxSmallMove). With
+// 20, 50 and 800 no test changes.
 constexpr int32 kMaxSteps = 200;
 
 struct Vector

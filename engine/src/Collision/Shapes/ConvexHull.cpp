@@ -6,7 +6,8 @@ namespace box2d
 namespace
 {
 // A corner that protrudes less than this is invisible [m]. It would split a side into two faces
-// between which contacts would alternate.
+// between which contacts would alternate. With 0.02 slops no test fails. With 0.4 slops a shape of
+// one centimetre keeps 9 of its 16 corners.
 constexpr double kFlat = 0.1 * b2_linearSlop;
 
 double DistanceSquared(const b2Vec2& a, const b2Vec2& b)

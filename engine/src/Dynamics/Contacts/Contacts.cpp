@@ -94,6 +94,7 @@ float32 SumOfParts(const b2Vec2& v)
 
 /// Bound of the rounding of a path, relative to the distances that it is computed from: about 80
 /// roundings of a float. Smaller could miss shapes that have met; larger looks at more pairs again.
+/// With 0 and 1e-3 all tests pass, also those that compare bits.
 constexpr float32 kPathRounding = 0.00001f;
 
 /// True if shapes that were apart still are, because no point has come as far as the gap.

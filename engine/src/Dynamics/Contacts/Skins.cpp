@@ -15,8 +15,8 @@ namespace
 {
 
 /// Where skins were put into each other by more than this [m], they become thinner. Bodies at rest
-/// overlap by about a slop, and impacts leave up to this (docs/notes/contact-constants.md). No note
-/// compares other values.
+/// overlap by about a slop, and impacts leave up to this (docs/notes/contact-constants.md). With 1
+/// slop all tests pass; with 3 a ball that is put on the ground ends 5.3 mm too high.
 constexpr float32 kPlacedOverlap = 1.5f * b2_linearSlop;
 
 /// Returns the skin of a shape [m]. The rest of a radius is part of the shape.

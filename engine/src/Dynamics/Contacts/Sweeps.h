@@ -20,7 +20,8 @@ namespace box2d
 {
 
 /// Relative margin for rounding, of sums of distances: some 80 roundings of a float. Only a contact
-/// that is nearly in reach is tested without need for it. No note compares other values.
+/// that is nearly in reach is tested without need for it. With 0 and 1e-3 all tests pass, also
+/// those that compare bits.
 inline constexpr float32 kDistanceRounding = 1e-5f;
 
 inline Pose Between(const Pose& from, const Pose& to, double share)

@@ -28,7 +28,10 @@ namespace
 
 /// Maximum number of position iterations at an impact. They end at 1.5 slops of overlap, half of
 /// the three at which impacts are found, so that the next search does not find the same impact. A
-/// single contact needs one or two iterations (0.75 each); up to 32 contacts share an impact.
+/// single contact needs one or two iterations (0.75 each); up to 32 contacts share an impact. A
+/// bound: with 2, 5 and 80 no test fails. With 0, 16 of 80 random worlds gain energy (2 sub-steps).
+/// With an end at 1 slop a random world gains 0.6 % of energy. With 3 slops a box that spins into a
+/// corner loses 0.08 %.
 constexpr int32 kImpactPositionIterations = 20;
 
 /// Newton's restitution at all points at once conserves the energy of frictionless bounces, if it

@@ -20,7 +20,9 @@ namespace
 
 /// Gains up to this fraction of the scale count as truncation errors: as much as tests of random
 /// worlds allow. Smaller: such errors would slow down motions that conserve energy in the long run.
-/// Larger: a body could visibly speed up by itself. No note compares other values.
+/// Larger: a body could visibly speed up by itself. With 0.04 one of 80 random worlds gains 4.8 %
+/// of energy (one step). With 0.005 all tests pass. With 0.0025 a pair gains 24 % by a fall that is
+/// undone, where the test allows 20.
 constexpr double kTolerance = 0.01;
 /// Maximum credit as a multiple of the scale. A tree of posts that reaches 6 m loses nine times its
 /// kinetic energy while its hinges open; with 3 it comes to rest when they close. Without a bound a

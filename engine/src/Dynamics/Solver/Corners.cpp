@@ -18,7 +18,8 @@ namespace
 
 /// Walls form a corner if the cosine of the angle between their normals is below this: up to an
 /// opening of 84 degrees. With 0 the rounding of normals would decide about right angles, where no
-/// bounce off one wall drives a body into the other.
+/// bounce off one wall drives a body into the other. From -0.5 to 0 no test fails; with -1 there
+/// are no corners, and six tests of balls and boxes in corners fail.
 constexpr float32 kCornerCosine = -0.1f;
 
 /// The contacts of one body.

@@ -14,9 +14,13 @@ constexpr int32 kMinAdded = 1000;
 /// From this number of moves on, and this share of all proxies, a new tree is cheaper than moving
 /// each leaf. Bullets' leaves are moved in every step, so they gain earlier. For others fewer moves
 /// would gain too little to give up the better tree of single moves. With a half to a seventh of
-/// all instead of a third, rain takes the same time within 2 % (docs/notes/collision-speed.md). The
-/// minimum numbers keep the order of contacts of small worlds, and with it their bits. For them and
-/// for the share of bullets no note compares other values.
+/// all instead of a third, rain takes the same time within 2 % (docs/notes/collision-speed.md).
+/// A new tree for bullets costs or saves instructions of a step as follows. Of 64 bullets that meet
+/// no other body it takes 0.93, 1.02 and 1.16 for 4, 5 and 7 other bodies per bullet. Of 32 bullets
+/// that meet others it takes 0.89 even for 10. The share is between these.
+/// The minimum numbers keep the order of contacts of small worlds, and with it their bits. They
+/// save no time: from 4 bullets and from 16 other bodies on, a new tree already takes fewer
+/// instructions.
 constexpr int32 kMinMoved = 256;
 constexpr int32 kMovedShare = 3;
 constexpr int32 kMinBullets = 16;

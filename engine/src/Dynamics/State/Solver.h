@@ -112,7 +112,10 @@ enum class OverlapKind : uint8
 /// A body is fast if its displacement in a step exceeds this fraction of its thinnest half. It
 /// could then pass through others, so continuous collision tests it. Two bodies that are not fast
 /// approach in a step by a quarter of both halves at most. Contacts separate them to the right
-/// side. Smaller values test more bodies. No note compares other values.
+/// side. Smaller values test more bodies. From 0.125 to 1 no test fails. With 1 a body of random
+/// worlds 0 to 79 is up to 0.63 m out of the walls instead of 0.31 (one step). With 4 the ends of
+/// rods that rotate get 0.22 m into a wall. With 0.0625 a row of 22 between walls gains 1.7 J/kg in
+/// a step; its test allows 0.95.
 inline constexpr float32 kFastShare = 0.25f;
 
 /// Direction of an iteration over contacts: forward and backward alternate (symmetric Gauss-Seidel;
