@@ -29,7 +29,7 @@ constexpr float32 kShared = 1.0e-3f;
 
 // A polygon's side may extend beyond the edge by this much [m], so that a corner above a shared
 // vertex is not lost. Beyond that it belongs to the neighbour. From 0.02 to 0.4 slops no test of
-// motion fails; with 0 random world 15 throws a body at 117 m/s (one step).
+// motion fails; with 0 one chaotic random world throws a body (one step).
 constexpr float32 kSeam = 0.1f * b2_linearSlop;
 
 // A corner meets a vertex when it is nearer than this many radii (of both shapes: 8 cm for

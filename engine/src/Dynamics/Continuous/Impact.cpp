@@ -48,10 +48,6 @@ constexpr int32 kCornerIterations = 1024;
 /// of 3 by 3 cm, with 1 of none by 1 cm (docs/notes/sub-steps-impacts.md).
 constexpr float32 kMaxJoinedTurn = 1.0f;
 
-/// Relative rounding error of a kinetic energy: some 80 roundings of a float. With 0 no test fails;
-/// with 1e-3 impacts may add that much energy (docs/notes/tuned-constants.md).
-constexpr double kEnergyRounding = 1e-5;
-
 bool IsWithGround(const ContactData& c)
 {
     return !Data(*c.bodyA).IsDynamic() || !Data(*c.bodyB).IsDynamic();
@@ -100,8 +96,7 @@ b2Vec2 Impact::AccelerationOf(const BodyData& body) const
                          body.awakeIndex != -1 && std::size_t(body.awakeIndex) < steps.modes.size();
     const bool known = stepped && (steps.modes[std::size_t(body.awakeIndex)] == BodyMode::Flies ||
                                    std::ranges::find(m_falling, &body) != m_falling.end());
-    return known ? m_world.subSteps->kicks[std::size_t(body.awakeIndex)].acceleration
-                 : b2Vec2(0.0f, 0.0f);
+    return known ? steps.kicks[std::size_t(body.awakeIndex)].acceleration : b2Vec2(0.0f, 0.0f);
 }
 
 /// True if a contact of the body has reached its maximum number of impacts in this step. The body

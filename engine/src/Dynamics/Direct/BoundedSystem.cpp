@@ -43,8 +43,6 @@ constexpr double kSameLimit = 0.01;
 /// A difference of speeds may be rounded by this fraction of them: half an ulp for each of a
 /// dozen operations, and a margin. From 0 to 1e-4 no test fails.
 constexpr double kRounding = 8.0 * double(b2_epsilon);
-/// Relative rounding error of a kinetic energy, as at impacts: some 80 roundings of a float.
-constexpr double kEnergyRounding = 1e-5;
 
 /// Returns the speed that a row brings its bodies to if nothing else holds them. A soft spring that
 /// is far from its rest has a target speed of thousands of metres per second, and never reaches it.

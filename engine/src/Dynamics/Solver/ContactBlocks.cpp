@@ -127,9 +127,9 @@ void ContactBlocks::Sort(const Array<b2Contact*>& contacts, bool sharesBodies,
         std::copy(contacts.begin(), contacts.end(), m_sorted.begin());
         return;
     }
-    // Affects the time only, because contacts of a colour share no dynamic body. More buckets order
-    // bodies more finely. The sum with the groups must fit into the byte of a bucket number. No
-    // note compares other values.
+    // Contacts of a colour share no dynamic body. Yet with 1 bucket the bits differ. More buckets
+    // order bodies more finely. The sum with the groups must fit into the byte of a bucket number.
+    // No note compares other values.
     constexpr std::size_t maximum = 64;
     static_assert(maximum + IslandGroups::kMaxCount <= 256);
     const std::size_t buckets = sharesBodies ? 1 : b2Min(maximum, contacts.size() / kPartLanes + 1);
