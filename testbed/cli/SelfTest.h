@@ -12,6 +12,6 @@ namespace boxreel
 std::uint64_t RunSelfTest();
 
 /// The result of RunSelfTest on every machine.
-inline constexpr std::uint64_t kSelfTestState = 0xcd58666cd74515e0;
+inline constexpr std::uint64_t kSelfTestState = 0x1fa1e5ea724252e1;
 
 } // namespace boxreel

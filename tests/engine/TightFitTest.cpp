@@ -110,6 +110,28 @@ TEST_P(TightFit, StaysStillBetweenTwoWalls)
     }
 }
 
+double AngularMomentum(const b2World& world)
+{
+    double sum = 0.0;
+    for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        const double own = double(body->GetInertia()) -
+                           double(body->GetMass() * body->GetLocalCenter().LengthSquared());
+        sum +=
+            double(body->GetMass() * b2Cross(body->GetWorldCenter(), body->GetLinearVelocity())) +
+            own * double(body->GetAngularVelocity());
+    }
+    return sum;
+}
+
+/// Lets a body turn about the origin.
+void Turn(b2Body* body, float32 speed)
+{
+    const b2Vec2 c = body->GetWorldCenter();
+    body->SetLinearVelocity(speed * b2Vec2(-c.y, c.x));
+    body->SetAngularVelocity(speed);
+}
+
 /// A box in a closed case of its own size, but for the room, in free space.
 struct BoxInCase : Scene
 {
@@ -127,9 +149,7 @@ struct BoxInCase : Scene
         AddBox(box, 0.5f, 0.5f, 0.3f);
         for (b2Body* body : {shell, box})
         {
-            const b2Vec2 c = body->GetWorldCenter();
-            body->SetLinearVelocity(speed * b2Vec2(-c.y, c.x));
-            body->SetAngularVelocity(speed);
+            Turn(body, speed);
         }
     }
 
@@ -142,20 +162,6 @@ struct BoxInCase : Scene
 
     b2Body* shell = nullptr;
     b2Body* box = nullptr;
-
-    double AngularMomentum() const
-    {
-        double sum = 0.0;
-        for (const b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext())
-        {
-            const double own = double(body->GetInertia()) -
-                               double(body->GetMass() * body->GetLocalCenter().LengthSquared());
-            sum += double(body->GetMass() *
-                          b2Cross(body->GetWorldCenter(), body->GetLinearVelocity())) +
-                   own * double(body->GetAngularVelocity());
-        }
-        return sum;
-    }
 };
 
 /// Impulses of 1e8 Ns, which wedged the box, stopped the case within seconds. Now it keeps its
@@ -167,11 +173,53 @@ TEST_P(TightFit, TurnsOnWithItsCase)
         for (const float32 room : {0.01f, 0.02f, 0.03f, 0.05f})
         {
             BoxInCase scene(GetParam(), room, speed);
-            const double before = scene.AngularMomentum();
+            const double before = AngularMomentum(scene.world);
             scene.Step(300);
-            EXPECT_NEAR(scene.AngularMomentum(), before, 0.01 * before) << room << ", " << speed;
+            EXPECT_NEAR(AngularMomentum(scene.world), before, 0.01 * before)
+                << room << ", " << speed;
         }
     }
+}
+
+/// Boxes that touch in a ring contradict each other by rounding without any joint. Rigid contacts
+/// stopped the case with 4 and 8 sub-steps. Now it keeps at least 96.7 %, without sub-steps 97.9 %.
+TEST_P(TightFit, TurnsOnWithFourBoxesInACase)
+{
+    constexpr float32 kHalf = 0.49f, kRoom = 1.005f, kMass = 100.0f; // [m], [m], [kg]
+    Scene scene(b2Vec2_zero);
+    scene.world.SetSubStepCount(GetParam());
+    b2Body* const shell = scene.Body(b2_dynamicBody, 0.0f, 0.0f);
+    for (int i = 0; i < 4; ++i)
+    {
+        const b2Rot side(0.5f * b2_pi * float32(i));
+        b2PolygonShape wall;
+        wall.SetAsBox(0.2f, kRoom + 0.4f, b2Mul(side, b2Vec2(kRoom + 0.2f, 0.0f)), side.GetAngle());
+        Scene::Add(shell, wall, 0.5f, 0.0f);
+    }
+    b2MassData mass;
+    shell->GetMassData(&mass);
+    mass.I *= kMass / mass.mass;
+    mass.mass = kMass;
+    shell->SetMassData(&mass);
+    for (const b2Vec2& sign : {b2Vec2(-1, -1), b2Vec2(-1, 1), b2Vec2(1, -1), b2Vec2(1, 1)})
+    {
+        const b2Vec2 center = 0.5f * kRoom * sign;
+        b2Body* const box = scene.Body(b2_dynamicBody, center.x, center.y);
+        Scene::AddBox(box, kHalf, kHalf, 0.5f);
+    }
+    for (b2Body* body = scene.world.GetBodyList(); body != nullptr; body = body->GetNext())
+    {
+        Turn(body, 8.0f);
+    }
+    const double before = AngularMomentum(scene.world);
+    float32 largest = 0.0f;
+    for (int32 step = 0; step < 250; ++step)
+    {
+        scene.Step();
+        largest = std::max(largest, LargestImpulse(scene.world));
+    }
+    EXPECT_GT(AngularMomentum(scene.world), 0.96 * before);
+    EXPECT_LT(largest, 100.0f);
 }
 
 /// The same on an axle, so that a joint is in the island. Islands with joints were left alone: it

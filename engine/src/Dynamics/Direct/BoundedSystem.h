@@ -44,6 +44,7 @@ public:
     JointRows& Rows(std::size_t item) { return m_system.Rows(item); }
     Item& At(std::size_t item) { return m_items[item]; }
     const Array<const BodyData*>& Bodies() const { return m_system.Bodies(); }
+    int32 Components() const { return m_system.Components(); }
 
     /// Reads the rows and the speeds that platforms give them. Call after the rows are filled.
     void Begin(const SolverContext& context);

@@ -20,7 +20,7 @@ namespace
 /// Increase with every change of the stored data, its order or its meaning. Also when a step uses
 /// the data differently, because recordings that depend on a snapshot then change. Joints and
 /// settings have a number of their own, so that their changes stay in their files.
-constexpr uint32 kVersion = 17 + WorldSettings::kFormat + JointFormats();
+constexpr uint32 kVersion = 18 + WorldSettings::kFormat + JointFormats();
 
 /// The bytes before the content. The line ends in `magic` detect a file transferred as text.
 struct Header

@@ -19,8 +19,9 @@ constexpr double kSticks = 0.9999;
 /// alone: the proximal point method (Rockafellar, "Monotone Operators and the Proximal Point
 /// Algorithm", 1976). Contacts and joints that contradict each other by rounding then need no large
 /// impulses, and a solution that does not change is exact. With 1e-6 a plate that winds a chain
-/// around itself loses a third of its angular momentum in a step, with 1e-3 a random world bursts
-/// (docs/notes/contradictory-contacts.md).
+/// around itself loses a third of its angular momentum in a step, with 1e-3 a random world bursts.
+/// Islands that cannot contradict themselves need no softness, and any softness is too much for the
+/// leaning of a tall stack (docs/notes/contradictory-contacts.md).
 constexpr float32 kProximal = 1e-4f;
 
 /// A contact of a block as an item: one row per normal and one for the tangent.

@@ -428,6 +428,29 @@ void ContactSystem::SolveVelocities(SolverMemory& solver, const IslandGroup& gro
     });
 }
 
+/// True if rounding may let its rows contradict each other: those of joints, of contacts in a ring
+/// of bodies or side by side between two of them, and of platforms that move.
+bool ContactSystem::MayContradict(const ContactIsland& island, const SolverMemory& solver,
+                                  const SolverBody* bodies)
+{
+    int32 between = 0; // contacts of two bodies that they move
+    int32 carried = 0; // those with a platform that moves
+    for (const Place& place : island.contacts)
+    {
+        const ContactBlock& block = solver.contacts[place.color].Contacts(place.block);
+        const auto isGiven = [&](uint32 moves, int32 body) {
+            const SolverBody& s = bodies[body];
+            return (moves >> place.lane & 1) == 0 && (s.v != b2Vec2_zero || s.w != 0.0f);
+        };
+        between += block.movesA >> place.lane & block.movesB >> place.lane & 1;
+        carried += int32(isGiven(block.movesA, block.bodyA[place.lane]) ||
+                         isGiven(block.movesB, block.bodyB[place.lane]));
+    }
+    // In a forest of bodies each contact between two of them joins two trees.
+    const int32 inForest = int32(island.system.Bodies().size()) - island.system.Components();
+    return !island.joints.empty() || between > inForest || carried > 1;
+}
+
 /// True if platforms squeeze it.
 bool ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
                                     JointSystem& joints, const SolverContext& context,
@@ -440,13 +463,14 @@ bool ContactSystem::SolveVelocities(ContactIsland& island, SolverMemory& solver,
     };
     BoundedSystem& system = island.system;
     const std::size_t count = island.contacts.size();
+    const float32 softness = MayContradict(island, solver, context.bodies) ? kProximal : 0.0f;
     for (std::size_t i = 0; i < count; ++i)
     {
         const Place& place = island.contacts[i];
         ContactItem item = contact(i);
         item.FillRows(system.Rows(i), solver.contacts[place.color].Overlaps(place.block), context);
         item.Fill(system.At(i), SpeedOf(context, system.Rows(i)), tolerance);
-        item.SetSoftness(system.Rows(i), system.At(i), kProximal, system.At(i).impulse);
+        item.SetSoftness(system.Rows(i), system.At(i), softness, system.At(i).impulse);
     }
     for (std::size_t i = 0; i < island.joints.size(); ++i)
     {

@@ -77,6 +77,8 @@ private:
 
     static float32 MinSeparation(const ContactIsland& island, const SolverMemory& solver,
                                  const SolverBody* bodies);
+    static bool MayContradict(const ContactIsland& island, const SolverMemory& solver,
+                              const SolverBody* bodies);
     static bool IsAtRisk(const ContactIsland& island, SolverMemory& solver,
                          const JointSystem& joints);
     void ChooseContactIslands(const AwakeIslands& islands);
