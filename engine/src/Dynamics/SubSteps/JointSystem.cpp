@@ -20,9 +20,9 @@ constexpr int32 kMaxUpdates = 16;
 /// Maximum solutions to determine the active set; one is usual. With 3 a limit in a whipped chain
 /// is exceeded by 4.3 cm, with 48 no test changes (docs/notes/tuned-constants.md).
 constexpr int32 kMaxTries = 12;
-/// From this solution on inactive rows stay inactive. Otherwise the active set may cycle, and the
-/// last one could contain rows far above their limit, by a factor of fifty in a random world. With
-/// 100 world 299 gains 107 % of energy (docs/notes/tuned-constants.md).
+/// After this many further solutions no row goes back to its wanted speed. Otherwise the active set
+/// may cycle, and the last one could contain rows far above their limit, by a factor of fifty in a
+/// random world. With 100 world 299 gains 107 % of energy (docs/notes/tuned-constants.md).
 constexpr int32 kSettlingTry = 6;
 /// A part is torn if a joint is open by more than this [m], [rad]: twice what contacts allow. With
 /// 0.1 m rods under a ball of 1000:1 open by 14 % of the chain's length instead of 1.4. With 0.001

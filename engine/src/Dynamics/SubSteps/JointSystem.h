@@ -83,7 +83,8 @@ public:
     void Prepare(const SolverContext& context);
     /// Call after the kick: applies the last impulses, times `share`.
     void WarmStart(const SolverContext& context, float32 share);
-    /// Same as above, without impulses, for joints whose sides satisfy `which`.
+    /// Same as above, for joints whose sides satisfy `which`: without impulses, but for motors and
+    /// friction at their maximum.
     template <class Function>
     void StartAgain(const SolverContext& context, Function&& which)
     {
